@@ -1,0 +1,26 @@
+# What every target of ours is compiled with. Third-party headers come in as system headers, so the
+# warnings speak of our code only.
+add_library(unbruised_options INTERFACE)
+target_include_directories(unbruised_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_compile_options(unbruised_options INTERFACE
+  -march=${UNBRUISED_ARCH}
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wcast-align -Wnull-dereference -Wimplicit-fallthrough
+  -Werror
+  # GCC 12 sees uninitialised values inside its own AVX-512 headers (PR 105593).
+  -Wno-uninitialized -Wno-maybe-uninitialized
+  -fno-math-errno -fno-trapping-math -fopenmp-simd)
+# 512-bit vectors where the machine has them: the lane kernels are written for them.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-mprefer-vector-width=512 UNBRUISED_HAS_VECTOR_WIDTH_FLAG)
+if(UNBRUISED_HAS_VECTOR_WIDTH_FLAG)
+  target_compile_options(unbruised_options INTERFACE -mprefer-vector-width=512)
+endif()
+if(UNBRUISED_SANITIZER)
+  target_compile_options(unbruised_options INTERFACE -fsanitize=${UNBRUISED_SANITIZER} -fno-omit-frame-pointer)
+  target_link_options(unbruised_options INTERFACE -fsanitize=${UNBRUISED_SANITIZER})
+endif()
+# Asserts cost little beside the kernels; the presets decide with NDEBUG.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")

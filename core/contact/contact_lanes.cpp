@@ -1,0 +1,453 @@
+#include "core/contact/contact_lanes.hpp"
+
+#include <algorithm>
+
+namespace unbruised {
+namespace {
+
+/// A contact joins the solve when its free motion brings it this close to the surface, as a share of the body's
+/// smallest extent: far more than the contact forces of one step move an open contact.
+constexpr double kNearShare = 0.005;
+/// Relative change of the forces in a sweep below which a lane is solved.
+constexpr double kTolerance = 1e-8;
+/// Forces below this are numerical dust of a contact that has opened [N].
+constexpr double kDust = 1e-12;
+constexpr int kMaxSweeps = 200;
+
+/// Pads meet the product from -x and +x: closing moves the left one up, the right one down.
+constexpr double kClosing[2] = {1.0, -1.0};
+
+Lane positive(const Lane& x) { return max(x, Lane(0.0)); }
+
+}  // namespace
+
+ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
+    : model_(model), near_margin_(kNearShare * smallest_extent_m) {
+  const std::size_t n = model.candidate.size();
+  for (LaneArray* rows :
+       {&normal_, &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_, &tangent2_theta_, &anchor1_, &anchor2_,
+        &travel_, &share_, &near_, &offset_, &gap_now_, &gap_free_, &previous_, &sliding_, &was_sliding_}) {
+    *rows = LaneArray(n);
+  }
+  base_ = LaneArray(3 * model.node_count());
+  node_force_ = LaneArray(3 * model.node_count());
+  for (int s = 0; s < kSurfaceCount; ++s) {
+    friction_[s] = stiffness_[s] = Lane(1.0);
+    relaxation_[s] = rest_place_[s] = Lane(0.0);
+    present_[s] = Mask(false);
+  }
+  pad_size_ = {Lane(1.0), Lane(1.0)};
+  pad_center_ = {Lane(0.0), Lane(0.0)};
+}
+
+void ContactLanes::load(int lane, const Scenario& scenario, const std::array<double, 3>& product_center_m) {
+  for (LaneArray* rows : {&normal_, &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_, &tangent2_theta_,
+                          &anchor1_, &anchor2_, &travel_, &share_, &near_, &previous_, &sliding_, &was_sliding_}) {
+    rows->clear_lane(lane);
+  }
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  const double product_friction =
+      lattice != nullptr ? lattice->friction : std::get<NetworkParameters>(scenario.product).friction;
+  const CellParameters& cell = scenario.cell;
+  for (int pad = 0; pad < 2; ++pad) {
+    present_[pad].set(lane, scenario.gripper.has_value());
+    friction_[pad].set(lane, product_friction);
+    if (!scenario.gripper) continue;
+    const GripperParameters& gripper = *scenario.gripper;
+    stiffness_[pad].set(lane, gripper.pad_modulus_Pa / gripper.pad_thickness_m);
+    relaxation_[pad].set(lane, gripper.pad_relaxation_time_s);
+    rest_place_[pad].set(lane, model_.pole_m[pad] - kClosing[pad] * cell.approach_gap_m);
+    pad_size_[0].set(lane, gripper.pad_size_m[0]);
+    pad_size_[1].set(lane, gripper.pad_size_m[1]);
+  }
+  pad_center_[0].set(lane, product_center_m[1]);
+  pad_center_[1].set(lane, product_center_m[2] + cell.grip_height_m);
+  const auto support = static_cast<std::size_t>(Surface::support);
+  present_[support].set(lane, cell.support);
+  friction_[support].set(lane, cell.support_friction);
+  stiffness_[support].set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
+  relaxation_[support].set(lane, cell.support_relaxation_time_s);
+}
+
+void ContactLanes::set_support_force(int lane, int candidate, double normal_force_N) {
+  normal_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
+  normal_theta_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
+  share_.at(static_cast<std::size_t>(candidate), lane) = 1.0;
+}
+
+void ContactLanes::set_anchor_to_place(int lane, const LaneArray& u) {
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    const auto tangents = tangent_axes(model_.candidate[c].surface);
+    const auto node = 3 * static_cast<std::size_t>(model_.candidate[c].node);
+    anchor1_.at(c, lane) = u.at(node + static_cast<std::size_t>(tangents[0]), lane);
+    anchor2_.at(c, lane) = u.at(node + static_cast<std::size_t>(tangents[1]), lane);
+  }
+}
+
+void ContactLanes::reset_travel(int lane) { travel_.clear_lane(lane); }
+
+Lane ContactLanes::surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const {
+  if (surface == static_cast<int>(Surface::support)) return places.support_height;
+  return rest_place_[surface] + Lane(kClosing[surface]) * way[surface] + places.palm[0];
+}
+
+void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const LaneArray& v, const LaneArray& a,
+                              const SurfacePlaces& now, const SurfacePlaces& theta, const FingerLanes& fingers,
+                              const LaneArray& base, const Mask& running) {
+  theta_places_ = theta;
+  for (int s = 0; s < kSurfaceCount; ++s) a1_tau_factor_[s] = Lane(1.0) + Lane(w.a1) * relaxation_[s];
+  const std::array<Lane, 2> way_now = {fingers.way(0), fingers.way(1)};
+  const std::array<Lane, 2> no_force = {Lane(0.0), Lane(0.0)};
+  const std::array<Lane, 2> way_free = {fingers.way_at_theta(0, no_force), fingers.way_at_theta(1, no_force)};
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    const ContactCandidate& candidate = model_.candidate[c];
+    const int surface = candidate.surface;
+    const auto axis = static_cast<std::size_t>(normal_axis(surface));
+    const auto node = 3 * static_cast<std::size_t>(candidate.node);
+    const auto free = 3 * static_cast<std::size_t>(candidate.contact_node);
+    const Lane sign(normal_sign(surface));
+    const Lane rest(candidate.surface_m);
+    const Lane gap_now = sign * (rest + u.get(node + axis) - surface_place(surface, now, way_now));
+    const Lane gap_free = sign * (rest + base.get(free + axis) - surface_place(surface, theta, way_free));
+    const Lane held = normal_theta_.get(c);
+    const Mask carrying = held > Lane(0.0);
+    Mask near = running & present_[surface] & (carrying | (gap_free < near_margin_));
+    if (surface < 2) {
+      // Share of the tributary rectangle under the pad; a closed contact keeps the one it closed with.
+      const auto tangents = tangent_axes(surface);
+      Lane share(1.0);
+      for (std::size_t t = 0; t < 2; ++t) {
+        const Lane place = Lane(candidate.place_m[t]) + u.get(node + static_cast<std::size_t>(tangents[t])) -
+                           now.palm[static_cast<std::size_t>(tangents[t])] - pad_center_[t];
+        const Lane half(0.5 * candidate.extent_m[t]);
+        const Lane pad_half = Lane(0.5) * pad_size_[t];
+        share *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) / (Lane(2.0) * half);
+      }
+      const Lane kept = select(carrying & (share > Lane(0.0)), share_.get(c), share);
+      share_.put(c, kept);
+      near = near & (kept > Lane(0.0));
+    } else {
+      share_.put(c, Lane(1.0));
+    }
+    near_.put(c, select(near, Lane(1.0), Lane(0.0)));
+    gap_now_.put(c, gap_now);
+    gap_free_.put(c, gap_free);
+    previous_.put(c, held);
+    was_sliding_.put(c, sliding_.get(c));
+    // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.
+    Lane surface_speed(0.0), surface_acceleration(0.0);
+    if (surface < 2) {
+      surface_speed = Lane(kClosing[surface]) * fingers.speed(surface);
+      surface_acceleration = Lane(kClosing[surface]) * fingers.acceleration(surface);
+    }
+    const Lane rate = -sign * (v.get(node + axis) - surface_speed);
+    const Lane second_rate = -sign * (a.get(node + axis) - surface_acceleration);
+    offset_.put(c, relaxation_[surface] * w.viscous(-gap_now, rate, second_rate));
+    normal_theta_.put(c, select(near, held, Lane(0.0)));
+    tangent1_theta_.put(c, select(near, tangent1_theta_.get(c), Lane(0.0)));
+    tangent2_theta_.put(c, select(near, tangent2_theta_.get(c), Lane(0.0)));
+  }
+  choose_active(running);
+  rebase(base);
+}
+
+void ContactLanes::choose_active(const Mask& running) {
+  active_node_.clear();
+  live_candidate_.clear();
+  node_force_.fill(0.0);
+  for (std::size_t node = 0; node < model_.node_count(); ++node) {
+    bool active = false;
+    for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
+      const auto at = static_cast<std::size_t>(c);
+      const bool near = any(near_.get(at) > Lane(0.0));
+      active = active || near;
+      if (near || any(running & (normal_.get(at) > Lane(0.0)))) live_candidate_.push_back(c);
+    }
+    if (active) active_node_.push_back(static_cast<int>(node));
+  }
+}
+
+void ContactLanes::rebase(const LaneArray& base) {
+  pad_force_ = {Lane(0.0), Lane(0.0)};
+  for (int node : active_node_) {
+    const auto at = 3 * static_cast<std::size_t>(node);
+    std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
+    for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      const int surface = model_.candidate[k].surface;
+      const auto tangents = tangent_axes(surface);
+      force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal_theta_.get(k);
+      force[static_cast<std::size_t>(tangents[0])] += tangent1_theta_.get(k);
+      force[static_cast<std::size_t>(tangents[1])] += tangent2_theta_.get(k);
+      if (surface < 2) pad_force_[surface] += normal_theta_.get(k);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      base_.put(at + axis, base.get(at + axis));
+      node_force_.put(at + axis, force[axis]);
+    }
+  }
+}
+
+void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving,
+                                    std::array<Lane, 3>& d, const double* own, Lane& largest_change,
+                                    Lane& largest_force) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const int surface = candidate.surface;
+  const Mask active = solving & (near_.get(c) > Lane(0.0));
+  if (none(active)) return;
+  const auto axis = static_cast<std::size_t>(normal_axis(surface));
+  const auto tangents = tangent_axes(surface);
+  const auto t1 = static_cast<std::size_t>(tangents[0]);
+  const auto t2 = static_cast<std::size_t>(tangents[1]);
+  const auto at = 3 * static_cast<std::size_t>(candidate.contact_node);
+  const Lane sign(normal_sign(surface));
+  const Lane layer = candidate.stiffness_N_m > 0.0 ? Lane(candidate.stiffness_N_m)
+                                                   : stiffness_[surface] * Lane(candidate.area_m2) * share_.get(c);
+
+  // Normal: N = k (p - offset) at the solution, and p falls by (W_nn + finger compliance) per unit of N.
+  Lane compliance(own[4 * axis]);
+  std::array<Lane, 2> way = {Lane(0.0), Lane(0.0)};
+  if (surface < 2) {
+    compliance += fingers.compliance();
+    way[surface] = fingers.way_at_theta(surface, pad_force_);
+  }
+  const Lane gap = sign * (Lane(candidate.surface_m) + d[axis] - surface_place(surface, theta_places_, way));
+  const Lane stiffness = layer * a1_tau_factor_[surface];
+  const Lane old_normal = normal_theta_.get(c);
+  const Lane wanted =
+      old_normal + (-stiffness * gap - layer * offset_.get(c) - old_normal) / (Lane(1.0) + stiffness * compliance);
+  const Lane normal = select(active, positive(wanted), old_normal);
+  const Lane change = normal - old_normal;
+  normal_theta_.put(c, normal);
+  if (surface < 2) pad_force_[surface] += change;
+  for (std::size_t i = 0; i < 3; ++i) d[i] += Lane(own[3 * i + axis]) * sign * change;
+  node_force_.put(at + axis, node_force_.get(at + axis) + sign * change);
+
+  // Tangential: a spring to the anchor, held inside the friction cone.
+  const Lane shear = layer * Lane(1.0 / 3.0);
+  const Lane shear_compliance(std::max(own[4 * t1], own[4 * t2]));
+  const Lane inverse = Lane(1.0) / (Lane(1.0) + shear * shear_compliance);
+  const Lane r1 = d[t1] - (surface < 2 ? theta_places_.palm[t1] : Lane(0.0));
+  const Lane r2 = d[t2] - (surface < 2 ? theta_places_.palm[t2] : Lane(0.0));
+  const Lane old1 = tangent1_theta_.get(c);
+  const Lane old2 = tangent2_theta_.get(c);
+  Lane new1 = old1 + (-shear * (r1 - anchor1_.get(c)) - old1) * inverse;
+  Lane new2 = old2 + (-shear * (r2 - anchor2_.get(c)) - old2) * inverse;
+  const Lane cone = friction_[surface] * normal;
+  const Lane size2 = new1 * new1 + new2 * new2;
+  const Mask sliding = size2 > cone * cone;
+  const Lane scale = select(sliding, cone / sqrt(max(size2, Lane(1e-300))), Lane(1.0));
+  new1 = select(active, new1 * scale, old1);
+  new2 = select(active, new2 * scale, old2);
+  sliding_.put(c, select(active, select(sliding, Lane(1.0), Lane(0.0)), sliding_.get(c)));
+  tangent1_theta_.put(c, new1);
+  tangent2_theta_.put(c, new2);
+  const Lane change1 = new1 - old1;
+  const Lane change2 = new2 - old2;
+  for (std::size_t i = 0; i < 3; ++i) d[i] += Lane(own[3 * i + t1]) * change1 + Lane(own[3 * i + t2]) * change2;
+  node_force_.put(at + t1, node_force_.get(at + t1) + change1);
+  node_force_.put(at + t2, node_force_.get(at + t2) + change2);
+
+  largest_change =
+      max(largest_change, select(active, max(abs(change), max(abs(change1), abs(change2))), Lane(0.0)));
+  largest_force = max(largest_force, select(active, normal, Lane(0.0)));
+}
+
+Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
+  Lane sweeps(0.0);
+  Mask solving = lanes;
+  const std::size_t m = model_.node_count();
+  for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
+    Lane largest_change(0.0), largest_force(0.0);
+    for (int node : active_node_) {
+      const auto i = static_cast<std::size_t>(node);
+      std::array<Lane, 3> d = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
+      const double* row = model_.compliance.data() + 9 * i * m;
+      for (int other : active_node_) {
+        const auto j = static_cast<std::size_t>(other);
+        const double* block = row + 9 * j;
+        const double* f = node_force_.row(3 * j);
+        const Lane f0 = ::unbruised::load(f), f1 = ::unbruised::load(f + kLanes),
+                   f2 = ::unbruised::load(f + 2 * kLanes);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          d[axis] += Lane(block[3 * axis]) * f0;
+          d[axis] += Lane(block[3 * axis + 1]) * f1;
+          d[axis] += Lane(block[3 * axis + 2]) * f2;
+        }
+      }
+      const double* own = row + 9 * i;
+      for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
+        update_candidate(static_cast<std::size_t>(c), fingers, solving, d, own, largest_change, largest_force);
+      }
+    }
+    sweeps += select(solving, Lane(1.0), Lane(0.0));
+    solving = solving & (largest_change > Lane(kTolerance) * max(largest_force, Lane(1e-6)));
+  }
+  return sweeps;
+}
+
+void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, const LaneArray& u,
+                            const std::vector<std::array<double, 3>>& position_m, const SurfacePlaces& next,
+                            const Mask& running) {
+  for (SurfaceTally& tally : tally_) tally = SurfaceTally{};
+  patch_pressure_ = Lane(0.0);
+  first_touch_ = Lane(2.0);
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    // Anchors of open contacts go with the particle, so that a contact closes where it touches.
+    const auto tangents = tangent_axes(model_.candidate[c].surface);
+    const auto node = 3 * static_cast<std::size_t>(model_.candidate[c].node);
+    const int surface = model_.candidate[c].surface;
+    const Mask open = running & !(normal_theta_.get(c) > Lane(0.0));
+    for (std::size_t t = 0; t < 2; ++t) {
+      const auto axis = static_cast<std::size_t>(tangents[t]);
+      const Lane place = u.get(node + axis) - (surface < 2 ? next.palm[axis] : Lane(0.0));
+      LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
+      anchor.put(c, select(open, place, anchor.get(c)));
+    }
+  }
+  for (int live : live_candidate_) {
+    const auto c = static_cast<std::size_t>(live);
+    const ContactCandidate& candidate = model_.candidate[c];
+    const int surface = candidate.surface;
+    SurfaceTally& tally = tally_[surface];
+    const auto axis = static_cast<std::size_t>(normal_axis(surface));
+    const auto tangents = tangent_axes(surface);
+    const auto node = static_cast<std::size_t>(candidate.node);
+    const Lane closed = select(running & (normal_theta_.get(c) > Lane(0.0)), Lane(1.0), Lane(0.0));
+    const Mask is_closed = closed > Lane(0.0);
+    const Lane sliding = closed * sliding_.get(c);
+
+    const Lane old[3] = {normal_.get(c), tangent1_.get(c), tangent2_.get(c)};
+    Lane now[3] = {w.at_end(old[0], normal_theta_.get(c)), w.at_end(old[1], tangent1_theta_.get(c)),
+                   w.at_end(old[2], tangent2_theta_.get(c))};
+    const Mask dust = (!is_closed) & (now[0] < Lane(kDust));
+    for (int i = 0; i < 3; ++i) now[i] = select(running, select(dust, Lane(0.0), now[i]), old[i]);
+    normal_.put(c, now[0]);
+    tangent1_.put(c, now[1]);
+    tangent2_.put(c, now[2]);
+
+    // Where a contact slides, its anchor follows so that the spring stays on the cone.
+    const Lane layer = candidate.stiffness_N_m > 0.0
+                           ? Lane(candidate.stiffness_N_m)
+                           : stiffness_[surface] * Lane(candidate.area_m2) * share_.get(c);
+    const Lane shear = max(layer * Lane(1.0 / 3.0), Lane(1e-300));
+    Lane moved[2];
+    for (std::size_t t = 0; t < 2; ++t) {
+      LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
+      const LaneArray& force = t == 0 ? tangent1_theta_ : tangent2_theta_;
+      const auto along = static_cast<std::size_t>(tangents[t]);
+      const Lane place = u_theta.get(3 * node + along) - (surface < 2 ? theta_places_.palm[along] : Lane(0.0));
+      const Lane before = anchor.get(c);
+      const Lane after = w.at_end(before, place + force.get(c) / shear);
+      moved[t] = select(sliding > Lane(0.0), after - before, Lane(0.0));
+      anchor.put(c, before + moved[t]);
+    }
+    const Lane way = sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
+    travel_.put(c, select(is_closed, travel_.get(c) + way, select(running, Lane(0.0), travel_.get(c))));
+    dissipated_ +=
+        select(running, -Lane(0.5) * ((old[1] + now[1]) * moved[0] + (old[2] + now[2]) * moved[1]), Lane(0.0));
+
+    tally.normal += select(running, now[0], Lane(0.0));
+    tally.tangent[0] += select(running, now[1], Lane(0.0));
+    tally.tangent[1] += select(running, now[2], Lane(0.0));
+    tally.closed += closed;
+    tally.sliding += sliding;
+    tally.travel += closed * travel_.get(c);
+    const Lane y(candidate.place_m[0]), z(candidate.place_m[1]);
+    tally.first[0] += now[0] * y;
+    tally.first[1] += now[0] * z;
+    tally.second[0] += now[0] * y * y;
+    tally.second[1] += now[0] * z * z;
+    tally.second[2] += now[0] * y * z;
+    if (surface < 2) {
+      Lane arm[3], force[3];
+      for (std::size_t i = 0; i < 3; ++i) {
+        arm[i] = Lane(position_m[node][i]) + u.get(3 * node + i) - next.palm[i];
+        if (i > 0) arm[i] -= pad_center_[i - 1];
+      }
+      force[axis] = Lane(normal_sign(surface)) * now[0];
+      force[tangents[0]] = now[1];
+      force[tangents[1]] = now[2];
+      for (std::size_t i = 0; i < 3; ++i) {
+        tally.torque[i] += select(
+            running, arm[(i + 1) % 3] * force[(i + 2) % 3] - arm[(i + 2) % 3] * force[(i + 1) % 3], Lane(0.0));
+      }
+      const Mask touched = is_closed & !(previous_.get(c) > Lane(0.0));
+      const Lane gap_now = positive(gap_now_.get(c));
+      const Lane fraction = gap_now / max(gap_now - gap_free_.get(c), Lane(1e-300));
+      first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
+    }
+  }
+  for (int live : live_candidate_) {
+    const auto c = static_cast<std::size_t>(live);
+    Lane patch(0.0);
+    for (std::size_t p = model_.patch_start[c]; p < model_.patch_start[c + 1]; ++p) {
+      patch += Lane(model_.patch_weight[p].weight) *
+               normal_.get(static_cast<std::size_t>(model_.patch_weight[p].candidate));
+    }
+    patch_pressure_ = max(patch_pressure_, select(running, patch / Lane(model_.patch_area_m2), Lane(0.0)));
+  }
+}
+
+Lane ContactLanes::stored_energy() const {
+  Lane energy(0.0);
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    const ContactCandidate& candidate = model_.candidate[c];
+    const Lane layer = candidate.stiffness_N_m > 0.0
+                           ? Lane(candidate.stiffness_N_m)
+                           : stiffness_[candidate.surface] * Lane(candidate.area_m2) * share_.get(c);
+    const Lane n = normal_.get(c), t1 = tangent1_.get(c), t2 = tangent2_.get(c);
+    const Lane stored = (Lane(0.5) * n * n + Lane(1.5) * (t1 * t1 + t2 * t2)) / max(layer, Lane(1e-300));
+    energy += select(n > Lane(0.0), stored, Lane(0.0));
+  }
+  return energy;
+}
+
+Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
+  const SurfaceTally& t = tally_[pad];
+  const PatchForm& form = model_.patch_form[pad];
+  const Lane force = max(t.normal, Lane(1e-9));
+  const Lane y = t.first[0] / force, z = t.first[1] / force;
+  // The moments of one loaded particle vanish; its force still spreads over its tributary rectangle.
+  const Lane least_y(model_.pad_extent_m[0] * model_.pad_extent_m[0] / 12.0);
+  const Lane least_z(model_.pad_extent_m[1] * model_.pad_extent_m[1] / 12.0);
+  const Lane yy = max(t.second[0] / force - y * y, least_y);
+  const Lane zz = max(t.second[1] / force - z * z, least_z);
+  const Lane yz = t.second[2] / force - y * z;
+  const Lane area = Lane(form.area_factor) * sqrt(max(yy * zz - yz * yz, least_y * least_z));
+  return select(t.normal > Lane(1e-9),
+                t.normal / (max(area, Lane(1e-30)) * Lane(form.yield_factor) * yield_stress), Lane(0.0));
+}
+
+std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
+  const SurfaceTally& t = tally_[surface];
+  std::array<double, 3> force{};
+  force[static_cast<std::size_t>(normal_axis(surface))] = normal_sign(surface) * t.normal[lane];
+  const auto tangents = tangent_axes(surface);
+  for (std::size_t i = 0; i < 2; ++i) force[static_cast<std::size_t>(tangents[i])] = t.tangent[i][lane];
+  return force;
+}
+
+void ContactLanes::record_events(int lane, double step_start_s, const WilsonTheta& w,
+                                 std::vector<ContactEvent>& events) const {
+  for (int live : live_candidate_) {
+    const auto c = static_cast<std::size_t>(live);
+    const ContactCandidate& candidate = model_.candidate[c];
+    const bool was = previous_.at(c, lane) > 0.0;
+    const bool is = normal_theta_.at(c, lane) > 0.0;
+    const double gap_now = std::max(0.0, gap_now_.at(c, lane));
+    const double gap_free = gap_free_.at(c, lane);
+    const double fraction = is ? (gap_now - gap_free > 0.0 ? gap_now / (gap_now - gap_free) : 0.0) : 0.5;
+    const double time = step_start_s + w.theta * w.dt * std::clamp(fraction, 0.0, 1.0);
+    using Kind = ContactEvent::Kind;
+    if (is != was) events.push_back({time, candidate.node, candidate.surface, is ? Kind::make : Kind::break_});
+    const bool slid = was && was_sliding_.at(c, lane) > 0.0;
+    const bool slides = is && sliding_.at(c, lane) > 0.0;
+    if (is && slid != slides) {
+      events.push_back(
+          {step_start_s + w.theta * w.dt, candidate.node, candidate.surface, slides ? Kind::slip : Kind::stick});
+    }
+  }
+}
+
+}  // namespace unbruised

@@ -1,0 +1,162 @@
+#include "core/contact/contact_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/lanes/lane_solve.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
+constexpr std::array<int, kSurfaceCount> kFacingSide = {0, 1, 4};
+
+/// Pressed flat against a plane: a doubly curved side makes a Hertz ellipse, p0 = 1.6 Y (Johnson 1985, 4.2), so
+/// p_mean = 1.07 Y, and its moments are a^2/5, b^2/5; a singly curved one a Hertz strip, p0 = 1.67 Y, p_mean
+/// = 1.31 Y, moments a^2/4 and L^2/12; a flat one a uniform pressure that yields at Y, moments L^2/12.
+PatchForm patch_form(const LatticeParameters& parameters) {
+  constexpr PatchForm kEllipse{5.0 * std::numbers::pi, 1.07};
+  const PatchForm strip{4.0 * std::sqrt(12.0), 1.31};
+  constexpr PatchForm kFlat{12.0, 1.0};
+  switch (parameters.shape) {
+    case Shape::box:
+      return kFlat;
+    case Shape::cylinder:
+      return parameters.axis == Axis::x ? kFlat : strip;
+    default:
+      return kEllipse;
+  }
+}
+
+/// Length of the overlap of two intervals given by centre and width.
+double overlap(double center_a, double width_a, double center_b, double width_b) {
+  const double low = std::max(center_a - width_a / 2, center_b - width_b / 2);
+  const double high = std::min(center_a + width_a / 2, center_b + width_b / 2);
+  return std::max(0.0, high - low);
+}
+
+void fill_patches(double side_m, ContactModel& contact) {
+  contact.patch_area_m2 = side_m * side_m;
+  contact.patch_start.push_back(0);
+  for (const ContactCandidate& center : contact.candidate) {
+    for (std::size_t j = 0; j < contact.candidate.size(); ++j) {
+      const ContactCandidate& other = contact.candidate[j];
+      if (other.surface != center.surface || other.area_m2 == 0.0) continue;
+      const double weight = overlap(center.place_m[0], side_m, other.place_m[0], other.extent_m[0]) *
+                            overlap(center.place_m[1], side_m, other.place_m[1], other.extent_m[1]) /
+                            (other.extent_m[0] * other.extent_m[1]);
+      if (weight > 0.0) contact.patch_weight.push_back({static_cast<int>(j), weight});
+    }
+    contact.patch_start.push_back(contact.patch_weight.size());
+  }
+}
+
+/// Sorts candidates by node and numbers the contact nodes.
+void number_nodes(ContactModel& contact) {
+  std::stable_sort(contact.candidate.begin(), contact.candidate.end(),
+                   [](const ContactCandidate& a, const ContactCandidate& b) {
+                     return a.node != b.node ? a.node < b.node : a.surface < b.surface;
+                   });
+  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
+    if (contact.node.empty() || contact.node.back() != contact.candidate[c].node) {
+      contact.node.push_back(contact.candidate[c].node);
+      contact.first_candidate.push_back(static_cast<int>(c));
+    }
+    contact.candidate[c].contact_node = static_cast<int>(contact.node.size()) - 1;
+  }
+  contact.first_candidate.push_back(static_cast<int>(contact.candidate.size()));
+}
+
+}  // namespace
+
+ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
+                             double pressure_patch_m) {
+  ContactModel contact;
+  contact.patch_form = {patch_form(parameters), patch_form(parameters)};
+  contact.pad_extent_m = {lattice.cell_extent_m[1], lattice.cell_extent_m[2]};
+  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+    const auto& points = lattice.side[kFacingSide[surface]];
+    const int axis = normal_axis(surface);
+    const auto tangents = tangent_axes(surface);
+    const double sign = normal_sign(surface);  // the surface lies at the low end where its force points up
+    double pole = sign * 1e300;
+    for (const SurfacePoint& point : points) {
+      pole = sign > 0 ? std::min(pole, point.position_m) : std::max(pole, point.position_m);
+    }
+    if (surface < 2) contact.pole_m[surface] = pole;
+    const double depth = kCandidateDepth * parameters.size_m[axis];
+    for (const SurfacePoint& point : points) {
+      if (sign * (point.position_m - pole) > depth) continue;
+      ContactCandidate candidate;
+      candidate.surface = surface;
+      candidate.node = point.node;
+      candidate.surface_m = point.position_m;
+      candidate.area_m2 = point.area_m2;
+      for (int t = 0; t < 2; ++t) {
+        candidate.place_m[t] = lattice.position_m[point.node][tangents[t]];
+        candidate.extent_m[t] = lattice.cell_extent_m[tangents[t]];
+      }
+      contact.candidate.push_back(candidate);
+    }
+  }
+  number_nodes(contact);
+  fill_patches(pressure_patch_m, contact);
+  return contact;
+}
+
+ContactModel network_contact(const NetworkParameters& parameters) {
+  ContactModel contact;
+  for (std::size_t i = 0; i < parameters.particle.size(); ++i) {
+    const NetworkParticle& particle = parameters.particle[i];
+    if (particle.contact_stiffness_N_m <= 0.0) continue;
+    ContactCandidate candidate;
+    candidate.surface = static_cast<int>(Surface::support);
+    candidate.node = static_cast<int>(i);
+    candidate.surface_m = particle.position_m[2];
+    candidate.stiffness_N_m = particle.contact_stiffness_N_m;
+    candidate.place_m = {particle.position_m[0], particle.position_m[1]};
+    contact.candidate.push_back(candidate);
+  }
+  number_nodes(contact);
+  fill_patches(1.0, contact);
+  return contact;
+}
+
+void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact) {
+  const std::size_t m = contact.node_count();
+  std::vector<int> freedoms;
+  for (int node : contact.node) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int at = slot[3 * static_cast<std::size_t>(node) + axis];
+      if (at >= 0) freedoms.push_back(factor.permutation[at]);
+    }
+  }
+  contact.reach = reach(factor, freedoms);
+  contact.compliance.assign(9 * m * m, 0.0);
+  LaneArray x(static_cast<std::size_t>(factor.size));
+  const std::size_t columns = 3 * m;
+  for (std::size_t first = 0; first < columns; first += kLanes) {
+    x.fill(0.0);
+    const std::size_t count = std::min<std::size_t>(kLanes, columns - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t column = first + k;
+      const int at = slot[3 * static_cast<std::size_t>(contact.node[column / 3]) + column % 3];
+      if (at >= 0) x.at(static_cast<std::size_t>(at), static_cast<int>(k)) = 1.0;
+    }
+    solve_forward(factor, contact.reach, x.data());
+    solve_backward(factor, contact.reach, x.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t column = first + k;
+      for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const int at = slot[3 * static_cast<std::size_t>(contact.node[i]) + axis];
+          const double value = at >= 0 ? x.at(static_cast<std::size_t>(at), static_cast<int>(k)) : 0.0;
+          contact.compliance[9 * (i * m + column / 3) + 3 * axis + column % 3] = value;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace unbruised

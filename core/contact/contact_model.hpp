@@ -1,0 +1,86 @@
+#pragma once
+
+/// @file
+/// What all scenarios of a factor key share about contact: which freedoms can touch which surface, and how far the
+/// product yields there, W = J A^-1 J' (docs/theory.md, "Contact").
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/lanes/supernodes.hpp"
+#include "core/product/lattice.hpp"
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised {
+
+/// The surfaces a product can touch.
+enum class Surface : int { left_pad = 0, right_pad = 1, support = 2 };
+inline constexpr int kSurfaceCount = 3;
+
+/// Axis of a surface's normal: pads face along x, the support along z.
+constexpr int normal_axis(int surface) { return surface == static_cast<int>(Surface::support) ? 2 : 0; }
+/// Sign of the force a surface can exert on the product along its normal axis.
+constexpr double normal_sign(int surface) { return surface == static_cast<int>(Surface::right_pad) ? -1.0 : 1.0; }
+/// The two axes in the plane of a surface.
+constexpr std::array<int, 2> tangent_axes(int surface) {
+  return surface == static_cast<int>(Surface::support) ? std::array<int, 2>{0, 1} : std::array<int, 2>{1, 2};
+}
+
+/// One particle that may touch one surface.
+struct ContactCandidate {
+  int surface = 0;
+  int node = 0;                      ///< particle
+  int contact_node = 0;              ///< index into ContactModel::node
+  double surface_m = 0;              ///< coordinate of the true surface at rest, along the normal axis
+  double area_m2 = 0;                ///< tributary area, 0 for network particles
+  double stiffness_N_m = 0;          ///< of a network particle's own layer; 0: from the area
+  std::array<double, 2> place_m{};   ///< rest coordinates in the plane of the surface
+  std::array<double, 2> extent_m{};  ///< of the tributary rectangle
+};
+
+/// How a patch pressed against a flat pad is shaped, and where it yields first (docs/theory.md, "First yield").
+struct PatchForm {
+  /// Area of the patch = area_factor x sqrt(det of the second moments of its pressure).
+  double area_factor = 5.0 * 3.14159265358979323846;
+  /// Mean pressure at first yield / yield stress.
+  double yield_factor = 1.07;
+};
+
+/// One entry of a row of the pressure patches.
+struct PatchWeight {
+  int candidate = 0;
+  double weight = 0;  ///< share of that candidate's tributary area inside the patch
+};
+
+struct ContactModel {
+  std::vector<ContactCandidate> candidate;  ///< by contact node, then surface
+  std::vector<int> node;                    ///< contact node -> particle
+  std::vector<int> first_candidate;         ///< contact node -> its first candidate; size node.size() + 1
+  std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
+  std::vector<int> reach;                   ///< supernodes the contact freedoms touch
+  std::array<PatchForm, 2> patch_form;      ///< left, right pad
+  std::array<double, 2> pad_extent_m{};     ///< tributary rectangle of a pad contact, y and z
+  std::array<double, 2> pole_m{};           ///< outermost x of the true surface, left and right
+  std::vector<std::size_t> patch_start;     ///< per candidate, into patch_weight
+  std::vector<PatchWeight> patch_weight;
+  double patch_area_m2 = 0;
+
+  [[nodiscard]] std::size_t node_count() const { return node.size(); }
+};
+
+/// Surface particles no deeper than this share of the body's extent behind the pole can touch a pad or the
+/// support: far more than a body of validity-limited strain can be flattened.
+inline constexpr double kCandidateDepth = 0.15;
+
+/// Candidates of a lattice body against both pads and the support.
+ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice, double pressure_patch_m);
+
+/// Candidates of a network: the particles with a contact stiffness, against the support.
+ContactModel network_contact(const NetworkParameters& parameters);
+
+/// Fills `compliance` and `reach` from the factored effective stiffness.
+/// @param slot elimination position of each freedom (3 per particle), -1 where it is fixed
+void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact);
+
+}  // namespace unbruised

@@ -1,0 +1,75 @@
+#pragma once
+
+/// @file
+/// The two driven fingers of a parallel jaw, all lanes at once. A finger has one freedom, its closing way w
+/// relative to the palm: m w'' + c w' = D - S - dir m a_palm, with drive force D = clamp(gain (v_set - w'),
+/// +-limit) and S the sum of its contacts' normal forces. It is integrated by the same Wilson-theta as the
+/// product, coupled through S.
+
+#include <array>
+
+#include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane.hpp"
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised {
+
+/// What the drive is told for one step, per lane, at t + theta dt.
+struct DriveCommand {
+  Lane force_limit_N{0.0};
+  Lane set_speed_m_s{0.0};
+  Lane palm_acceleration_x_m_s2{0.0};
+};
+
+class FingerLanes {
+ public:
+  /// Puts a gripper at rest into a lane; none: pads far away that never touch.
+  void load(int lane, const std::optional<GripperParameters>& gripper);
+
+  /// Collects what does not depend on the contact forces of this step.
+  void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
+
+  /// Closing way at t + theta dt of `finger` when the contacts press with `force` on fingers 0 and 1.
+  [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, 2>& force) const;
+
+  /// Bound on d way / d force for the contact solver's local steps (drive saturated).
+  [[nodiscard]] const Lane& compliance() const { return compliance_; }
+
+  /// Moves to t + dt under the contact forces at t + theta dt, in the lanes of `running`.
+  void advance(const WilsonTheta& wilson, const std::array<Lane, 2>& force_theta, const Mask& running);
+
+  [[nodiscard]] Lane way(int finger) const { return state_[finger].way; }
+  [[nodiscard]] Lane speed(int finger) const { return state_[finger].speed; }
+  [[nodiscard]] Lane acceleration(int finger) const { return state_[finger].acceleration; }
+
+  /// Energy of motion relative to the palm, [J].
+  [[nodiscard]] Lane kinetic_energy() const;
+  /// Work of the drives and of the palm's acceleration since load, and the positive part of each step's, [J].
+  [[nodiscard]] const Lane& work() const { return work_; }
+  [[nodiscard]] const Lane& positive_work() const { return positive_work_; }
+  /// Dissipated in the guides since load, [J].
+  [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
+
+ private:
+  struct State {
+    Lane way{0.0}, speed{0.0}, acceleration{0.0};
+    Lane drive{0.0};       ///< drive and inertial force at the end of the last step
+    Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
+    Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
+  };
+  [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, 2>& force) const;
+  [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
+
+  std::array<State, 2> state_;
+  Lane mass_{1.0}, viscous_{0.0}, gain_{1.0};
+  Mask centric_{true};
+  Lane stiffness_{1.0};  ///< a0 m + a1 c
+  Lane inverse_stiffness_{1.0};
+  Lane inverse_driven_{1.0};  ///< 1 / (a0 m + a1 c + a1 gain)
+  Lane compliance_{1.0};
+  Lane a1_{0.0};
+  DriveCommand command_;
+  Lane work_{0.0}, positive_work_{0.0}, dissipated_{0.0};
+};
+
+}  // namespace unbruised

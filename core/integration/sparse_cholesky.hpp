@@ -1,0 +1,68 @@
+#pragma once
+
+/// @file
+/// Sparse Cholesky factorisation of a symmetric positive definite matrix: analyse once, factor once, solve often.
+/// The backend (CHOLMOD, simplicial: the same bits on every BLAS and thread count) does not leak from here.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unbruised {
+
+/// Lower triangle of a symmetric matrix in compressed columns, rows sorted within a column.
+struct SymmetricMatrix {
+  int size = 0;
+  std::vector<int> column_start;  ///< size + 1
+  std::vector<int> row;
+  std::vector<double> value;
+};
+
+/// One entry of a matrix under assembly.
+struct MatrixEntry {
+  int row;
+  int column;
+  double value;
+};
+
+/// Sums duplicates in the order given; entries above the diagonal are ignored.
+SymmetricMatrix symmetric_from_entries(int size, const std::vector<MatrixEntry>& entries);
+
+/// y = A x.
+void multiply(const SymmetricMatrix& matrix, std::span<const double> x, std::span<double> y);
+
+/// The factor L of P A P' = L L' in compressed columns, diagonal entry first in each column.
+struct CholeskyFactor {
+  int size = 0;
+  std::vector<int> permutation;  ///< permutation[new] = old
+  std::vector<int> column_start;
+  std::vector<int> row;
+  std::vector<double> value;
+};
+
+/// Factorisation with a fill-reducing nested-dissection ordering.
+class SparseCholesky {
+ public:
+  /// @return nullptr with `error` set when the matrix is not positive definite or memory is short.
+  static std::unique_ptr<SparseCholesky> factor(const SymmetricMatrix& matrix, std::string& error);
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Solves A x = b for one right-hand side, x of shape [size].
+  [[nodiscard]] std::vector<double> solve(std::span<const double> right_hand_side) const;
+
+  /// Solves A X = B for `count` right-hand sides, column-major [size, count]; for benchmarks.
+  [[nodiscard]] std::vector<double> solve_many(std::span<const double> right_hand_sides, int count) const;
+
+  /// A copy of L and its ordering.
+  [[nodiscard]] CholeskyFactor extract() const;
+
+ private:
+  SparseCholesky();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace unbruised

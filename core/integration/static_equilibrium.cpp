@@ -1,0 +1,157 @@
+#include "core/integration/static_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace unbruised {
+namespace {
+
+/// The shift is (2 pi 0.16 Hz)^2 = 1 1/s2: a thousandth or less of any elastic mode of a graspable product, yet it
+/// holds the rigid motions, so that the factorisation exists.
+constexpr double kShift = 1.0;
+/// Each refinement shrinks the shift's influence on elastic modes by shift / omega^2 < 1e-3.
+constexpr int kRefinements = 4;
+
+}  // namespace
+
+std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, std::span<const double> mass_kg,
+                                         double mass_factor, std::span<const int> freedom) {
+  std::vector<MatrixEntry> entries;
+  entries.reserve(K.value.size() / 2 + 3 * mass_kg.size());
+  for (int i = 0; i < K.particle_count; ++i) {
+    for (int p = K.row_start[i]; p < K.row_start[i + 1]; ++p) {
+      for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const int row = freedom[3 * static_cast<std::size_t>(i) + r];
+          const int column = freedom[3 * static_cast<std::size_t>(K.column[p]) + c];
+          if (row < 0 || column < 0 || row < column) continue;
+          double value = k_factor * K.value[9 * static_cast<std::size_t>(p) + 3 * r + c];
+          if (row == column) value += mass_factor * mass_kg[i];
+          entries.push_back({row, column, value});
+        }
+      }
+    }
+  }
+  return entries;
+}
+
+std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vector<double> mass_kg,
+                                                  const ContactModel& contact, std::string& error) {
+  std::unique_ptr<StaticSolver> self(new StaticSolver());
+  self->mass_kg_ = std::move(mass_kg);
+  self->shift_ = kShift;
+  const std::size_t size = 3 * self->mass_kg_.size();
+  std::vector<int> freedom(size);
+  for (std::size_t i = 0; i < size; ++i) freedom[i] = static_cast<int>(i);
+  const SymmetricMatrix matrix = symmetric_from_entries(
+      static_cast<int>(size), shifted_entries(K, 1.0, self->mass_kg_, self->shift_, freedom));
+  self->factor_ = SparseCholesky::factor(matrix, error);
+  if (!self->factor_) return nullptr;
+  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
+    if (contact.candidate[c].surface == static_cast<int>(Surface::support)) {
+      self->support_candidate_.push_back(static_cast<int>(c));
+    }
+  }
+  const std::size_t k = self->support_candidate_.size();
+  self->support_compliance_.resize(k * k);
+  std::vector<double> unit(size, 0.0);
+  for (std::size_t j = 0; j < k; ++j) {
+    const auto at = 3 * static_cast<std::size_t>(contact.candidate[self->support_candidate_[j]].node) + 2;
+    unit[at] = 1.0;
+    const std::vector<double> column = self->factor_->solve(unit);
+    unit[at] = 0.0;
+    for (std::size_t i = 0; i < k; ++i) {
+      self->support_compliance_[i * k + j] =
+          column[3 * static_cast<std::size_t>(contact.candidate[self->support_candidate_[i]].node) + 2];
+    }
+  }
+  return self;
+}
+
+std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
+  return factor_->solve(force_N);
+}
+
+std::vector<double> StaticSolver::free_shape(std::span<const double> force_N) const {
+  std::vector<double> u = shifted_solve(force_N);
+  std::vector<double> load(force_N.begin(), force_N.end());
+  for (int round = 0; round < kRefinements; ++round) {
+    for (std::size_t i = 0; i < load.size(); ++i) load[i] = force_N[i] + shift_ * mass_kg_[i / 3] * u[i];
+    u = shifted_solve(load);
+  }
+  return u;
+}
+
+StaticRest StaticSolver::rest_on_support(const ContactModel& contact, double gravity_m_s2,
+                                         double layer_stiffness_N_m3) const {
+  const std::size_t size = 3 * mass_kg_.size();
+  const std::size_t k = support_candidate_.size();
+  StaticRest rest;
+  rest.displacement_m.assign(size, 0.0);
+  rest.normal_force_N.assign(contact.candidate.size(), 0.0);
+  if (k == 0 || gravity_m_s2 <= 0.0) return rest;
+  Eigen::VectorXd stiffness(static_cast<Eigen::Index>(k));
+  Eigen::VectorXd rest_gap(static_cast<Eigen::Index>(k));
+  std::vector<std::size_t> freedom(k);
+  for (std::size_t i = 0; i < k; ++i) {
+    const ContactCandidate& candidate = contact.candidate[support_candidate_[i]];
+    stiffness[static_cast<Eigen::Index>(i)] = layer_stiffness_N_m3 * candidate.area_m2;
+    rest_gap[static_cast<Eigen::Index>(i)] = candidate.surface_m;
+    freedom[i] = 3 * static_cast<std::size_t>(candidate.node) + 2;
+  }
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(k));
+  // The lowest points carry first; a point joins when it is pressed and leaves when it would have to pull.
+  std::vector<bool> closed(k);
+  const double lowest = rest_gap.minCoeff();
+  for (std::size_t i = 0; i < k; ++i) closed[i] = rest_gap[static_cast<Eigen::Index>(i)] <= lowest + 1e-12;
+  std::vector<double> load(size, 0.0);
+  for (int round = 0; round <= kRefinements; ++round) {
+    for (std::size_t i = 0; i < size; ++i) {
+      load[i] = shift_ * mass_kg_[i / 3] * rest.displacement_m[i];
+      if (i % 3 == 2) load[i] -= mass_kg_[i / 3] * gravity_m_s2;
+    }
+    const std::vector<double> free = shifted_solve(load);
+    for (int pass = 0; pass < 100; ++pass) {
+      std::vector<Eigen::Index> active;
+      for (std::size_t i = 0; i < k; ++i) {
+        if (closed[i]) active.push_back(static_cast<Eigen::Index>(i));
+      }
+      const auto count = static_cast<Eigen::Index>(active.size());
+      Eigen::MatrixXd A(count, count);
+      Eigen::VectorXd b(count);
+      for (Eigen::Index r = 0; r < count; ++r) {
+        const auto i = static_cast<std::size_t>(active[r]);
+        for (Eigen::Index c = 0; c < count; ++c) {
+          A(r, c) = support_compliance_[i * k + static_cast<std::size_t>(active[c])];
+        }
+        A(r, r) += 1.0 / stiffness[active[r]];
+        b[r] = -(rest_gap[active[r]] + free[freedom[i]]);
+      }
+      const Eigen::VectorXd x = A.ldlt().solve(b);
+      force.setZero();
+      for (Eigen::Index r = 0; r < count; ++r) force[active[r]] = x[r];
+      bool changed = false;
+      for (std::size_t i = 0; i < k; ++i) {
+        double gap = rest_gap[static_cast<Eigen::Index>(i)] + free[freedom[i]];
+        for (std::size_t j = 0; j < k; ++j) {
+          gap += support_compliance_[i * k + j] * force[static_cast<Eigen::Index>(j)];
+        }
+        const bool should_close = closed[i] ? force[static_cast<Eigen::Index>(i)] > 0.0 : gap < 0.0;
+        changed = changed || should_close != closed[i];
+        closed[i] = should_close;
+      }
+      if (!changed) break;
+    }
+    for (std::size_t i = 0; i < k; ++i) load[freedom[i]] += std::max(0.0, force[static_cast<Eigen::Index>(i)]);
+    rest.displacement_m = shifted_solve(load);
+  }
+  for (std::size_t i = 0; i < k; ++i) {
+    rest.normal_force_N[support_candidate_[i]] = std::max(0.0, force[static_cast<Eigen::Index>(i)]);
+  }
+  return rest;
+}
+
+}  // namespace unbruised

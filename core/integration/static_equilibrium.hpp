@@ -1,0 +1,57 @@
+#pragma once
+
+/// @file
+/// Static shapes of a free lattice product: at rest on its support, and what plastic strain alone leaves.
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/contact/contact_model.hpp"
+#include "core/integration/sparse_cholesky.hpp"
+#include "core/product/block_matrix.hpp"
+
+namespace unbruised {
+
+/// The static state of a product that lies on the support.
+struct StaticRest {
+  std::vector<double> displacement_m;  ///< [3n]
+  std::vector<double> normal_force_N;  ///< per contact candidate, zero but on the support
+};
+
+/// Solves K u = f for a body that nothing holds. K alone is singular (rigid motions), so K + s M is factored with
+/// a shift s far below every elastic mode, and the shift's own force is taken out again by iterative refinement.
+class StaticSolver {
+ public:
+  /// @param mass_kg per particle; no freedom may be fixed
+  static std::unique_ptr<StaticSolver> build(const BlockMatrix& K, std::vector<double> mass_kg,
+                                             const ContactModel& contact, std::string& error);
+
+  /// The shape that self-equilibrated forces leave (rigid motion arbitrary), f and result of shape [3n].
+  [[nodiscard]] std::vector<double> free_shape(std::span<const double> force_N) const;
+
+  /// Equilibrium under gravity along -z on a frictionless support with a compliant layer.
+  /// @param gravity_m_s2 magnitude along -z
+  /// @param layer_stiffness_N_m3 stiffness of the support's layer per area
+  [[nodiscard]] StaticRest rest_on_support(const ContactModel& contact, double gravity_m_s2,
+                                           double layer_stiffness_N_m3) const;
+
+ private:
+  StaticSolver() = default;
+  [[nodiscard]] std::vector<double> shifted_solve(std::span<const double> force_N) const;
+
+  std::unique_ptr<SparseCholesky> factor_;
+  std::vector<double> mass_kg_;
+  double shift_ = 0;
+  std::vector<int> support_candidate_;      ///< candidates on the support
+  std::vector<double> support_compliance_;  ///< of the shifted matrix, normal freedoms, [k, k]
+};
+
+/// Entries of K + mass_factor M (+ damping_factor C), fixed freedoms left out through `freedom` (3 per particle,
+/// -1).
+std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, std::span<const double> mass_kg,
+                                         double mass_factor, std::span<const int> freedom);
+
+}  // namespace unbruised

@@ -1,0 +1,72 @@
+#include "core/motion/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace unbruised {
+namespace {
+
+// Peaks of 10 s^3 - 15 s^4 + 6 s^5: its second derivative 60 s (1 - s) (1 - 2 s) is largest at
+// s = (1 - 1 / sqrt 3) / 2, its first 30 s^2 (1 - s)^2 at s = 1/2.
+constexpr double kMinimumJerkPeakAcceleration = 10.0 / std::numbers::sqrt3;
+constexpr double kMinimumJerkPeakSpeed = 15.0 / 8.0;
+
+}  // namespace
+
+MotionProfile MotionProfile::plan(ProfileKind kind, double distance_m, double peak_acceleration_m_s2,
+                                  double speed_limit_m_s) {
+  if (!std::isfinite(distance_m)) throw std::invalid_argument("MotionProfile: distance_m must be finite");
+  if (!(peak_acceleration_m_s2 > 0.0 && std::isfinite(peak_acceleration_m_s2))) {
+    throw std::invalid_argument("MotionProfile: peak_acceleration_m_s2 must be > 0 and finite");
+  }
+  if (!(speed_limit_m_s > 0.0)) throw std::invalid_argument("MotionProfile: speed_limit_m_s must be > 0");
+
+  MotionProfile profile;
+  profile.kind_ = kind;
+  profile.distance_m_ = distance_m;
+  const double D = std::abs(distance_m);
+  const double a = peak_acceleration_m_s2;
+  const double v = speed_limit_m_s;
+  if (D == 0.0) return profile;
+
+  switch (kind) {
+    case ProfileKind::trapezoid:
+      profile.acceleration_m_s2_ = std::copysign(a, distance_m);
+      profile.ramp_s_ = std::min(std::sqrt(D / a), v / a);
+      profile.duration_s_ = D / (a * profile.ramp_s_) + profile.ramp_s_;
+      break;
+    case ProfileKind::minimum_jerk:
+      profile.duration_s_ =
+          std::max(std::sqrt(kMinimumJerkPeakAcceleration * D / a), kMinimumJerkPeakSpeed * D / v);
+      break;
+  }
+  return profile;
+}
+
+MotionProfile::State MotionProfile::at(double time_s) const {
+  if (time_s >= duration_s_) return {.position_m = time_s >= 0.0 ? distance_m_ : 0.0};
+  if (time_s < 0.0) return {};
+  return kind_ == ProfileKind::trapezoid ? trapezoid_at(time_s) : minimum_jerk_at(time_s);
+}
+
+MotionProfile::State MotionProfile::trapezoid_at(double time_s) const {
+  const double a = acceleration_m_s2_;
+  const double left_s = duration_s_ - time_s;
+  if (time_s < ramp_s_) return {0.5 * a * time_s * time_s, a * time_s, a};
+  // Braking is speeding up seen from the end, so the motion arrives exactly.
+  if (left_s <= ramp_s_) return {distance_m_ - 0.5 * a * left_s * left_s, a * left_s, -a};
+  return {a * ramp_s_ * (time_s - 0.5 * ramp_s_), a * ramp_s_, 0.0};
+}
+
+MotionProfile::State MotionProfile::minimum_jerk_at(double time_s) const {
+  const double D = distance_m_;
+  const double T = duration_s_;
+  const double s = time_s / T;
+  return {D * s * s * s * (10.0 + s * (-15.0 + 6.0 * s)),  //
+          D / T * 30.0 * s * s * (1.0 - s) * (1.0 - s),    //
+          D / (T * T) * 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)};
+}
+
+}  // namespace unbruised

@@ -1,0 +1,176 @@
+#include "core/outcome/handling_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unbruised {
+namespace {
+
+/// Tangential forces below this share of the normal force say nothing about the friction margin.
+constexpr double kLeastTangentialShare = 1e-6;
+
+double norm(const std::array<double, 3>& x) { return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
+
+}  // namespace
+
+HandlingRecord::HandlingRecord(const Scenario& scenario)
+    : limits_(scenario.limits), hold_s_(scenario.strategy.hold_s), has_gripper_(scenario.gripper.has_value()) {
+  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
+    friction_ = lattice->friction;
+    has_product_yield_ = lattice->yield_stress_Pa.has_value();
+  }
+  if (has_gripper_) {
+    for (Metric metric :
+         {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m, Metric::slip_max_m,
+          Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m, Metric::peak_acceleration_m_s2}) {
+      metrics[metric] = 0.0;
+    }
+    if (has_product_yield_) metrics[Metric::contact_yield_ratio_max] = 0.0;
+  }
+}
+
+void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
+
+void HandlingRecord::check_limit(Metric metric, const std::optional<double>& limit, const char* cause,
+                                 double time_s) {
+  if (limit && metrics[metric] > *limit) damaged_.at(time_s, cause);
+}
+
+bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cycle) {
+  metrics[Metric::plastic_strain_max] = now.plastic_strain;
+  metrics[Metric::absorbed_energy_J] = now.absorbed_energy_J;
+  check_limit(Metric::plastic_strain_max, limits_.plastic_strain, "plastic_strain_max > limits.plastic_strain",
+              now.time_s);
+  check_limit(Metric::absorbed_energy_J, limits_.absorbed_energy_J, "absorbed_energy_J > limits.absorbed_energy_J",
+              now.time_s);
+  if (!has_gripper_) return true;
+  observe_grip(now);
+  if (!cycle.has_contact()) {
+    if (now.end_of_stroke)
+      not_grasped_.at(now.time_s, "the fingers reached the end of their stroke without a contact");
+    if (now.time_s > cycle.approach_deadline_s())
+      not_grasped_.at(now.time_s, "no contact in twice the time of the stroke");
+    return !not_grasped_.happened();
+  }
+  if (now.time_s < cycle.lift_start_s()) return true;
+  const bool touching = now.finger[0].closed_contacts > 0 || now.finger[1].closed_contacts > 0;
+  if (!grasp_checked_) {
+    grasp_checked_ = true;
+    if (!(now.finger[0].closed_contacts > 0 && now.finger[1].closed_contacts > 0)) {
+      not_grasped_.at(cycle.lift_start_s(), "not both fingers touch at the end of the grip phase");
+    }
+  }
+  if (now.time_s < cycle.release_start_s()) {
+    if (!touching) dropped_.at(now.time_s, "no finger contact between lift and release");
+    observe_carrying(now, cycle);
+  }
+  return !dropped_.happened() && !not_grasped_.happened();
+}
+
+void HandlingRecord::observe_grip(const StepObservation& now) {
+  for (const FingerObservation& finger : now.finger) {
+    raise(Metric::peak_finger_force_N, finger.normal_N);
+    if (has_product_yield_) raise(Metric::contact_yield_ratio_max, finger.yield_ratio);
+  }
+  raise(Metric::peak_pressure_Pa, now.patch_pressure_Pa);
+  raise(Metric::compression_max_m, now.compression_m);
+  const std::array<double, 3> force = {now.finger[0].normal_N - now.finger[1].normal_N,
+                                       now.finger[0].tangent_N[0] + now.finger[1].tangent_N[0],
+                                       now.finger[0].tangent_N[1] + now.finger[1].tangent_N[1]};
+  raise(Metric::peak_sensor_force_N, norm(force));
+  raise(Metric::peak_sensor_torque_N_m, norm(now.torque_N_m));
+  check_limit(Metric::peak_finger_force_N, limits_.finger_force_N, "peak_finger_force_N > limits.finger_force_N",
+              now.time_s);
+  check_limit(Metric::peak_pressure_Pa, limits_.peak_pressure_Pa, "peak_pressure_Pa > limits.peak_pressure_Pa",
+              now.time_s);
+  check_limit(Metric::contact_yield_ratio_max, limits_.contact_yield_ratio,
+              "contact_yield_ratio_max > limits.contact_yield_ratio", now.time_s);
+}
+
+void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {
+  double slip = 0.0;
+  for (const FingerObservation& finger : now.finger) {
+    if (finger.closed_contacts > 0) slip = std::max(slip, finger.travel_sum_m / finger.closed_contacts);
+  }
+  raise(Metric::slip_max_m, slip);
+  if (metrics[Metric::slip_max_m] > limits_.slip_m) slipped_.at(now.time_s, "slip_max_m > limits.slip_m");
+  if (now.time_s <= cycle.lower_end_s()) {
+    raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
+    double& least = metrics[Metric::friction_margin_min];
+    for (const FingerObservation& finger : now.finger) {
+      if (!(finger.closed_contacts > 0)) continue;
+      double margin;
+      if (finger.sliding_contacts >= finger.closed_contacts) {
+        margin = -(finger.travel_sum_m / finger.closed_contacts) / limits_.slip_m;
+      } else {
+        const double tangential = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
+        if (tangential <= kLeastTangentialShare * finger.normal_N) continue;
+        margin = friction_ * finger.normal_N / tangential - 1.0;
+      }
+      least = std::isnan(least) ? margin : std::min(least, margin);
+    }
+  }
+  observe_hold(now, cycle);
+}
+
+void HandlingRecord::observe_hold(const StepObservation& now, const HandlingCycle& cycle) {
+  if (hold_s_ <= 0.0 || now.time_s < cycle.lift_end_s() + 0.75 * hold_s_ || now.time_s > cycle.hold_end_s())
+    return;
+  std::array<double, 3> place{};
+  for (std::size_t i = 0; i < 3; ++i) place[i] = now.center_motion_m[i] - now.palm_m[i];
+  if (!drift_started_) {
+    drift_started_ = true;
+    drift_from_s_ = now.time_s;
+    drift_from_m_ = place;
+  }
+  drift_to_s_ = now.time_s;
+  drift_to_m_ = place;
+}
+
+void HandlingRecord::abort(Outcome outcome, std::string cause, double time_s) {
+  if (aborted_) return;
+  aborted_ = true;
+  abort_outcome_ = outcome;
+  abort_ = {time_s, std::move(cause)};
+}
+
+ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_time_s) const {
+  HandlingRecord record = *this;
+  record.check_limit(Metric::permanent_set_max_m, limits_.permanent_set_m,
+                     "permanent_set_max_m > limits.permanent_set_m", end_time_s);
+  record.check_limit(Metric::bruised_volume_m3, limits_.bruised_volume_m3,
+                     "bruised_volume_m3 > limits.bruised_volume_m3", end_time_s);
+  ScenarioResult result;
+  result.metrics = record.metrics;
+  if (drift_to_s_ > drift_from_s_) {
+    std::array<double, 3> way{};
+    for (std::size_t i = 0; i < 3; ++i) way[i] = drift_to_m_[i] - drift_from_m_[i];
+    result.metrics[Metric::hold_drift_m_s] = norm(way) / (drift_to_s_ - drift_from_s_);
+  }
+  if (cycle.has_contact()) result.metrics[Metric::first_contact_time_s] = cycle.first_contact_s();
+  if (has_gripper_ && cycle.lift_start_s() < HandlingCycle::kNever) {
+    result.metrics[Metric::lift_time_s] = cycle.lift_start_s();
+    result.metrics[Metric::cycle_time_s] = cycle.release_end_s();
+  }
+  const auto set = [&](Outcome outcome, const Crossing& crossing) {
+    result.outcome = outcome;
+    result.cause = crossing.cause;
+    result.outcome_time_s = crossing.time_s;
+  };
+  if (aborted_) {
+    set(abort_outcome_, abort_);
+  } else if (record.not_grasped_.happened()) {
+    set(Outcome::not_grasped, record.not_grasped_);
+  } else if (record.dropped_.happened()) {
+    set(Outcome::dropped, record.dropped_);
+  } else if (record.slipped_.happened()) {
+    set(Outcome::slipped, record.slipped_);
+  } else if (record.damaged_.happened()) {
+    set(Outcome::damaged, record.damaged_);
+  } else {
+    result.outcome = Outcome::held;
+  }
+  return result;
+}
+
+}  // namespace unbruised

@@ -1,0 +1,87 @@
+#pragma once
+
+/// @file
+/// Follows one scenario step by step and decides its outcome: which limits were crossed when, peaks, slip, margin.
+
+#include <array>
+#include <string>
+
+#include "core/motion/handling_cycle.hpp"
+#include "core/outcome/outcome.hpp"
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised {
+
+/// What one finger did at the end of a step.
+struct FingerObservation {
+  double normal_N = 0;
+  std::array<double, 2> tangent_N{};  ///< along y and z, on the product
+  double closed_contacts = 0;
+  double sliding_contacts = 0;
+  double travel_sum_m = 0;  ///< of the anchors of its closed contacts since the start of the lift
+  double yield_ratio = 0;
+};
+
+/// What one scenario looked like at the end of a step.
+struct StepObservation {
+  double time_s = 0;
+  double step_s = 0;
+  std::array<FingerObservation, 2> finger;
+  std::array<double, 3> torque_N_m{};       ///< on the product about the palm centre
+  std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass
+  std::array<double, 3> center_acceleration_m_s2{};
+  std::array<double, 3> palm_m{};
+  double compression_m = 0;
+  double patch_pressure_Pa = 0;
+  double plastic_strain = 0;
+  double absorbed_energy_J = 0;
+  bool end_of_stroke = false;
+};
+
+class HandlingRecord {
+ public:
+  HandlingRecord() = default;
+  explicit HandlingRecord(const Scenario& scenario);
+
+  /// Takes in one step. @return false: the run has nothing more to show and ends here (dropped, not grasped).
+  bool observe(const StepObservation& now, const HandlingCycle& cycle);
+
+  /// The run cannot go on: `outcome` is diverged or out_of_range.
+  void abort(Outcome outcome, std::string cause, double time_s);
+  [[nodiscard]] bool aborted() const { return aborted_; }
+
+  /// Metrics that are known at the end only are in `metrics` already; limits on them are checked here.
+  [[nodiscard]] ScenarioResult finish(const HandlingCycle& cycle, double end_time_s) const;
+
+  Metrics metrics;
+
+ private:
+  struct Crossing {
+    double time_s = HandlingCycle::kNever;
+    std::string cause;
+    [[nodiscard]] bool happened() const { return time_s < HandlingCycle::kNever; }
+    void at(double time, const char* why) {
+      if (!happened()) *this = {time, why};
+    }
+  };
+  void raise(Metric metric, double value);
+  void check_limit(Metric metric, const std::optional<double>& limit, const char* cause, double time_s);
+  void observe_grip(const StepObservation& now);
+  void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
+  void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
+
+  LimitParameters limits_{};
+  double friction_ = 0;
+  double hold_s_ = 0;
+  bool has_gripper_ = false;
+  bool has_product_yield_ = false;
+  bool grasp_checked_ = false;
+  bool aborted_ = false;
+  Outcome abort_outcome_ = Outcome::not_run;
+  Crossing not_grasped_, dropped_, slipped_, damaged_, abort_;
+  double drift_from_s_ = 0, drift_to_s_ = 0;
+  std::array<double, 3> drift_from_m_{}, drift_to_m_{};
+  bool drift_started_ = false;
+};
+
+}  // namespace unbruised

@@ -1,0 +1,141 @@
+#pragma once
+
+/// @file
+/// The closed list of outcomes and the metrics of a scenario: what a run says about itself.
+/// Definitions follow docs/metrics.md; that page and `kMetricTable` are held together by a test.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace unbruised {
+
+/// How a scenario ended. The codes are part of the results format and never change.
+enum class Outcome : std::int8_t {
+  not_run = -1,
+  held = 0,
+  slipped = 1,
+  dropped = 2,
+  damaged = 3,
+  not_grasped = 4,
+  diverged = 5,
+  out_of_range = 6,
+};
+
+inline constexpr std::array<std::string_view, 7> kOutcomeWords = {
+    "held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range"};
+
+/// The word of an outcome ("not_run" for -1).
+constexpr std::string_view outcome_word(Outcome outcome) {
+  return outcome == Outcome::not_run ? std::string_view("not_run")
+                                     : kOutcomeWords[static_cast<std::size_t>(outcome)];
+}
+
+/// Index of a metric in `Metrics` and in `kMetricTable`.
+enum class Metric : std::uint8_t {
+  permanent_set_max_m,
+  permanent_set_rms_m,
+  plastic_strain_max,
+  bruised_volume_m3,
+  absorbed_energy_J,
+  contact_yield_ratio_max,
+  peak_finger_force_N,
+  peak_pressure_Pa,
+  compression_max_m,
+  slip_max_m,
+  friction_margin_min,
+  hold_drift_m_s,
+  peak_sensor_force_N,
+  peak_sensor_torque_N_m,
+  peak_acceleration_m_s2,
+  cycle_time_s,
+  first_contact_time_s,
+  lift_time_s,
+  energy_input_J,
+  energy_balance_error,
+  impulse_balance_error,
+  step_count,
+  contact_iterations,
+  plasticity_iterations,
+  count_  // not a metric: the number of them
+};
+
+inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::count_);
+
+/// One row of the metric table.
+struct MetricInfo {
+  Metric metric;
+  std::string_view name;       ///< column name, unit included
+  std::string_view units;      ///< UDUNITS spelling, "1" for dimensionless
+  std::string_view long_name;  ///< one line for plots and reports
+};
+
+inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
+    {Metric::permanent_set_max_m, "permanent_set_max_m", "m",
+     "largest particle displacement of the shape the plastic strain alone leaves, rigid motion removed"},
+    {Metric::permanent_set_rms_m, "permanent_set_rms_m", "m",
+     "root mean square over all particles of the permanent set"},
+    {Metric::plastic_strain_max, "plastic_strain_max", "1",
+     "largest accumulated equivalent plastic strain of any cell (network: plastic elongation over rest length)"},
+    {Metric::bruised_volume_m3, "bruised_volume_m3", "m3",
+     "volume of the cells whose accumulated plastic strain exceeds limits.plastic_strain"},
+    {Metric::absorbed_energy_J, "absorbed_energy_J", "J", "plastic work done in the product"},
+    {Metric::contact_yield_ratio_max, "contact_yield_ratio_max", "1",
+     "largest mean pressure of a finger's contact patch over the one at first yield below it"},
+    {Metric::peak_finger_force_N, "peak_finger_force_N", "N",
+     "largest normal force between one finger and the product"},
+    {Metric::peak_pressure_Pa, "peak_pressure_Pa", "Pa",
+     "largest contact pressure averaged over a square patch of fixed size"},
+    {Metric::compression_max_m, "compression_max_m", "m",
+     "largest approach of the two pad faces past the product's undeformed width"},
+    {Metric::slip_max_m, "slip_max_m", "m",
+     "largest over fingers of the mean travel of the anchors of its closed contacts since the end of grip"},
+    {Metric::friction_margin_min, "friction_margin_min", "1",
+     "smallest friction_coefficient x normal force / tangential force - 1 of a finger from lift to lower"},
+    {Metric::hold_drift_m_s, "hold_drift_m_s", "m s-1",
+     "speed of the product relative to the palm, averaged over the last quarter of the hold"},
+    {Metric::peak_sensor_force_N, "peak_sensor_force_N", "N",
+     "largest force an ideal wrist sensor reads from the product"},
+    {Metric::peak_sensor_torque_N_m, "peak_sensor_torque_N_m", "N m",
+     "largest torque about the palm centre an ideal wrist sensor reads from the product"},
+    {Metric::peak_acceleration_m_s2, "peak_acceleration_m_s2", "m s-2",
+     "largest acceleration of the product's centre of mass while it is carried"},
+    {Metric::cycle_time_s, "cycle_time_s", "s", "start of approach to end of release"},
+    {Metric::first_contact_time_s, "first_contact_time_s", "s", "first contact of a finger with the product"},
+    {Metric::lift_time_s, "lift_time_s", "s", "start of the lift"},
+    {Metric::energy_input_J, "energy_input_J", "J",
+     "work put in: positive work of drives, palm, gravity, loads and initial motion"},
+    {Metric::energy_balance_error, "energy_balance_error", "1",
+     "(stored + dissipated - work done) / work put in; positive: energy appeared"},
+    {Metric::impulse_balance_error, "impulse_balance_error", "1",
+     "|change of momentum - sum of force x dt| / (m g T)"},
+    {Metric::step_count, "step_count", "1", "time steps taken"},
+    {Metric::contact_iterations, "contact_iterations", "1", "Gauss-Seidel sweeps over the contacts, all steps"},
+    {Metric::plasticity_iterations, "plasticity_iterations", "1",
+     "extra solves that plastic flow needed, all steps"},
+}};
+
+/// The metrics of one scenario; NaN where a metric does not exist for it.
+class Metrics {
+ public:
+  Metrics() { values_.fill(std::numeric_limits<double>::quiet_NaN()); }
+  double& operator[](Metric metric) { return values_[static_cast<std::size_t>(metric)]; }
+  double operator[](Metric metric) const { return values_[static_cast<std::size_t>(metric)]; }
+  [[nodiscard]] const std::array<double, kMetricCount>& values() const { return values_; }
+  [[nodiscard]] std::array<double, kMetricCount>& values() { return values_; }
+
+ private:
+  std::array<double, kMetricCount> values_;
+};
+
+/// What a scenario leaves behind.
+struct ScenarioResult {
+  Outcome outcome = Outcome::not_run;
+  std::string cause;  ///< one short phrase, e.g. "permanent_set_max_m > limits.permanent_set_m"; empty when held
+  double outcome_time_s = std::numeric_limits<double>::quiet_NaN();  ///< first crossing; NaN when held
+  Metrics metrics;
+};
+
+}  // namespace unbruised

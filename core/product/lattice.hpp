@@ -1,0 +1,65 @@
+#pragma once
+
+/// @file
+/// Geometry of a lattice product: brick cells inside a shape, their corner particles with masses, and the
+/// particles that stand for its true surface (docs/theory.md, "Lattice").
+
+#include <array>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised {
+
+/// A particle that carries the true surface of its column towards one side of the body.
+struct SurfacePoint {
+  /// Outermost particle of its column along the side's outward normal.
+  int node = 0;
+  /// Plain coordinate, along the side's axis, of the true surface at the particle's place in the two
+  /// other axes: x for the sides -x and +x (so usually negative on -x), and so on.
+  double position_m = 0.0;
+  /// Tributary area projected on the plane normal to the side: face of a cell / 4 for each of the up to
+  /// four columns of cells that meet in the particle's column.
+  double area_m2 = 0.0;
+};
+
+/// The undeformed lattice. It stands centred on x = y = 0, the lowest point of its true shape on z = 0.
+/// Positions are mirror-symmetric about x = 0 and y = 0 to the last bit.
+struct Lattice {
+  /// Cells that divide the bounding box.
+  std::array<int, 3> cell_count{0, 0, 0};
+  std::array<double, 3> cell_extent_m{0.0, 0.0, 0.0};
+  /// Particles in ascending z, then y, then x; only those that belong to a cell.
+  std::vector<std::array<double, 3>> position_m;
+  /// Each cell gives an eighth of its share to each corner; the sum is the product's mass.
+  std::vector<double> mass_kg;
+  /// Cells in ascending z, then y, then x; corner c = i + 2 j + 4 k lies at offset (i, j, k) in {0, 1}^3.
+  std::vector<std::array<int, 8>> cell;
+  /// Sides -x, +x, -y, +y, -z, +z; in each the particles ascend.
+  std::array<std::vector<SurfacePoint>, 6> side;
+  /// Of the true shape, not of the cells.
+  double true_volume_m3 = 0.0;
+  /// Centre of the true shape.
+  std::array<double, 3> center_m{0.0, 0.0, 0.0};
+};
+
+/// Cells per axis: max(2, round(size / cell_size)).
+/// @throws std::invalid_argument when a count is no number or does not fit an int.
+std::array<int, 3> lattice_cell_count(const LatticeParameters& parameters);
+
+/// Extents of a cell: size / count, so that the bounding box is divided exactly.
+std::array<double, 3> lattice_cell_extent_m(const LatticeParameters& parameters);
+
+/// Volume of the true shape: box a b c, ellipsoid (pi / 6) a b c, cylinder (pi / 4) a b c for full extents.
+double true_volume_m3(const LatticeParameters& parameters);
+
+/// The product's mass: as given, or density times true volume.
+/// @throws std::invalid_argument unless exactly one of mass and density is given.
+double lattice_mass_kg(const LatticeParameters& parameters);
+
+/// The lattice of the cells whose centres lie in the true shape (a box takes all).
+/// @throws std::invalid_argument for extents, cell size or mass that are not positive and finite, and for
+/// more cells than 32-bit particle numbers can serve.
+Lattice build_lattice(const LatticeParameters& parameters);
+
+}  // namespace unbruised

@@ -1,0 +1,227 @@
+#pragma once
+
+/// @file
+/// One fully specified run: product + gripper + cell + strategy + limits + numerics. Plain data in SI;
+/// the inequality a value takes part in stands above it (checked by `validate` and by the config reader).
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace unbruised {
+
+enum class Shape { box, sphere, ellipsoid, cylinder };
+enum class Axis { x = 0, y = 1, z = 2 };
+
+/// A solid product as a lattice of particles, springs and dampers (docs/theory.md, "Lattice").
+/// It stands centred on x = y = 0 with the lowest point of its true shape on z = 0.
+struct LatticeParameters {
+  Shape shape = Shape::box;
+  /// > 0 each; full extents. A sphere has three equal ones.
+  std::array<double, 3> size_m{0.05, 0.05, 0.05};
+  /// Axis of a cylinder.
+  Axis axis = Axis::z;
+  /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two.
+  double cell_size_m = 0.005;
+  /// > 0. Exactly one of mass_kg and density_kg_m3 is given.
+  std::optional<double> mass_kg;
+  /// > 0; times the volume of the true shape.
+  std::optional<double> density_kg_m3;
+  /// > 0
+  double youngs_modulus_Pa = 1e6;
+  /// 0 <= poisson_ratio < 0.5
+  double poisson_ratio = 0.25;
+  /// > 0; none: the product stays elastic.
+  std::optional<double> yield_stress_Pa;
+  /// 0 < tangent_modulus_Pa < youngs_modulus_Pa; required with yield_stress_Pa.
+  std::optional<double> tangent_modulus_Pa;
+  /// >= 0. Damping is stiffness-proportional, C = relaxation_time K. Either relaxation_time_s, or
+  /// loss_ratio with at_frequency_Hz: relaxation_time = loss_ratio / (2 pi frequency).
+  std::optional<double> relaxation_time_s;
+  std::optional<double> loss_ratio;
+  std::optional<double> at_frequency_Hz;
+  /// >= 0; Coulomb coefficient against the pads.
+  double friction = 0.5;
+  std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
+};
+
+struct NetworkParticle {
+  std::array<double, 3> position_m{0.0, 0.0, 0.0};
+  /// > 0 unless all three freedoms are fixed
+  double mass_kg = 0.0;
+  std::array<bool, 3> fixed{false, false, false};
+  std::array<double, 3> initial_displacement_m{0.0, 0.0, 0.0};
+  std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
+  /// >= 0; > 0: the particle touches the support plane through a layer of this stiffness.
+  double contact_stiffness_N_m = 0.0;
+};
+
+struct NetworkSpring {
+  std::array<int, 2> between{0, 0};
+  /// >= 0
+  double stiffness_N_m = 0.0;
+  /// >= 0
+  double damping_N_s_m = 0.0;
+  /// > 0; default: the distance of the particles, so that the spring starts without force.
+  std::optional<double> rest_length_m;
+  /// > 0; |force| at first yield. None: the spring stays elastic.
+  std::optional<double> yield_force_N;
+  /// >= 0; yield force grows by hardening_ratio x stiffness x plastic elongation.
+  double hardening_ratio = 0.0;
+};
+
+struct NetworkLoad {
+  int particle = 0;
+  /// not decreasing, as long as force_N; linear between points, constant outside; a repeated time is a jump.
+  std::vector<double> time_s;
+  std::vector<std::array<double, 3>> force_N;
+};
+
+/// Particles, springs, dampers, masses and loads written out one by one.
+struct NetworkParameters {
+  std::vector<NetworkParticle> particle;
+  std::vector<NetworkSpring> spring;
+  std::vector<NetworkLoad> load;
+  /// >= 0; Coulomb coefficient against pads (unused while only the support is touched).
+  double friction = 0.5;
+};
+
+using ProductParameters = std::variant<LatticeParameters, NetworkParameters>;
+
+enum class FingerCoupling {
+  centric,      ///< rack and pinion: both fingers stay at equal distance from the palm centre
+  independent,  ///< each finger is driven alone
+};
+
+/// A parallel jaw: two driven fingers with flat pads that face each other along x.
+struct GripperParameters {
+  /// > 0, each finger
+  double finger_mass_kg = 0.1;
+  /// > 0; how far each finger can travel inwards from its starting place.
+  double stroke_m = 0.04;
+  /// > 0; extents of a pad along y and z.
+  std::array<double, 2> pad_size_m{0.03, 0.03};
+  /// > 0; thickness of the compliant layer
+  double pad_thickness_m = 0.003;
+  /// > 0; Young's modulus of the layer. Stiffness per area: E / thickness, tangential E / (3 thickness).
+  double pad_modulus_Pa = 0.4e6;
+  /// >= 0; Kelvin-Voigt relaxation time of the layer
+  double pad_relaxation_time_s = 0.0;
+  /// > 0; drive force = clamp(gain x (v_set - v), +-limit)
+  double drive_gain_N_s_m = 500.0;
+  /// >= 0; viscous friction of the finger guide
+  double drive_viscous_N_s_m = 1.0;
+  /// > 0; the largest force the drive can give
+  double max_force_N = 100.0;
+  /// > 0; the largest finger speed the drive can give
+  double max_speed_m_s = 0.5;
+  FingerCoupling coupling = FingerCoupling::centric;
+};
+
+/// What stands around gripper and product.
+struct CellParameters {
+  std::array<double, 3> gravity_m_s2{0.0, 0.0, -9.80665};
+  /// Is there a support plane z = 0?
+  bool support = true;
+  /// >= 0
+  double support_friction = 0.5;
+  /// > 0; Young's modulus of the support's compliant layer
+  double support_modulus_Pa = 2e6;
+  /// > 0
+  double support_thickness_m = 0.005;
+  /// >= 0
+  double support_relaxation_time_s = 0.0;
+  /// > 0; from each pad face to the nearest point of the undeformed product at the start
+  double approach_gap_m = 0.005;
+  /// Height of the pad centres above the product's centre.
+  double grip_height_m = 0.0;
+  /// >= 0
+  double lift_height_m = 0.1;
+  /// Horizontal way (x along the grip axis, y across it).
+  std::array<double, 2> transfer_m{0.0, 0.3};
+  /// < lift_height_m when there is a lift; height of the target plane above the support
+  double place_height_m = 0.0;
+};
+
+enum class ProfileKind { trapezoid, minimum_jerk };
+
+/// The decision variables.
+struct StrategyParameters {
+  /// > 0, per finger
+  double approach_speed_m_s = 0.05;
+  /// > 0; drive force limit of each finger, so its normal force at rest
+  double grip_force_N = 1.0;
+  /// >= 0, <= grip_force_N; drive force limit before the first contact
+  double contact_force_N = 0.3;
+  /// >= 0; the limit rises linearly in this time from the first contact (from the start with ramp_from_start)
+  double grip_ramp_s = 0.1;
+  /// The ramp starts at t = 0 instead of at the first contact.
+  bool ramp_from_start = false;
+  /// >= 0; rest after the ramp before the lift
+  double settle_s = 0.05;
+  ProfileKind profile = ProfileKind::minimum_jerk;
+  /// > 0; peak of the profile (transfer_ and lower_ default to the lift's)
+  double lift_acceleration_m_s2 = 2.0;
+  std::optional<double> transfer_acceleration_m_s2;
+  std::optional<double> lower_acceleration_m_s2;
+  /// > 0; speed limit of every phase
+  double speed_m_s = 1.0;
+  /// >= 0; rest after the lift
+  double hold_s = 0.0;
+  /// >= 0; height above the target plane at which the fingers open
+  double release_height_m = 0.0;
+  /// >= 0; rest after lowering before the fingers open
+  double place_settle_s = 0.05;
+  /// > 0, per finger
+  double release_speed_m_s = 0.1;
+  /// >= 0; time without gripper contact before permanent set is measured
+  double recover_s = 0.2;
+};
+
+/// What counts as damage and as slipping. An absent limit is not checked.
+struct LimitParameters {
+  std::optional<double> permanent_set_m;
+  std::optional<double> plastic_strain;
+  std::optional<double> bruised_volume_m3;
+  std::optional<double> peak_pressure_Pa;
+  std::optional<double> absorbed_energy_J;
+  std::optional<double> finger_force_N;
+  std::optional<double> contact_yield_ratio;
+  /// > 0
+  double slip_m = 2e-3;
+};
+
+enum class InitialAcceleration { consistent, zero };
+
+struct SimulationParameters {
+  /// > 0
+  double time_step_s = 1e-3;
+  /// >= 1.37: below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable
+  double theta = 1.4;
+  /// > 0; required where no gripper fixes the end of the run
+  std::optional<double> duration_s;
+  InitialAcceleration initial_acceleration = InitialAcceleration::consistent;
+  /// >= time_step_s; thins the trace
+  std::optional<double> trace_interval_s;
+  /// > 0; side of the square patch over which peak_pressure_Pa averages
+  double pressure_patch_m = 0.01;
+  /// > 0; a larger strain, sqrt(e:e), of a cell ends the run as out_of_range
+  double max_strain = 0.3;
+  /// > 0; a larger rotation of the product ends the run as out_of_range
+  double max_rotation_rad = 0.2;
+};
+
+/// One fully specified run.
+struct Scenario {
+  ProductParameters product = LatticeParameters{};
+  /// None: no gripper; the product moves freely for simulation.duration_s.
+  std::optional<GripperParameters> gripper;
+  CellParameters cell;
+  StrategyParameters strategy;
+  LimitParameters limits;
+  SimulationParameters simulation;
+};
+
+}  // namespace unbruised

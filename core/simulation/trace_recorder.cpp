@@ -1,0 +1,73 @@
+#include "core/simulation/trace_recorder.hpp"
+
+namespace unbruised {
+namespace {
+
+void declare(Trace& trace, const char* name, const char* units, const char* long_name,
+             std::vector<std::string> dimensions, std::vector<int> extents) {
+  trace.signals.push_back({name, units, long_name, std::move(dimensions), std::move(extents), {}});
+}
+
+/// Appends values to the signals in the order of their declaration.
+class SignalWriter {
+ public:
+  explicit SignalWriter(Trace& trace) : trace_(trace) {}
+  void put(double value) { trace_.signals[at_++].values.push_back(value); }
+  template <std::size_t N>
+  void put(const std::array<double, N>& values) {
+    auto& out = trace_.signals[at_++].values;
+    out.insert(out.end(), values.begin(), values.end());
+  }
+
+ private:
+  Trace& trace_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+void start_trace(const std::vector<std::array<double, 3>>& position_m, bool gripper, Trace& trace) {
+  trace = Trace{};
+  trace.particle_count = static_cast<int>(position_m.size());
+  for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
+  declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});
+  declare(trace, "contact_count", "1", "closed contacts per surface: left pad, right pad, support", {"surface"},
+          {3});
+  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {3});
+  declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
+  declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
+          {});
+  declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
+  if (!gripper) return;
+  declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"}, {2, 3});
+  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {2});
+  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {2});
+  declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
+}
+
+void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {
+  trace.time_s.push_back(row.time_s);
+  for (std::size_t i = 0; i < u.rows(); ++i) {
+    trace.displacement_m.push_back(u.at(i, row.lane));
+    trace.velocity_m_s.push_back(v.at(i, row.lane));
+    trace.acceleration_m_s2.push_back(a.at(i, row.lane));
+  }
+  SignalWriter signals(trace);
+  signals.put(row.surface_force_N[2]);
+  signals.put(row.closed);
+  signals.put(row.sliding);
+  signals.put(row.plastic_strain);
+  signals.put(row.stored_energy_J);
+  signals.put(row.contact_energy_J);
+  if (!row.gripper) return;
+  std::array<double, 6> fingers{};
+  for (std::size_t f = 0; f < 2; ++f) {
+    for (std::size_t i = 0; i < 3; ++i) fingers[3 * f + i] = row.surface_force_N[f][i];
+  }
+  signals.put(fingers);
+  signals.put(row.finger_way_m);
+  signals.put(row.finger_speed_m_s);
+  signals.put(row.palm_m);
+}
+
+}  // namespace unbruised

@@ -1,0 +1,34 @@
+#pragma once
+
+/// @file
+/// Turns one lane's state into rows of a `Trace`.
+
+#include <array>
+#include <vector>
+
+#include "core/lanes/lane.hpp"
+#include "core/outcome/trace.hpp"
+
+namespace unbruised {
+
+/// The signals of one row; forces act on the product and hold at the end of their step.
+struct TraceRow {
+  double time_s = 0;
+  int lane = 0;
+  bool gripper = false;
+  std::array<std::array<double, 3>, 3> surface_force_N{};  ///< left pad, right pad, support
+  std::array<double, 3> closed{}, sliding{};
+  std::array<double, 2> finger_way_m{}, finger_speed_m_s{};
+  std::array<double, 3> palm_m{};
+  double plastic_strain = 0;
+  double stored_energy_J = 0;
+  double contact_energy_J = 0;
+};
+
+/// Declares the signals and stores the rest positions.
+void start_trace(const std::vector<std::array<double, 3>>& position_m, bool gripper, Trace& trace);
+
+/// Appends one row.
+void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace);
+
+}  // namespace unbruised

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/simulation/simulation.hpp"
+#include "studies/cli/commands.hpp"
+#include "studies/results/text.hpp"
+#include "studies/runner/cost_estimate.hpp"
+#include "studies/runner/number_text.hpp"
+#include "studies/runner/study_runner.hpp"
+#include "studies/runner/window_search.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// Bytes of a row, in the journal and again in results.h5, beside its metrics and inputs.
+constexpr double kRowBytesBesideColumns = 160.0;
+/// Combinations of a window study whose search is rehearsed; more are scaled up.
+constexpr std::size_t kRehearsedCombinations = 1000;
+
+/// The scenarios of one factor key.
+struct GroupCost {
+  std::size_t first = 0;  ///< a scenario of the group
+  std::size_t count = 0;
+  double steps = 0.0;  ///< of all its scenarios
+};
+
+struct StudyCost {
+  std::vector<GroupCost> groups;
+  std::vector<std::size_t> group_of;  ///< of each point of the grid
+  std::vector<ModelSize> sizes;       ///< of each group
+  double shortest_contact_s = std::numeric_limits<double>::infinity();
+  double time_step_at_shortest_s = 0.0;
+  std::size_t shortest_contact_at = 0;
+  double longest_run_s = 0.0;
+};
+
+StudyCost cost_of(const Study& study) {
+  StudyCost cost;
+  std::unordered_map<std::string, std::size_t> index_of;
+  cost.group_of.reserve(study.scenario_count());
+  double fewest_steps = std::numeric_limits<double>::infinity();
+  for (std::size_t point = 0; point < study.scenario_count(); ++point) {
+    const Scenario scenario = study.scenario(point);
+    const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
+    if (is_new) {
+      cost.groups.push_back({.first = point});
+      cost.sizes.push_back(model_size(scenario));
+    }
+    GroupCost& group = cost.groups[place->second];
+    ++group.count;
+    group.steps += estimated_steps(scenario);
+    cost.group_of.push_back(place->second);
+    cost.longest_run_s = std::max(cost.longest_run_s, simulated_duration_s(scenario));
+    const double contact_s = contact_time_s(scenario);
+    if (contact_s / scenario.simulation.time_step_s < fewest_steps) {
+      fewest_steps = contact_s / scenario.simulation.time_step_s;
+      cost.shortest_contact_s = contact_s;
+      cost.time_step_at_shortest_s = scenario.simulation.time_step_s;
+      cost.shortest_contact_at = point;
+    }
+  }
+  return cost;
+}
+
+/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
+double evaluations_per_combination(const Study& study, const StudyCost& cost) {
+  if (study.kind() != StudyKind::window) return 1.0;
+  const WindowSettings& range = study.window();
+  const std::size_t count = std::min(cost.group_of.size(), kRehearsedCombinations);
+  WindowSearchSettings settings{
+      .from_N = range.from_N,
+      .to_N = range.to_N,
+      .tolerance = range.tolerance,
+      .lane_count = lane_count(),
+      .factor_group = {cost.group_of.begin(), cost.group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
+  const double ratio = range.to_N / range.from_N;
+  const double hold_N = range.from_N * std::pow(ratio, 0.37);
+  const double damage_N = range.from_N * std::pow(ratio, 0.71);
+  const ForceEvaluator rehearse = [&](const std::vector<ForceRequest>& requests) {
+    std::vector<GripSample> answers;
+    for (const ForceRequest& request : requests) {
+      answers.push_back({.grip_force_N = request.grip_force_N,
+                         .holds = request.grip_force_N >= hold_N ? Verdict::yes : Verdict::no,
+                         .undamaged = request.grip_force_N <= damage_N ? Verdict::yes : Verdict::no});
+    }
+    return std::optional(std::move(answers));
+  };
+  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count);
+}
+
+double compute_seconds(const StudyCost& cost, double evaluations_each) {
+  double seconds = 0.0;
+  const double lanes = lane_count();
+  for (std::size_t i = 0; i < cost.groups.size(); ++i) {
+    const GroupCost& group = cost.groups[i];
+    const double evaluations = evaluations_each * static_cast<double>(group.count);
+    const double mean_steps = group.steps / static_cast<double>(group.count);
+    // Lanes that stay empty cost as much as full ones.
+    seconds += std::ceil(evaluations / lanes) * lanes * mean_steps * estimated_lane_step_s(cost.sizes[i]);
+  }
+  return seconds;
+}
+
+double memory_bytes(const StudyCost& cost, int threads) {
+  std::vector<double> models;
+  double lanes = 0.0;
+  for (const ModelSize& size : cost.sizes) {
+    models.push_back(estimated_model_bytes(size));
+    lanes = std::max(lanes, estimated_lane_bytes(size));
+  }
+  std::sort(models.begin(), models.end(), std::greater<>());
+  models.resize(std::min(models.size(), static_cast<std::size_t>(threads)));
+  double bytes = static_cast<double>(threads) * lane_count() * lanes;
+  for (const double model : models) bytes += model;
+  return bytes;
+}
+
+double disk_bytes(const Study& study, const StudyCost& cost, double evaluations) {
+  const double columns = static_cast<double>(kMetricCount + study.inputs().size() + 1) * sizeof(double);
+  double bytes = evaluations * 2.0 * (columns + kRowBytesBesideColumns);
+  if (study.kind() == StudyKind::simulate && study.scenario_count() == 1) {
+    constexpr double kTracedPerParticle = 9.0 * sizeof(double);  // displacement, velocity, acceleration
+    const SimulationParameters& simulation = study.scenario(0).simulation;
+    const double every = simulation.trace_interval_s.value_or(simulation.time_step_s) / simulation.time_step_s;
+    bytes += cost.groups[0].steps / every * kTracedPerParticle * static_cast<double>(cost.sizes[0].particle_count);
+  }
+  return bytes;
+}
+
+void print_sizes(const StudyCost& cost) {
+  const auto by_freedoms = [](const ModelSize& a, const ModelSize& b) {
+    return a.freedom_count < b.freedom_count;
+  };
+  const auto [least, most] = std::minmax_element(cost.sizes.begin(), cost.sizes.end(), by_freedoms);
+  const auto range = [](std::size_t low, std::size_t high) {
+    return low == high ? with_thousands(low) : joined({with_thousands(low), " to ", with_thousands(high)});
+  };
+  print_line(joined({"groups by factor key: ", with_thousands(cost.groups.size())}));
+  print_line(joined({"particles: ", range(least->particle_count, most->particle_count),
+                     ", freedoms: ", range(least->freedom_count, most->freedom_count)}));
+}
+
+void warn_about_contact_time(const Study& study, const StudyCost& cost) {
+  const double steps = cost.shortest_contact_s / cost.time_step_at_shortest_s;
+  if (!std::isfinite(steps)) return;
+  const std::string where = inputs_text(input_columns(study), grid_inputs(study, cost.shortest_contact_at));
+  print_line(joined({"shortest contact: about ", duration_text(cost.shortest_contact_s), ", ", short_number(steps),
+                     " time steps"}));
+  if (steps >= kStepsPerContact) return;
+  print_note(joined({"warning: simulation.time_step_s = ", short_number(cost.time_step_at_shortest_s),
+                     " gives the finger's contact ", short_number(steps),
+                     " steps (wanted: ", short_number(kStepsPerContact), ")", where.empty() ? "" : " at ", where,
+                     "; try ", short_number(cost.shortest_contact_s / kStepsPerContact)}));
+}
+
+}  // namespace
+
+int check_command(const StudyArguments& arguments) {
+  const std::optional<Study> study = read_or_explain(arguments);
+  if (!study) return kExitInput;
+  const StudyCost cost = cost_of(*study);
+  const int threads = thread_count_of(std::nullopt);
+  const double each = evaluations_per_combination(*study, cost);
+  const double evaluations = each * static_cast<double>(study->scenario_count());
+
+  print_line(joined({study->name(), ": ", study_kind_word(study->kind()), ", valid"}));
+  if (study->kind() == StudyKind::window) {
+    print_line(joined({"combinations: ", with_thousands(study->scenario_count()), ", scenarios: about ",
+                       with_thousands(static_cast<unsigned long long>(std::llround(evaluations)))}));
+  } else {
+    print_line(joined({"scenarios: ", with_thousands(study->scenario_count())}));
+  }
+  print_sizes(cost);
+  print_line(joined({"memory: about ", bytes_text(memory_bytes(cost, threads))}));
+  print_line(joined({"disk: about ", bytes_text(disk_bytes(*study, cost, evaluations))}));
+  print_line(joined({"time: about ", duration_text(compute_seconds(cost, each) / threads), " on ",
+                     std::to_string(threads), threads == 1 ? " thread" : " threads", " (up to ",
+                     duration_text(cost.longest_run_s), " simulated per scenario; steps x ",
+                     short_number(1e9 * kLaneStepSecondsPerFactorEntry),
+                     " ns per lane and entry of the factor as measured on an AVX-512 core, without factoring; "
+                     "expect a factor of two either way)"}));
+  warn_about_contact_time(*study, cost);
+  return kExitDone;
+}
+
+}  // namespace unbruised::studies

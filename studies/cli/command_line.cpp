@@ -1,0 +1,234 @@
+#include "studies/cli/command_line.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <new>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "studies/cli/commands.hpp"
+#include "studies/config/schema.hpp"
+#include "studies/results/text.hpp"
+#include "studies/runner/build_info.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// A usage error: what is wrong, and which help to read.
+struct UsageError {
+  std::string message;
+  std::string command;  ///< empty: the program's own help
+};
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
+
+/// `key=value` as a word of its own belongs to the --set before it; a study may have such a name, if it exists.
+bool is_set_word(const std::string& word) {
+  std::error_code error;
+  return word.find('=') != std::string::npos && !std::filesystem::exists(word, error);
+}
+
+/// The known word spelt most like this one.
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = nearest(word, known);
+  return near.empty() ? std::string() : joined({"; did you mean '", near, "'?"});
+}
+
+class CommandLine {
+ public:
+  explicit CommandLine(std::string program) : app_("Finds how a gripper may handle a delicate product.") {
+    run_.program = std::move(program);
+    app_.name("unbruised");
+    app_.set_version_flag("--version", build_line());
+    app_.allow_extras();
+    app_.footer(
+        "\nbegin with:\n  unbruised list\n  unbruised check configs/kiwi_sweep.toml\n"
+        "  unbruised run configs/kiwi_sweep.toml\n"
+        "\nexit status: 0 done; 1 internal error; 2 wrong input; 3 some scenarios diverged; 4 run directory in "
+        "use;\n"
+        "5 disk failure; 6 results damaged; 130, 143 interrupted (the same command continues)");
+    add_run();
+    add_check();
+    add_readers();
+  }
+
+  /// Parses and calls the command.
+  int operator()(std::vector<std::string> words) {
+    std::reverse(words.begin(), words.end());  // what this form of CLI11's parse takes
+    try {
+      app_.parse(std::move(words));
+    } catch (const CLI::Success& wanted) {  // --help, --version
+      return app_.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+      throw UsageError{error.what(), chosen_name()};
+    }
+    CLI::App* chosen = chosen_command();
+    refuse_unknown_words(chosen);
+    return actions_.at(chosen->get_name())();
+  }
+
+ private:
+  CLI::App& command(const std::string& name, const std::string& description, std::function<int()> action) {
+    CLI::App* added = app_.add_subcommand(name, description);
+    added->allow_extras();
+    actions_[name] = std::move(action);
+    return *added;
+  }
+
+  void add_study_words(CLI::App& to) {
+    to.add_option("STUDY", words_, "the study's TOML file")->type_name("FILE")->expected(0, -1);
+    to.add_option("--set", sets_, "key=value: give a key another value; may repeat and take several")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+
+  void add_run() {
+    CLI::App& run = command("run", "run a study, or continue it", [this] { return call_run(); });
+    add_study_words(run);
+    run.add_option("--output,-o", output_, "run directory (default: results/<study name>)")->type_name("DIR");
+    run.add_option("--threads,-j", threads_, "threads (default: all the machine gives)")->type_name("N");
+    run.add_option("--scenario", scenario_, "only this scenario, with its full trace")->type_name("ID");
+    run.add_flag("--fresh", run_.fresh, "move an old run directory aside and start anew");
+    run.add_flag("--quiet,-q", run_.quiet, "no progress");
+  }
+
+  void add_check() {
+    CLI::App& check = command("check", "validate a study and say what it will cost", [this] {
+      take_study("check");
+      return check_command(run_.study);
+    });
+    add_study_words(check);
+  }
+
+  void add_readers() {
+    CLI::App& info = command("info", "what a run directory or results file holds", [this] {
+      return info_command(one_word("info", "a run directory or results file"), run_.program);
+    });
+    info.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    CLI::App& verify = command("verify", "check every checksum of a run directory",
+                               [this] { return verify_command(one_word("verify", "a run directory")); });
+    verify.add_option("DIR", words_, "run directory")->expected(0, -1);
+    CLI::App& report = command("report", "one self-contained page (not in this version)", [] {
+      print_error("`report` is not in this version; `unbruised info` prints the findings");
+      return kExitInput;
+    });
+    report.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    report.add_option("-o", output_, "the page")->type_name("FILE.html");
+    CLI::App& explain = command("explain", "what a config key means: unit, default, range", [this] {
+      return explain_command(words_.empty() ? std::nullopt : std::optional(one_word("explain", "a key")));
+    });
+    explain.add_option("KEY", words_, "dotted key or table; without it all of them")->expected(0, -1);
+    command("list", "the products, grippers and studies that ship", [] { return list_command(); });
+  }
+
+  int call_run() {
+    take_study("run");
+    if (!output_.empty()) run_.output = output_;
+    if (threads_) {
+      if (*threads_ < 1 || *threads_ > kThreadsMost) {
+        throw UsageError{
+            joined({"--threads = ", std::to_string(*threads_), ": must be 1 to ", std::to_string(kThreadsMost)}),
+            "run"};
+      }
+      run_.threads = static_cast<int>(*threads_);
+    }
+    if (!scenario_) return run_command(run_);
+    if (*scenario_ < 0) throw UsageError{"--scenario: ids begin with 0", "run"};
+    run_.scenario = static_cast<std::uint64_t>(*scenario_);
+    return run_one_command(run_);
+  }
+
+  /// Sorts the words into the study and the values of --set.
+  void take_study(const std::string& name) {
+    std::vector<std::string> studies;
+    for (const std::string& word : words_) (is_set_word(word) ? sets_ : studies).push_back(word);
+    for (const std::string& set : sets_) {
+      if (set.find('=') == std::string::npos) {
+        throw UsageError{joined({"--set ", set, ": must be key=value"}), name};
+      }
+    }
+    words_ = studies;
+    run_.study.study = one_word(name, "a study file (STUDY.toml)");
+    run_.study.sets = sets_;
+  }
+
+  std::string one_word(const std::string& name, const std::string& what) const {
+    if (words_.empty()) throw UsageError{joined({"`", name, "` needs ", what}), name};
+    if (words_.size() > 1)
+      throw UsageError{joined({"`", name, "` takes one word, not '", words_[1], "' too"}), name};
+    return words_.front();
+  }
+
+  CLI::App* chosen_command() const {
+    const std::vector<CLI::App*> chosen = app_.get_subcommands();
+    if (!chosen.empty()) return chosen.front();
+    std::vector<std::string> names;
+    for (const auto& [name, action] : actions_) names.push_back(name);
+    const std::vector<std::string> words = app_.remaining();
+    if (words.empty()) throw UsageError{"which command? " + app_.help(), "-"};
+    throw UsageError{joined({is_option(words.front()) ? "unknown option '" : "unknown command '", words.front(),
+                             "'", suggestion(words.front(), names)}),
+                     {}};
+  }
+
+  std::string chosen_name() const {
+    const std::vector<CLI::App*> chosen = app_.get_subcommands();
+    return chosen.empty() ? std::string() : chosen.front()->get_name();
+  }
+
+  void refuse_unknown_words(const CLI::App* chosen) const {
+    const std::vector<std::string> words = app_.remaining(true);
+    if (words.empty()) return;
+    std::vector<std::string> known;
+    for (const CLI::Option* option : chosen->get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    const auto option = std::find_if(words.begin(), words.end(), is_option);
+    const std::string word = option == words.end() ? words.front() : option->substr(0, option->find('='));
+    throw UsageError{
+        joined({is_option(word) ? "unknown option '" : "unexpected word '", word, "'", suggestion(word, known)}),
+        chosen->get_name()};
+  }
+
+  static constexpr long kThreadsMost = 4096;
+
+  CLI::App app_;
+  std::map<std::string, std::function<int()>> actions_;
+  std::vector<std::string> words_;
+  std::vector<std::string> sets_;
+  std::string output_;
+  std::optional<long> threads_;
+  std::optional<long long> scenario_;
+  RunArguments run_;
+};
+
+int report_usage_error(const UsageError& error) {
+  print_error(error.message);
+  if (error.command == "-") return kExitInput;
+  print_note(joined({"see `unbruised ", error.command, error.command.empty() ? "" : " ", "--help`"}));
+  return kExitInput;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& words) {
+  try {
+    const std::string program = words.empty() ? "unbruised" : words.front();
+    CommandLine command_line(program);
+    return command_line(words.empty() ? words : std::vector<std::string>(words.begin() + 1, words.end()));
+  } catch (const UsageError& error) {
+    return report_usage_error(error);
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory");
+  } catch (const std::exception& error) {
+    print_error(joined({"internal error: ", error.what()}));
+  }
+  return kExitInternal;
+}
+
+}  // namespace unbruised::studies

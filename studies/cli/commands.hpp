@@ -1,0 +1,64 @@
+#pragma once
+
+/// @file
+/// The commands behind the command line. Each prints and returns the exit status.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "studies/config/study.hpp"
+#include "studies/results/expected.hpp"
+
+namespace unbruised::studies {
+
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitInternal = 1;
+inline constexpr int kExitInput = 2;
+inline constexpr int kExitDiverged = 3;
+
+struct StudyArguments {
+  std::filesystem::path study;
+  std::vector<std::string> sets;  ///< "key=value"
+};
+
+struct RunArguments {
+  StudyArguments study;
+  std::optional<std::filesystem::path> output;
+  std::optional<int> threads;
+  std::optional<std::uint64_t> scenario;
+  bool fresh = false;
+  bool quiet = false;
+  std::string program = "unbruised";  ///< as it was called, for commands shown to the user
+};
+
+int run_command(const RunArguments& arguments);
+/// `run --scenario ID`: that scenario alone with its trace.
+int run_one_command(const RunArguments& arguments);
+int check_command(const StudyArguments& arguments);
+int info_command(const std::filesystem::path& path, const std::string& program);
+int verify_command(const std::filesystem::path& directory);
+int explain_command(const std::optional<std::string>& key);
+int list_command();
+
+/// One message on stderr, with the program's name before it.
+void print_error(const std::string& message);
+void print_note(const std::string& message);
+/// A whole line of results on stdout.
+void print_line(const std::string& line);
+/// Prints an error of the results house; its exit status.
+int report_error(const ResultsError& error);
+
+/// Reads a study with its warnings printed; otherwise prints what is wrong with it and returns nothing.
+std::optional<Study> read_or_explain(const StudyArguments& arguments);
+/// `results/<study name>` unless another one is asked for.
+std::filesystem::path run_directory_of(const Study& study, const std::optional<std::filesystem::path>& output);
+/// The threads asked for, else those the machine gives this process.
+int thread_count_of(const std::optional<int>& threads);
+/// A word as a shell takes it.
+std::string shell_word(const std::string& word);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,64 @@
+#include "studies/cli/commands.hpp"
+#include "studies/cli/recorded.hpp"
+#include "studies/results/text.hpp"
+#include "studies/runner/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t rows_run(const StudyTables& tables) {
+  std::size_t count = 0;
+  for (const ScenarioRow& row : tables.rows) count += row.result.outcome == Outcome::not_run ? 0 : 1;
+  return count;
+}
+
+std::string state_line(const RecordedStudy& recorded) {
+  const std::string done = with_thousands(rows_run(recorded.tables));
+  const std::uint64_t rows = recorded.wanted.value_or(recorded.tables.rows.size());
+  std::string text = joined({recorded.meta.study_name, ": ", recorded.meta.study_kind, ", "});
+  if (recorded.meta.complete) return text + joined({"complete, ", done, " scenarios"});
+  text += joined({"not complete, ", done});
+  if (recorded.meta.study_kind != "window") text += joined({" of ", with_thousands(rows)});
+  return text + " scenarios so far";
+}
+
+void print_origin(const RecordedStudy& recorded) {
+  if (!recorded.meta.unbruised_version.empty()) {
+    print_line(joined({"written by unbruised ", recorded.meta.unbruised_version, " (", recorded.meta.compiler,
+                       ", ", recorded.meta.instruction_set, ") ", recorded.meta.created_utc}));
+  }
+  std::string keys;
+  for (const ColumnInfo& column : recorded.tables.inputs) keys += joined({keys.empty() ? "" : ", ", column.key});
+  if (!keys.empty()) print_line(joined({"varied: ", keys}));
+  if (recorded.has_trace) print_line("with the trace of its scenario (/trace)");
+}
+
+/// A run directory replays from its own resolved config.
+void print_replay(const RecordedStudy& recorded, const std::string& program) {
+  const fs::path directory = recorded.from_journal ? recorded.source : recorded.source.parent_path();
+  const fs::path config = directory / "config.toml";
+  std::error_code error;
+  if (!fs::exists(config, error)) return;
+  const std::string command = joined({shell_word(program), " run ", shell_word(config.string()), " --output ",
+                                      shell_word(directory.empty() ? "." : directory.string()), " --scenario"});
+  for (const std::string& line : replay_lines(recorded.tables, command)) print_line(line);
+}
+
+}  // namespace
+
+int info_command(const fs::path& path, const std::string& program) {
+  const auto recorded = read_recorded(path);
+  if (!recorded) return report_error(recorded.error());
+  print_line(state_line(*recorded));
+  print_origin(*recorded);
+  for (const std::string& line : summary_lines(recorded->tables)) print_line(line);
+  print_replay(*recorded, program);
+  print_line(
+      joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));
+  print_line(joined({"digest ", rows_digest(recorded->tables.rows)}));
+  return kExitDone;
+}
+
+}  // namespace unbruised::studies

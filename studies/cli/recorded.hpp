@@ -1,0 +1,33 @@
+#pragma once
+
+/// @file
+/// What a run directory or a results file holds, read without taking the directory's lock.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "studies/config/study.hpp"
+#include "studies/results/expected.hpp"
+#include "studies/results/rows.hpp"
+#include "studies/runner/summary.hpp"
+
+namespace unbruised::studies {
+
+struct RecordedStudy {
+  ResultsMeta meta;
+  StudyTables tables;
+  bool has_trace = false;
+  std::filesystem::path source;  ///< the results file, or the run directory when read from its journal
+  bool from_journal = false;
+  std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
+};
+
+/// Reads a results file, or a run directory: its complete results.h5, else its config and journals.
+Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);
+
+/// The recorded row of an id in the run directory of this very study; nothing when there is none.
+std::optional<ScenarioRow> recorded_row(const std::filesystem::path& directory, const Study& study,
+                                        std::uint64_t id);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,212 @@
+#include "studies/config/library.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <system_error>
+
+#include "studies/config/schema.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
+constexpr std::size_t kMaxCsvBytes = std::size_t{64} << 20;
+
+std::optional<std::string> read_bytes(const std::filesystem::path& path, std::size_t most, std::string& why) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    why = std::filesystem::exists(path, error) ? "not a file" : "no such file";
+    return std::nullopt;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string content;
+  const auto size = std::min<std::uintmax_t>(std::filesystem::file_size(path, error), most + 1);
+  if (!stream || error) {
+    why = "cannot be read";
+    return std::nullopt;
+  }
+  content.resize(static_cast<std::size_t>(size));
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\"");
+  if (first == std::string_view::npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1));
+}
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// What a CSV column writes to: a key of the list, or one element of it ("position_x_m", "between_0").
+struct CsvColumn {
+  const KeySpec* spec = nullptr;
+  std::string key;  ///< with element, e.g. "position_m[0]"
+};
+
+CsvColumn csv_column(std::string_view list, const std::string& name) {
+  const std::string table = std::string(list) + "[].";
+  for (const KeySpec& spec : key_table()) {
+    if (!spec.path.starts_with(table)) continue;
+    const std::string key(spec.path.substr(table.size()));
+    if (spec.size == 0) {
+      if (name == key) return {&spec, key};
+      continue;
+    }
+    const Unit* unit = unit_of(key);
+    const std::string suffix = unit == nullptr ? "" : std::string(unit->suffix);
+    const std::string stem = key.substr(0, key.size() - suffix.size());
+    for (int i = 0; i < spec.size; ++i) {
+      const std::string element =
+          spec.type == KeyType::integers ? std::to_string(i) : std::string(1, static_cast<char>('x' + i));
+      if (name == stem + "_" + element + suffix) return {&spec, key + "[" + std::to_string(i) + "]"};
+    }
+  }
+  return {};
+}
+
+/// "yz" as ["y", "z"].
+Value axes_value(const std::string& cell) {
+  Value axes;
+  axes.kind = Value::Kind::array;
+  for (const char c : cell) axes.items.push_back(text_value(std::string(1, c)));
+  return axes;
+}
+
+Value cell_value(const KeySpec& spec, const std::string& cell) {
+  if (spec.type == KeyType::axes) return axes_value(cell);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  if (error != std::errc() || end != cell.data() + cell.size()) return text_value(cell);
+  return number_value(number);
+}
+
+}  // namespace
+
+std::optional<std::string> read_text_file(const std::filesystem::path& path, std::string& why) {
+  return read_bytes(path, kMaxBytes, why);
+}
+
+std::optional<Library::Text> Library::open(const Entry& named, Problems& problems) {
+  const std::filesystem::path wanted = named.value.text;
+  const std::size_t most = named.path.ends_with("_csv") ? kMaxCsvBytes : kMaxBytes;
+  std::string why;
+  std::string places;
+  for (const auto& folder : {folder_, config_root_}) {
+    if (folder.empty() && !wanted.is_absolute()) continue;
+    const std::filesystem::path path = folder / wanted;
+    if (auto content = read_bytes(path, most, why)) {
+      const auto file = std::make_shared<const std::string>(path.lexically_normal().string());
+      if (content->size() > most) {
+        problems.add({file, next_rank_, 1}, named.path, "the file is too large");
+        return std::nullopt;
+      }
+      return Text{std::move(*content), file, next_rank_++};
+    }
+    places += (places.empty() ? "" : " or ") + folder.lexically_normal().string();
+    if (why != "no such file") break;
+  }
+  problems.add(named.origin, named.path, toml_string(named.value.text),
+               why + (places.empty() ? "" : " (looked in " + places + ")"));
+  return std::nullopt;
+}
+
+std::vector<Entry> library_entries(const Document& document, std::string_view prefix, std::string_view table,
+                                   Problems& problems) {
+  const bool is_product = table == "product";
+  const auto known = [&](const std::string& local) {
+    if (local == "source" || (is_product && local == "limits")) return true;
+    const std::string pattern = pattern_of(std::string(table) + "." + local);
+    return std::find(table_names().begin(), table_names().end(), pattern) != table_names().end();
+  };
+  std::vector<std::string> foreign;
+  for (const Entry& entry : document.tables) {
+    if (!entry.path.starts_with(prefix)) continue;
+    const std::string local = entry.path.substr(prefix.size());
+    const bool inside = std::any_of(foreign.begin(), foreign.end(),
+                                    [&](const std::string& other) { return local.starts_with(other + "."); });
+    if (known(local) || inside) continue;
+    foreign.push_back(local);
+    problems.add(entry.origin, local, "unknown table in a " + std::string(table) + " file");
+  }
+  std::vector<Entry> out;
+  for (const Entry& entry : document.entries) {
+    if (!entry.path.starts_with(prefix)) continue;
+    const std::string local = entry.path.substr(prefix.size());
+    if (std::any_of(foreign.begin(), foreign.end(),
+                    [&](const std::string& other) { return local.starts_with(other + "."); })) {
+      continue;
+    }
+    const bool descriptive = local == "name" || local == "description" || local.starts_with("source.");
+    if (descriptive) {
+      if (entry.value.kind != Value::Kind::text) {
+        problems.add(entry.origin, local, spelled(entry.value), "must be a string");
+      }
+    } else if (local == "use") {
+      problems.add(entry.origin, local, spelled(entry.value), "a file that is used may not use another one");
+    } else {
+      const bool own = !(is_product && local.starts_with("limits."));
+      out.push_back({own ? std::string(table) + "." + local : local, entry.value, entry.origin});
+    }
+  }
+  return out;
+}
+
+std::vector<Entry> Library::read(std::string_view table, const Entry& use, Problems& problems) {
+  const auto text = open(use, problems);
+  if (!text) return {};
+  const Document document = parse_document(text->content, text->file, text->rank);
+  for (const Problem& problem : document.problems) problems.add(problem);
+  return library_entries(document, "", table, problems);
+}
+
+std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, Problems& problems) {
+  const auto text = open(named, problems);
+  if (!text) return {};
+  std::vector<Entry> out;
+  std::vector<CsvColumn> columns;
+  std::string_view rest = text->content;
+  int row = 0;
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view content = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    const Origin origin{text->file, text->rank, line};
+    if (trimmed(content).empty() || content.front() == '#') continue;
+    const std::vector<std::string> cells = cells_of(content);
+    if (columns.empty()) {
+      for (const std::string& name : cells) {
+        columns.push_back(csv_column(list, name));
+        if (columns.back().spec == nullptr) {
+          problems.add(origin, name, "unknown column; docs/config.md lists the columns of CSV files");
+          return {};
+        }
+      }
+      continue;
+    }
+    if (cells.size() != columns.size()) {
+      problems.add(origin, list, "a row must have as many cells as the first line has (" +
+                                     std::to_string(columns.size()) + "), not " + std::to_string(cells.size()));
+      return {};
+    }
+    const std::string path = std::string(list) + "[" + std::to_string(row++) + "].";
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].empty()) continue;
+      out.push_back({path + columns[i].key, cell_value(*columns[i].spec, cells[i]), origin});
+    }
+  }
+  if (row == 0) problems.add({text->file, text->rank, 1}, list, "the file has no rows");
+  return out;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,56 @@
+#pragma once
+
+/// @file
+/// Files that a study refers to: product and gripper files (`use`) and CSV tables of networks.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "studies/config/document.hpp"
+#include "studies/config/problems.hpp"
+
+namespace unbruised::studies {
+
+/// Opens the files of one study; each gets its rank for the order of messages.
+class Library {
+ public:
+  Library(std::filesystem::path folder, std::filesystem::path config_root)
+      : folder_(std::move(folder)), config_root_(std::move(config_root)) {}
+
+  /// Entries of a product or gripper file under their study paths ("product.shape", "limits.slip_m").
+  /// @param table "product" or "gripper"
+  /// @param use the entry that names the file
+  std::vector<Entry> read(std::string_view table, const Entry& use, Problems& problems);
+
+  /// Entries of a CSV file of particles or springs.
+  /// @param list "product.particle" or "product.spring"
+  std::vector<Entry> read_csv(std::string_view list, const Entry& named, Problems& problems);
+
+ private:
+  struct Text {
+    std::string content;
+    std::shared_ptr<const std::string> file;
+    int rank;
+  };
+  std::optional<Text> open(const Entry& named, Problems& problems);
+
+  std::filesystem::path folder_;
+  std::filesystem::path config_root_;
+  int next_rank_ = 1;
+};
+
+/// Puts the entries of a product's or gripper's table under their study paths, leaves out what only describes
+/// (name, description, [source]), and reports tables that do not belong there.
+/// @param prefix of the entries' paths to be taken away, e.g. "vary[0].variant[1]."; empty for a whole file
+std::vector<Entry> library_entries(const Document& document, std::string_view prefix, std::string_view table,
+                                   Problems& problems);
+
+/// Reads a file of at most 4 MiB (one byte more is returned for a larger one). Returns nothing and sets `why` when
+/// it cannot be read.
+std::optional<std::string> read_text_file(const std::filesystem::path& path, std::string& why);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,117 @@
+#include <functional>
+
+#include "studies/config/study_data.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+struct Writer {
+  const StudyData& data;
+  std::vector<std::string> varied_keys;
+  std::string out;
+
+  void header(const std::string& text) { out += (out.empty() ? "" : "\n") + text + "\n"; }
+
+  void line(std::string_view path, const std::string& value) {
+    if (!value.empty()) out += std::string(path.substr(path.rfind('.') + 1)) + " = " + value + "\n";
+  }
+
+  /// All used keys of one table, e.g. "cell" or "product.particle[]".
+  void keys(const std::string& table, Scenario& scenario, int index) {
+    StudySettings settings = data.settings;
+    for (const KeySpec& spec : key_table()) {
+      if (spec.path.substr(0, spec.path.rfind('.')) != table) continue;
+      if (!is_used(spec, scenario, settings.kind, varied_keys)) continue;
+      if (spec.study_field != nullptr) line(spec.path, spelled(spec, spec.study_field(settings)));
+      if (spec.field != nullptr) line(spec.path, spelled(spec, spec.field(scenario, index)));
+      if (spec.path == "product.kind") {
+        line(spec.path, std::holds_alternative<NetworkParameters>(scenario.product) ? "\"network\"" : "\"lattice\"");
+      }
+    }
+  }
+
+  void table(const std::string& name, Scenario& scenario) {
+    header("[" + name + "]");
+    keys(name, scenario, 0);
+  }
+
+  /// The product's table under `name` ("product" or "vary.variant"), without its header.
+  void product(const std::string& name, Scenario& scenario) {
+    keys("product", scenario, 0);
+    const auto* network = std::get_if<NetworkParameters>(&scenario.product);
+    if (network == nullptr) return;
+    const auto list = [&](const std::string& leaf, std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i) {
+        header("[[" + name + "." + leaf + "]]");
+        keys("product." + leaf + "[]", scenario, static_cast<int>(i));
+      }
+    };
+    list("particle", network->particle.size());
+    list("spring", network->spring.size());
+    list("load", network->load.size());
+  }
+
+  void variants(const VaryColumn& column) {
+    std::size_t grippers = 1;
+    for (const VaryColumn& other : data.plan.columns) {
+      if (other.input.key == "gripper.use") grippers = other.input.count();
+    }
+    const bool is_product = column.input.key == "product.use";
+    for (std::size_t j = 0; j < column.input.count(); ++j) {
+      Scenario scenario = data.bases[is_product ? j * grippers : j];
+      header("[[vary.variant]]");
+      if (is_product) {
+        product("vary.variant", scenario);
+        header("[vary.variant.limits]");
+        keys("limits", scenario, 0);
+      } else {
+        keys("gripper", scenario, 0);
+      }
+    }
+  }
+
+  void block(std::size_t i) {
+    VaryBlock block = data.plan.blocks[i];
+    header("[[vary]]");
+    for (const KeySpec& spec : key_table()) {
+      if (!spec.path.starts_with("vary[].")) continue;
+      if (spec.vary_field == nullptr) {
+        if (!block.values.items.empty()) line(spec.path, spelled(block.values));
+      } else if (spec.path == "vary[].count") {
+        if (block.count > 0) line(spec.path, std::to_string(block.count));
+      } else if (spec.path != "vary[].scale" || block.count > 0) {
+        line(spec.path, spelled(spec, spec.vary_field(block)));
+      }
+    }
+    if (data.plan.columns[i].is_use()) variants(data.plan.columns[i]);
+  }
+};
+
+}  // namespace
+
+std::string resolved_text(const StudyData& data) {
+  Writer writer{data, {}, {}};
+  bool product_varies = false;
+  bool gripper_varies = false;
+  for (const VaryColumn& column : data.plan.columns) {
+    writer.varied_keys.push_back(column.input.key);
+    product_varies = product_varies || column.input.key == "product.use";
+    gripper_varies = gripper_varies || column.input.key == "gripper.use";
+  }
+  Scenario base = data.bases.front();
+  writer.table("study", base);
+  if (data.settings.kind == StudyKind::window) writer.table("window", base);
+  if (!product_varies) {
+    writer.header("[product]");
+    writer.product("product", base);
+  }
+  if (base.gripper && !gripper_varies) writer.table("gripper", base);
+  writer.table("cell", base);
+  if (base.gripper) writer.table("strategy", base);
+  if (!product_varies) writer.table("limits", base);
+  writer.table("simulation", base);
+  for (std::size_t i = 0; i < data.plan.blocks.size(); ++i) writer.block(i);
+  return writer.out;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,482 @@
+#include "studies/config/schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace unbruised::studies {
+namespace {
+
+constexpr std::array<Unit, 13> kUnits = {{
+    {"_N_s_m", "N s/m", "N s m-1"},
+    {"_m_s2", "m/s2", "m s-2"},
+    {"_kg_m3", "kg/m3", "kg m-3"},
+    {"_N_m", "N/m", "N m-1"},
+    {"_m_s", "m/s", "m s-1"},
+    {"_rad", "rad", "rad"},
+    {"_kg", "kg", "kg"},
+    {"_Pa", "Pa", "Pa"},
+    {"_Hz", "Hz", "Hz"},
+    {"_m3", "m3", "m3"},
+    {"_N", "N", "N"},
+    {"_J", "J", "J"},
+    {"_s", "s", "s"},
+}};
+constexpr Unit kMetre = {"_m", "m", "m"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Optimal string alignment distance: edits and swaps of neighbours.
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t n = b.size();
+  std::vector<int> before(n + 1), above(n + 1), row(n + 1);
+  std::iota(above.begin(), above.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= n; ++j) {
+      const int change = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({change, above[j] + 1, row[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[n];
+}
+
+std::string_view leaf_of(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+std::string_view without_unit(std::string_view leaf) {
+  const Unit* unit = unit_of(leaf);
+  return unit == nullptr ? leaf : leaf.substr(0, leaf.size() - unit->suffix.size());
+}
+
+std::string type_rule(const KeySpec& spec) {
+  const Unit* unit = unit_of(spec.path);
+  const std::string in = unit == nullptr ? "" : " in " + std::string(unit->display);
+  const std::string n = std::to_string(spec.size);
+  switch (spec.type) {
+    case KeyType::number:
+      return "must be a number" + in;
+    case KeyType::optional_number:
+      return "must be a number" + in + ", or \"none\"";
+    case KeyType::integer:
+      return "must be an integer";
+    case KeyType::boolean:
+      return "must be true or false";
+    case KeyType::text:
+      return "must be a string";
+    case KeyType::choice: {
+      std::string words;
+      for (const auto word : spec.choices) words += (words.empty() ? "" : ", ") + toml_string(word);
+      return "must be one of " + words;
+    }
+    case KeyType::numbers:
+      return "must be an array of " + n + " numbers" + in;
+    case KeyType::integers:
+      return "must be an array of " + n + " integers";
+    case KeyType::axes:
+      return "must be an array of the axes \"x\", \"y\", \"z\"";
+    case KeyType::series:
+      return "must be an array of numbers" + in;
+    case KeyType::vector_series:
+      return "must be an array of [x, y, z]" + in;
+    case KeyType::any_array:
+      return "must be a non-empty array of numbers, of strings or of booleans";
+  }
+  return "";
+}
+
+using Rule = std::optional<std::string>;
+
+Rule check_number(const KeySpec& spec, const Value& value) {
+  const bool whole = spec.type == KeyType::integer || spec.type == KeyType::integers;
+  const bool is_whole = value.kind == Value::Kind::integer ||
+                        (value.kind == Value::Kind::number && std::floor(value.number) == value.number);
+  if (!value.is_number() || (whole && !is_whole)) return type_rule(spec);
+  if (!std::isfinite(value.number)) return "must be finite";
+  if (!spec.range.contains(value.number)) return "must be " + spec.range.text();
+  return std::nullopt;
+}
+
+Rule check_items(const KeySpec& spec, const Value& value, int size) {
+  if (value.kind != Value::Kind::array) return type_rule(spec);
+  if (size > 0 && value.items.size() != static_cast<std::size_t>(size)) return type_rule(spec);
+  for (const Value& item : value.items) {
+    if (!item.is_number()) return type_rule(spec);
+    if (const Rule rule = check_number(spec, item)) return "each " + *rule;
+  }
+  return std::nullopt;
+}
+
+Rule check_words(const KeySpec& spec, const Value& value) {
+  if (spec.type == KeyType::choice) {
+    const bool known = value.kind == Value::Kind::text &&
+                       std::find(spec.choices.begin(), spec.choices.end(), value.text) != spec.choices.end();
+    return known ? Rule{} : type_rule(spec);
+  }
+  if (value.kind != Value::Kind::array) return type_rule(spec);
+  for (const Value& item : value.items) {
+    if (item.text != "x" && item.text != "y" && item.text != "z") return type_rule(spec);
+  }
+  return std::nullopt;
+}
+
+void assign_axes(std::array<bool, 3>& fixed, const Value& value) {
+  fixed = {false, false, false};
+  for (const Value& item : value.items) fixed[static_cast<std::size_t>(item.text[0] - 'x')] = true;
+}
+
+std::array<double, 3> vector_of(const Value& value) {
+  return {value.items[0].number, value.items[1].number, value.items[2].number};
+}
+
+/// The number inside a field, by element indices; nullptr when there is none.
+double* number_slot(FieldRef field, const std::vector<int>& at) {
+  if (auto* const* number = std::get_if<double*>(&field)) return at.empty() ? *number : nullptr;
+  if (const auto* span = std::get_if<NumberSpan>(&field)) {
+    return at.size() == 1 && at[0] < span->size ? span->data + at[0] : nullptr;
+  }
+  if (auto* const* series = std::get_if<std::vector<double>*>(&field)) {
+    const bool inside = at.size() == 1 && static_cast<std::size_t>(at[0]) < (*series)->size();
+    return inside ? &(**series)[static_cast<std::size_t>(at[0])] : nullptr;
+  }
+  if (auto* const* series = std::get_if<std::vector<std::array<double, 3>>*>(&field)) {
+    const bool inside = at.size() == 2 && static_cast<std::size_t>(at[0]) < (*series)->size() && at[1] < 3;
+    return inside ? &(**series)[static_cast<std::size_t>(at[0])][static_cast<std::size_t>(at[1])] : nullptr;
+  }
+  return nullptr;
+}
+
+int* integer_slot(FieldRef field, const std::vector<int>& at) {
+  if (auto* const* number = std::get_if<int*>(&field)) return at.empty() ? *number : nullptr;
+  if (const auto* span = std::get_if<IntegerSpan>(&field)) {
+    return at.size() == 1 && at[0] < span->size ? span->data + at[0] : nullptr;
+  }
+  return nullptr;
+}
+
+template <typename Items, typename Spell>
+std::string joined(const Items& items, Spell spell) {
+  std::string out;
+  for (const auto& item : items) out += (out.empty() ? "" : ", ") + spell(item);
+  return "[" + out + "]";
+}
+
+std::string spelled_vector(const std::array<double, 3>& v) {
+  return joined(v, [](double x) { return spelled(x); });
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (min_open ? value > min : value >= min) && (max_open ? value < max : value <= max);
+}
+
+std::string Range::text() const {
+  const auto plain = [](double x) {
+    const std::string text = spelled(x);
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  };
+  std::string out;
+  if (std::isfinite(min)) out += (min_open ? "> " : ">= ") + plain(min);
+  if (std::isfinite(max)) out += (out.empty() ? "" : ", ") + std::string(max_open ? "< " : "<= ") + plain(max);
+  return out;
+}
+
+const std::vector<std::string>& key_patterns() {
+  static const std::vector<std::string> patterns = [] {
+    std::vector<std::string> all;
+    for (const KeySpec& spec : key_table()) all.emplace_back(spec.path);
+    return all;
+  }();
+  return patterns;
+}
+
+const std::vector<std::string>& table_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const std::string& path : key_patterns()) {
+      const std::string table = path.substr(0, path.rfind('.'));
+      if (std::find(all.begin(), all.end(), table) == all.end()) all.push_back(table);
+    }
+    return all;
+  }();
+  return names;
+}
+
+std::string pattern_of(std::string_view path) {
+  std::string pattern;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    pattern += path[i];
+    if (path[i] != '[') continue;
+    std::size_t end = i + 1;
+    while (end < path.size() && is_digit(path[end])) ++end;
+    if (end < path.size() && path[end] == ']') i = end - 1;
+  }
+  return pattern;
+}
+
+KeyAddress find_key(std::string_view path) {
+  static const std::unordered_map<std::string_view, const KeySpec*> index = [] {
+    std::unordered_map<std::string_view, const KeySpec*> map;
+    for (const KeySpec& spec : key_table()) map.emplace(spec.path, &spec);
+    return map;
+  }();
+  std::string pattern = pattern_of(path);
+  std::vector<int> numbers;
+  for (std::size_t i = path.find('['); i != std::string_view::npos; i = path.find('[', i + 1)) {
+    std::size_t end = i + 1;
+    int number = 0;
+    while (end < path.size() && is_digit(path[end]) && number < 100'000'000) {
+      number = 10 * number + (path[end++] - '0');
+    }
+    if (end == i + 1 || end >= path.size() || path[end] != ']') return {};
+    numbers.push_back(number);
+  }
+  std::vector<int> elements;
+  auto found = index.find(pattern);
+  while (found == index.end() && pattern.ends_with("[]") && !numbers.empty()) {
+    pattern.resize(pattern.size() - 2);
+    elements.push_back(numbers.back());
+    numbers.pop_back();
+    found = index.find(pattern);
+  }
+  std::reverse(elements.begin(), elements.end());
+  if (found == index.end()) return {};
+  const KeyType type = found->second->type;
+  const bool has_items = type == KeyType::numbers || type == KeyType::integers || type == KeyType::series;
+  const std::size_t depth = type == KeyType::vector_series ? 2 : (has_items ? 1 : 0);
+  if (!elements.empty() && elements.size() != depth) return {};
+  return {found->second, numbers.empty() ? 0 : numbers[0], std::move(elements)};
+}
+
+const Unit* unit_of(std::string_view path) {
+  while (path.ends_with("]")) path = path.substr(0, path.rfind('['));
+  for (const Unit& unit : kUnits) {
+    if (path.ends_with(unit.suffix)) return &unit;
+  }
+  return path.ends_with(kMetre.suffix) ? &kMetre : nullptr;
+}
+
+bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
+             const std::vector<std::string>& varied_keys) {
+  const auto varied = [&](std::string_view key) {
+    return std::find(varied_keys.begin(), varied_keys.end(), key) != varied_keys.end();
+  };
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  const bool support = scenario.cell.support || varied("cell.support");
+  switch (spec.use) {
+    case Use::always:
+      return true;
+    case Use::lattice:
+      return lattice != nullptr;
+    case Use::network:
+      return lattice == nullptr;
+    case Use::cylinder:
+      return lattice != nullptr && (lattice->shape == Shape::cylinder || varied("product.shape"));
+    case Use::gripper:
+      return scenario.gripper.has_value();
+    case Use::not_gripper:
+      return !scenario.gripper.has_value();
+    case Use::not_window:
+      return scenario.gripper.has_value() && kind != StudyKind::window;
+    case Use::support:
+      return support;
+    case Use::lattice_support:
+      return support && lattice != nullptr;
+    case Use::network_support:
+      return support && lattice == nullptr;
+    case Use::window:
+      return kind == StudyKind::window;
+  }
+  return true;
+}
+
+std::string_view why_unused(Use use, const Scenario& scenario) {
+  if (use == Use::not_window && !scenario.gripper) use = Use::gripper;
+  switch (use) {
+    case Use::always:
+      return "";
+    case Use::lattice:
+      return "not used: the product is a network";
+    case Use::network:
+      return "not used: only products of kind = \"network\" have it";
+    case Use::cylinder:
+      return "not used: only a cylinder has an axis";
+    case Use::gripper:
+      return "not used: the study has no [gripper]";
+    case Use::not_gripper:
+      return "not used: the phases of the gripper fix the length of the run";
+    case Use::not_window:
+      return "not used: a window study searches it, between window.from_N and window.to_N";
+    case Use::support:
+      return "not used: there is no support (cell.support is false)";
+    case Use::lattice_support:
+      return "not used: only lattice products on a support have it";
+    case Use::network_support:
+      return "not used: only networks with cell.support = true have it";
+    case Use::window:
+      return "not used: only studies of kind = \"window\" have it";
+  }
+  return "";
+}
+
+std::optional<std::string> check_value(const KeySpec& spec, const Value& value, std::size_t element_depth) {
+  if (element_depth > 0) return value.is_number() ? check_number(spec, value) : Rule("must be a number");
+  switch (spec.type) {
+    case KeyType::optional_number:
+      if (value.kind == Value::Kind::text && value.text == "none") return std::nullopt;
+      [[fallthrough]];
+    case KeyType::number:
+    case KeyType::integer:
+      return check_number(spec, value);
+    case KeyType::boolean:
+      return value.kind == Value::Kind::boolean ? Rule{} : type_rule(spec);
+    case KeyType::text:
+      return value.kind == Value::Kind::text ? Rule{} : type_rule(spec);
+    case KeyType::choice:
+    case KeyType::axes:
+      return check_words(spec, value);
+    case KeyType::numbers:
+    case KeyType::integers:
+    case KeyType::series:
+      return check_items(spec, value, spec.size);
+    case KeyType::vector_series:
+      if (value.kind != Value::Kind::array) return type_rule(spec);
+      for (const Value& item : value.items) {
+        if (check_items(spec, item, 3)) return type_rule(spec);
+      }
+      return std::nullopt;
+    case KeyType::any_array: {
+      if (value.kind != Value::Kind::array || value.items.empty()) return type_rule(spec);
+      const Value& first = value.items.front();
+      const bool same = std::all_of(value.items.begin(), value.items.end(), [&](const Value& item) {
+        return item.kind == first.kind || (item.is_number() && first.is_number());
+      });
+      const bool simple = first.kind != Value::Kind::array && first.kind != Value::Kind::other;
+      return same && simple ? Rule{} : type_rule(spec);
+    }
+  }
+  return std::nullopt;
+}
+
+void assign_number(FieldRef field, double number, const std::vector<int>& elements) {
+  if (double* slot = number_slot(field, elements)) {
+    *slot = number;
+  } else if (int* integer = integer_slot(field, elements)) {
+    *integer = static_cast<int>(number);
+  } else if (auto* const* whole = std::get_if<std::uint64_t*>(&field)) {
+    **whole = static_cast<std::uint64_t>(number);
+  } else if (auto* const* maybe = std::get_if<std::optional<double>*>(&field)) {
+    **maybe = number;
+  }
+}
+
+void assign(const KeySpec& spec, FieldRef field, const Value& value, const std::vector<int>& elements) {
+  if (value.is_number()) {
+    if (auto* const* whole = std::get_if<std::uint64_t*>(&field); whole != nullptr && value.kind == Value::Kind::integer) {
+      **whole = static_cast<std::uint64_t>(value.integer);
+    } else {
+      assign_number(field, value.number, elements);
+    }
+  } else if (auto* const* maybe = std::get_if<std::optional<double>*>(&field)) {
+    **maybe = std::nullopt;
+  } else if (auto* const* flag = std::get_if<bool*>(&field)) {
+    **flag = value.boolean;
+  } else if (auto* const* text = std::get_if<std::string*>(&field)) {
+    **text = value.text;
+  } else if (const auto* choice = std::get_if<ChoiceRef>(&field)) {
+    const auto word = std::find(spec.choices.begin(), spec.choices.end(), value.text);
+    choice->set(choice->object, static_cast<int>(word - spec.choices.begin()));
+  } else if (auto* const* fixed = std::get_if<std::array<bool, 3>*>(&field)) {
+    assign_axes(**fixed, value);
+  } else if (auto* const* vectors = std::get_if<std::vector<std::array<double, 3>>*>(&field)) {
+    (*vectors)->clear();
+    for (const Value& item : value.items) (*vectors)->push_back(vector_of(item));
+  } else {
+    if (auto* const* series = std::get_if<std::vector<double>*>(&field)) (*series)->resize(value.items.size());
+    for (std::size_t i = 0; i < value.items.size(); ++i) {
+      assign_number(field, value.items[i].number, {static_cast<int>(i)});
+    }
+  }
+}
+
+std::optional<double> number_at(FieldRef field, const std::vector<int>& elements) {
+  if (const double* slot = number_slot(field, elements)) return *slot;
+  if (const int* integer = integer_slot(field, elements)) return *integer;
+  if (auto* const* maybe = std::get_if<std::optional<double>*>(&field)) return **maybe;
+  return std::nullopt;
+}
+
+bool has_element(FieldRef field, const std::vector<int>& elements) {
+  return elements.empty() || number_slot(field, elements) != nullptr || integer_slot(field, elements) != nullptr;
+}
+
+std::string spelled(const KeySpec& spec, FieldRef field) {
+  struct Speller {
+    const KeySpec& spec;
+    std::string operator()(const double* x) const { return spelled(*x); }
+    std::string operator()(const std::optional<double>* x) const { return *x ? spelled(**x) : ""; }
+    std::string operator()(const int* x) const { return std::to_string(*x); }
+    std::string operator()(const std::uint64_t* x) const { return std::to_string(*x); }
+    std::string operator()(const bool* x) const { return *x ? "true" : "false"; }
+    std::string operator()(const std::string* x) const { return x->empty() ? "" : toml_string(*x); }
+    std::string operator()(const ChoiceRef& x) const {
+      return toml_string(spec.choices[static_cast<std::size_t>(x.get(x.object))]);
+    }
+    std::string operator()(const NumberSpan& x) const {
+      return joined(std::vector<double>(x.data, x.data + x.size), [](double v) { return spelled(v); });
+    }
+    std::string operator()(const IntegerSpan& x) const {
+      return joined(std::vector<int>(x.data, x.data + x.size), [](int v) { return std::to_string(v); });
+    }
+    std::string operator()(const std::array<bool, 3>* x) const {
+      std::vector<std::string> words;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if ((*x)[i]) words.push_back(std::string("\"") + static_cast<char>('x' + static_cast<int>(i)) + "\"");
+      }
+      return joined(words, [](const std::string& word) { return word; });
+    }
+    std::string operator()(const std::vector<double>* x) const {
+      return joined(*x, [](double v) { return spelled(v); });
+    }
+    std::string operator()(const std::vector<std::array<double, 3>>* x) const { return joined(*x, spelled_vector); }
+  };
+  return std::visit(Speller{spec}, field);
+}
+
+std::string nearest(const std::string& path, const std::vector<std::string>& candidates) {
+  const std::string wanted = pattern_of(path);
+  const std::string_view leaf = leaf_of(wanted);
+  const std::string_view stem = without_unit(leaf);
+  std::string best;
+  double best_distance = 1e9;
+  for (const std::string& candidate : candidates) {
+    const std::string_view other = leaf_of(candidate);
+    double distance = edit_distance(wanted, candidate);
+    // The right name in the wrong table, or with another unit, is near however long the table's name or the unit is.
+    distance = std::min(distance, edit_distance(leaf, other) + 0.75);
+    if (!stem.empty() && stem == without_unit(other)) distance = std::min(distance, 1.5);
+    const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
+    if (distance <= allowed && distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  // Put the indices back where the pattern has as many.
+  std::vector<std::string> indices;
+  for (std::size_t i = path.find('['); i != std::string::npos; i = path.find('[', i + 1)) {
+    indices.push_back(path.substr(i, path.find(']', i) - i + 1));
+  }
+  std::size_t from = 0;
+  for (const std::string& index : indices) {
+    const std::size_t at = best.find("[]", from);
+    if (at == std::string::npos) break;
+    best.replace(at, 2, index);
+    from = at + index.size();
+  }
+  return best;
+}
+
+}  // namespace unbruised::studies

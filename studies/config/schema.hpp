@@ -1,0 +1,171 @@
+#pragma once
+
+/// @file
+/// The one table of every config key. Reading, `--set`, [[vary]], the resolved config, suggestions, `explain` and
+/// docs/config.md all come from it. Defaults are not written here: they are read from default-constructed structs.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+#include "studies/config/document.hpp"
+#include "studies/config/study.hpp"
+
+namespace unbruised::studies {
+
+/// What a study says about itself, beside its scenarios.
+struct StudySettings {
+  std::string name;
+  StudyKind kind = StudyKind::simulate;
+  std::uint64_t seed = 1;
+  std::string description;
+  WindowSettings window;
+};
+
+enum class VaryScale { linear, log };
+
+/// One [[vary]] block as written.
+struct VaryBlock {
+  std::string key;
+  std::optional<double> from;
+  std::optional<double> to;
+  std::uint64_t count = 0;  ///< 0: not given
+  VaryScale scale = VaryScale::linear;
+  std::string zip;
+  Value values;  ///< an array when given
+  Origin origin;
+};
+
+/// An enumeration seen through its words.
+struct ChoiceRef {
+  void* object;
+  int (*get)(const void*);
+  void (*set)(void*, int);
+};
+struct NumberSpan {
+  double* data;
+  int size;
+};
+struct IntegerSpan {
+  int* data;
+  int size;
+};
+
+/// The field a key writes to.
+using FieldRef = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
+                              ChoiceRef, NumberSpan, IntegerSpan, std::array<bool, 3>*, std::vector<double>*,
+                              std::vector<std::array<double, 3>>*>;
+
+enum class KeyType {
+  number,
+  optional_number,
+  integer,
+  boolean,
+  text,
+  choice,
+  numbers,        ///< array of a fixed number of numbers
+  integers,       ///< array of a fixed number of integers
+  axes,           ///< any of "x", "y", "z"
+  series,         ///< array of numbers
+  vector_series,  ///< array of [x, y, z]
+  any_array,      ///< [[vary]] values
+};
+
+/// Where a key has an effect. Elsewhere it is refused as unused.
+enum class Use {
+  always,
+  lattice,
+  network,
+  cylinder,
+  gripper,
+  not_gripper,
+  not_window,
+  support,
+  lattice_support,
+  network_support,
+  window,
+};
+
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  bool min_open = false;
+  double max = std::numeric_limits<double>::infinity();
+  bool max_open = false;
+
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] std::string text() const;  ///< "> 0", ">= 0, < 0.5"; empty: any
+};
+
+/// A row of the key table.
+struct KeySpec {
+  std::string_view path;  ///< dotted; [] stands for an index
+  KeyType type = KeyType::number;
+  std::string_view meaning;  ///< one sentence
+  Range range = {};
+  int size = 0;  ///< elements of `numbers` and `integers`
+  std::vector<std::string_view> choices = {};
+  Use use = Use::always;
+  bool required = false;
+  std::string_view note = {};  ///< a rule between keys, or what an absent key means
+  /// One of these two, or neither for keys that steer the reading itself (use, kind, CSV files).
+  FieldRef (*field)(Scenario&, int index) = nullptr;
+  FieldRef (*study_field)(StudySettings&) = nullptr;
+  FieldRef (*vary_field)(VaryBlock&) = nullptr;
+};
+
+/// All keys, in the order of the reference.
+const std::vector<KeySpec>& key_table();
+/// The tables and arrays of tables that hold them ("strategy", "product.particle[]").
+const std::vector<std::string>& table_names();
+
+/// A dotted path taken apart.
+struct KeyAddress {
+  const KeySpec* spec = nullptr;  ///< none: unknown key
+  int index = 0;                  ///< of the array of tables
+  std::vector<int> elements;      ///< of the key's own array
+};
+/// Looks up "product.particle[2].position_m[0]".
+KeyAddress find_key(std::string_view path);
+/// The path with every index emptied: "product.particle[].position_m[]".
+std::string pattern_of(std::string_view path);
+
+struct Unit {
+  std::string_view suffix;    ///< of the key
+  std::string_view display;   ///< "m/s2"
+  std::string_view udunits;   ///< "m s-2"
+};
+/// The unit a key's name ends in; nullptr when it has none.
+const Unit* unit_of(std::string_view path);
+
+/// Is the key looked at in this scenario? @param varied answers for a key that takes several values.
+bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
+             const std::vector<std::string>& varied_keys);
+/// Why it is not.
+std::string_view why_unused(Use use, const Scenario& scenario);
+
+/// Type and range of a value for a key or for an element of it. Returns the broken rule, or nothing.
+std::optional<std::string> check_value(const KeySpec& spec, const Value& value, std::size_t element_depth);
+/// Writes a checked value into a field.
+void assign(const KeySpec& spec, FieldRef field, const Value& value, const std::vector<int>& elements);
+/// Writes a number into a numeric field or one element of it.
+void assign_number(FieldRef field, double number, const std::vector<int>& elements);
+/// The number an address holds now; nothing when the field is text, absent, or the element does not exist.
+std::optional<double> number_at(FieldRef field, const std::vector<int>& elements);
+/// Does the element exist?
+bool has_element(FieldRef field, const std::vector<int>& elements);
+/// A field as TOML; empty for an optional without value and for an empty text.
+std::string spelled(const KeySpec& spec, FieldRef field);
+
+/// The known path spelt most like `path` among keys (`tables` false) or tables; empty when none is near.
+std::string nearest(const std::string& path, const std::vector<std::string>& candidates);
+/// Every pattern of the key table.
+const std::vector<std::string>& key_patterns();
+
+}  // namespace unbruised::studies

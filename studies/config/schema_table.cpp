@@ -1,0 +1,451 @@
+#include <limits>
+
+#include "studies/config/schema.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Range kPositive{0.0, true, kInfinity, false};
+constexpr Range kNotNegative{0.0, false, kInfinity, false};
+constexpr Range kIndexRange{0.0, false, 2147483647.0, false};
+/// Small enough that a fixed-size table of results for it fits on a disk.
+constexpr Range kCountRange{1.0, false, 10'000'000.0, false};
+
+// -- From a member to the field a key writes. --------------------------------------------------------------
+
+template <typename T>
+FieldRef field_ref(T& member) {
+  if constexpr (std::is_enum_v<T>) {
+    return ChoiceRef{&member, [](const void* object) { return static_cast<int>(*static_cast<const T*>(object)); },
+                     [](void* object, int word) { *static_cast<T*>(object) = static_cast<T>(word); }};
+  } else {
+    return &member;
+  }
+}
+template <std::size_t n>
+FieldRef field_ref(std::array<double, n>& member) {
+  return NumberSpan{member.data(), static_cast<int>(n)};
+}
+template <std::size_t n>
+FieldRef field_ref(std::array<int, n>& member) {
+  return IntegerSpan{member.data(), static_cast<int>(n)};
+}
+FieldRef field_ref(std::array<bool, 3>& member) { return &member; }
+
+template <auto member>
+FieldRef lattice(Scenario& scenario, int /*index*/) {
+  return field_ref(std::get<LatticeParameters>(scenario.product).*member);
+}
+template <auto member>
+FieldRef particle(Scenario& scenario, int index) {
+  return field_ref(std::get<NetworkParameters>(scenario.product).particle.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef spring(Scenario& scenario, int index) {
+  return field_ref(std::get<NetworkParameters>(scenario.product).spring.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef load(Scenario& scenario, int index) {
+  return field_ref(std::get<NetworkParameters>(scenario.product).load.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef gripper(Scenario& scenario, int /*index*/) {
+  return field_ref((*scenario.gripper).*member);
+}
+template <auto member>
+FieldRef cell(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.cell.*member);
+}
+template <auto member>
+FieldRef strategy(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.strategy.*member);
+}
+template <auto member>
+FieldRef limits(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.limits.*member);
+}
+template <auto member>
+FieldRef simulation(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.simulation.*member);
+}
+FieldRef product_friction(Scenario& scenario, int /*index*/) {
+  return std::visit([](auto& product) -> FieldRef { return &product.friction; }, scenario.product);
+}
+template <auto member>
+FieldRef study(StudySettings& settings) {
+  return field_ref(settings.*member);
+}
+template <auto member>
+FieldRef window(StudySettings& settings) {
+  return field_ref(settings.window.*member);
+}
+template <auto member>
+FieldRef vary(VaryBlock& block) {
+  return field_ref(block.*member);
+}
+
+// -- The tables. -------------------------------------------------------------------------------------------
+
+using Table = std::vector<KeySpec>;
+using enum KeyType;
+
+Table study_keys() {
+  return {
+      {.path = "study.name", .type = text,
+       .meaning = "Name of the study and of its run directory.", .required = true,
+       .note = "1 to 64 letters, digits, '_' or '-'",
+       .study_field = study<&StudySettings::name>},
+      {.path = "study.kind", .type = choice,
+       .meaning = "What is done: one run with its trace, all points of the [[vary]] blocks, or a search for the "
+                  "grip window.",
+       .choices = {"simulate", "sweep", "window"}, .required = true,
+       .study_field = study<&StudySettings::kind>},
+      {.path = "study.seed", .type = integer, .meaning = "Seed of everything random.", .range = kNotNegative,
+       .study_field = study<&StudySettings::seed>},
+      {.path = "study.description", .type = text, .meaning = "One line for reports and lists.",
+       .study_field = study<&StudySettings::description>},
+      {.path = "window.from_N", .type = number, .meaning = "Smallest grip force that is tried.",
+       .range = kPositive, .use = Use::window, .required = true, .note = "< window.to_N",
+       .study_field = window<&WindowSettings::from_N>},
+      {.path = "window.to_N", .type = number, .meaning = "Largest grip force that is tried.",
+       .range = kPositive, .use = Use::window, .required = true, .note = "<= gripper.max_force_N",
+       .study_field = window<&WindowSettings::to_N>},
+      {.path = "window.tolerance", .type = number,
+       .meaning = "Relative width at which the search for either end of the window stops.",
+       .range = {0.0, true, 1.0, true}, .use = Use::window, .study_field = window<&WindowSettings::tolerance>},
+  };
+}
+
+Table lattice_keys() {
+  using L = LatticeParameters;
+  const Use use = Use::lattice;
+  return {
+      {.path = "product.use", .type = text,
+       .meaning = "A product file, relative to this file's folder or to the configs folder; keys given here "
+                  "override it."},
+      {.path = "product.kind", .type = choice,
+       .meaning = "A solid filled with a lattice, or particles and springs written out.",
+       .choices = {"lattice", "network"}},
+      {.path = "product.shape", .type = choice, .meaning = "True shape of the product.",
+       .choices = {"box", "sphere", "ellipsoid", "cylinder"}, .use = use, .required = true,
+       .field = lattice<&L::shape>},
+      {.path = "product.size_m", .type = numbers, .meaning = "Full extents along x (grip axis), y and z (up).",
+       .range = kPositive, .size = 3, .use = use, .required = true, .note = "a sphere has three equal ones",
+       .field = lattice<&L::size_m>},
+      {.path = "product.axis", .type = choice, .meaning = "Axis of a cylinder.", .choices = {"x", "y", "z"},
+       .use = Use::cylinder, .field = lattice<&L::axis>},
+      {.path = "product.cell_size_m", .type = number, .meaning = "Wanted side of a lattice cell.",
+       .range = kPositive, .use = use, .note = "<= half the smallest extent; at most 1,000,000 cells",
+       .field = lattice<&L::cell_size_m>},
+      {.path = "product.mass_kg", .type = optional_number, .meaning = "Mass of the product.", .range = kPositive,
+       .use = use, .note = "exactly one of mass_kg and density_kg_m3", .field = lattice<&L::mass_kg>},
+      {.path = "product.density_kg_m3", .type = optional_number,
+       .meaning = "Density; times the volume of the true shape it is the mass.", .range = kPositive, .use = use,
+       .note = "exactly one of mass_kg and density_kg_m3", .field = lattice<&L::density_kg_m3>},
+      {.path = "product.youngs_modulus_Pa", .type = number, .meaning = "Young's modulus.", .range = kPositive,
+       .use = use, .required = true, .field = lattice<&L::youngs_modulus_Pa>},
+      {.path = "product.poisson_ratio", .type = number, .meaning = "Poisson's ratio.",
+       .range = {0.0, false, 0.5, true}, .use = use, .field = lattice<&L::poisson_ratio>},
+      {.path = "product.yield_stress_Pa", .type = optional_number,
+       .meaning = "Yield stress in uniaxial compression; without it the product stays elastic.",
+       .range = kPositive, .use = use, .note = "goes with tangent_modulus_Pa",
+       .field = lattice<&L::yield_stress_Pa>},
+      {.path = "product.tangent_modulus_Pa", .type = optional_number,
+       .meaning = "Slope of the stress-strain curve after yield.", .range = kPositive, .use = use,
+       .note = "< youngs_modulus_Pa; goes with yield_stress_Pa", .field = lattice<&L::tangent_modulus_Pa>},
+      {.path = "product.relaxation_time_s", .type = optional_number,
+       .meaning = "Stiffness-proportional damping, C = relaxation_time_s K.", .range = kNotNegative, .use = use,
+       .note = "not together with loss_ratio", .field = lattice<&L::relaxation_time_s>},
+      {.path = "product.loss_ratio", .type = optional_number,
+       .meaning = "The same damping as the loss factor at one frequency: relaxation time = loss_ratio / (2 pi "
+                  "at_frequency_Hz).",
+       .range = kNotNegative, .use = use, .note = "goes with at_frequency_Hz", .field = lattice<&L::loss_ratio>},
+      {.path = "product.at_frequency_Hz", .type = optional_number,
+       .meaning = "The frequency at which loss_ratio holds.", .range = kPositive, .use = use,
+       .note = "goes with loss_ratio", .field = lattice<&L::at_frequency_Hz>},
+      {.path = "product.friction", .type = number, .meaning = "Coulomb coefficient against the pads.",
+       .range = kNotNegative, .field = product_friction},
+      {.path = "product.initial_velocity_m_s", .type = numbers, .meaning = "Velocity of the product at the start.",
+       .size = 3, .use = use, .field = lattice<&L::initial_velocity_m_s>},
+  };
+}
+
+Table particle_keys() {
+  using P = NetworkParticle;
+  const Use use = Use::network;
+  return {
+      {.path = "product.particles_csv", .type = text,
+       .meaning = "CSV file with one particle per row, in place of [[product.particle]].", .use = use},
+      {.path = "product.springs_csv", .type = text,
+       .meaning = "CSV file with one spring per row, in place of [[product.spring]].", .use = use},
+      {.path = "product.particle[].position_m", .type = numbers, .meaning = "Place in the rest shape.", .size = 3,
+       .use = use, .required = true, .field = particle<&P::position_m>},
+      {.path = "product.particle[].mass_kg", .type = number, .meaning = "Mass of the particle.",
+       .range = kNotNegative, .use = use, .note = "> 0 unless all three freedoms are fixed",
+       .field = particle<&P::mass_kg>},
+      {.path = "product.particle[].fixed", .type = axes, .meaning = "Freedoms that do not move.", .use = use,
+       .field = particle<&P::fixed>},
+      {.path = "product.particle[].initial_displacement_m", .type = numbers,
+       .meaning = "Displacement from the rest shape at the start.", .size = 3, .use = use,
+       .field = particle<&P::initial_displacement_m>},
+      {.path = "product.particle[].initial_velocity_m_s", .type = numbers, .meaning = "Velocity at the start.",
+       .size = 3, .use = use, .field = particle<&P::initial_velocity_m_s>},
+      {.path = "product.particle[].contact_stiffness_N_m", .type = number,
+       .meaning = "Stiffness of the layer through which the particle touches the support; 0: it does not.",
+       .range = kNotNegative, .use = Use::network_support, .field = particle<&P::contact_stiffness_N_m>},
+  };
+}
+
+Table spring_and_load_keys() {
+  using S = NetworkSpring;
+  using P = NetworkLoad;
+  const Use use = Use::network;
+  return {
+      {.path = "product.spring[].between", .type = integers,
+       .meaning = "The two particles it joins, counted from 0 in file order.", .range = kIndexRange, .size = 2,
+       .use = use, .required = true, .note = "two particles at different places", .field = spring<&S::between>},
+      {.path = "product.spring[].stiffness_N_m", .type = number,
+       .meaning = "Stiffness along the line between its particles in the rest shape.", .range = kNotNegative,
+       .use = use, .field = spring<&S::stiffness_N_m>},
+      {.path = "product.spring[].damping_N_s_m", .type = number, .meaning = "Viscous damping along the same line.",
+       .range = kNotNegative, .use = use, .field = spring<&S::damping_N_s_m>},
+      {.path = "product.spring[].rest_length_m", .type = optional_number,
+       .meaning = "Length without force; without it the distance of the particles.", .range = kPositive,
+       .use = use, .field = spring<&S::rest_length_m>},
+      {.path = "product.spring[].yield_force_N", .type = optional_number,
+       .meaning = "Size of the force at first yield; without it the spring stays elastic.", .range = kPositive,
+       .use = use, .field = spring<&S::yield_force_N>},
+      {.path = "product.spring[].hardening_ratio", .type = number,
+       .meaning = "The yield force grows by hardening_ratio x stiffness x plastic elongation.",
+       .range = kNotNegative, .use = use, .note = "goes with yield_force_N",
+       .field = spring<&S::hardening_ratio>},
+      {.path = "product.load[].particle", .type = integer, .meaning = "The particle the force acts on.",
+       .range = kIndexRange, .use = use, .required = true, .field = load<&P::particle>},
+      {.path = "product.load[].time_s", .type = series, .meaning = "Times of the points of the force.", .use = use,
+       .required = true, .note = "not decreasing; a repeated time is a jump", .field = load<&P::time_s>},
+      {.path = "product.load[].force_N", .type = vector_series,
+       .meaning = "The force [x, y, z] at those times; linear between them, constant outside.", .use = use,
+       .required = true, .note = "as many as time_s", .field = load<&P::force_N>},
+  };
+}
+
+Table gripper_keys() {
+  using G = GripperParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "gripper.use", .type = text,
+       .meaning = "A gripper file, relative to this file's folder or to the configs folder; keys given here "
+                  "override it."},
+      {.path = "gripper.finger_mass_kg", .type = number, .meaning = "Moving mass of each finger.",
+       .range = kPositive, .use = use, .field = gripper<&G::finger_mass_kg>},
+      {.path = "gripper.stroke_m", .type = number,
+       .meaning = "How far each finger can travel inwards from its starting place.", .range = kPositive,
+       .use = use, .field = gripper<&G::stroke_m>},
+      {.path = "gripper.pad_size_m", .type = numbers, .meaning = "Extents of a pad along y and z.",
+       .range = kPositive, .size = 2, .use = use, .field = gripper<&G::pad_size_m>},
+      {.path = "gripper.pad_thickness_m", .type = number, .meaning = "Thickness of the pad's compliant layer.",
+       .range = kPositive, .use = use, .field = gripper<&G::pad_thickness_m>},
+      {.path = "gripper.pad_modulus_Pa", .type = number,
+       .meaning = "Young's modulus of the layer; its stiffness per area is modulus / thickness.",
+       .range = kPositive, .use = use, .field = gripper<&G::pad_modulus_Pa>},
+      {.path = "gripper.pad_relaxation_time_s", .type = number,
+       .meaning = "Kelvin-Voigt relaxation time of the layer.", .range = kNotNegative, .use = use,
+       .field = gripper<&G::pad_relaxation_time_s>},
+      {.path = "gripper.drive_gain_N_s_m", .type = number,
+       .meaning = "Speed gain: drive force = clamp(gain x (wanted - actual speed), +-limit).", .range = kPositive,
+       .use = use, .field = gripper<&G::drive_gain_N_s_m>},
+      {.path = "gripper.drive_viscous_N_s_m", .type = number, .meaning = "Viscous friction of the finger's guide.",
+       .range = kNotNegative, .use = use, .field = gripper<&G::drive_viscous_N_s_m>},
+      {.path = "gripper.max_force_N", .type = number, .meaning = "The largest force the drive can give.",
+       .range = kPositive, .use = use, .field = gripper<&G::max_force_N>},
+      {.path = "gripper.max_speed_m_s", .type = number, .meaning = "The largest finger speed the drive can give.",
+       .range = kPositive, .use = use, .field = gripper<&G::max_speed_m_s>},
+      {.path = "gripper.coupling", .type = choice,
+       .meaning = "Do both fingers stay at equal distance from the palm's centre, or is each driven alone?",
+       .choices = {"centric", "independent"}, .use = use, .field = gripper<&G::coupling>},
+  };
+}
+
+Table cell_keys() {
+  using C = CellParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "cell.gravity_m_s2", .type = numbers, .meaning = "Gravity as a vector.", .size = 3,
+       .field = cell<&C::gravity_m_s2>},
+      {.path = "cell.support", .type = boolean, .meaning = "Is there a support plane z = 0?",
+       .note = "default for networks: false", .field = cell<&C::support>},
+      {.path = "cell.support_friction", .type = number, .meaning = "Coulomb coefficient against the support.",
+       .range = kNotNegative, .use = Use::support, .field = cell<&C::support_friction>},
+      {.path = "cell.support_modulus_Pa", .type = number,
+       .meaning = "Young's modulus of the support's compliant layer.", .range = kPositive,
+       .use = Use::lattice_support, .field = cell<&C::support_modulus_Pa>},
+      {.path = "cell.support_thickness_m", .type = number, .meaning = "Thickness of that layer.",
+       .range = kPositive, .use = Use::lattice_support, .field = cell<&C::support_thickness_m>},
+      {.path = "cell.support_relaxation_time_s", .type = number, .meaning = "Relaxation time of that layer.",
+       .range = kNotNegative, .use = Use::support, .field = cell<&C::support_relaxation_time_s>},
+      {.path = "cell.approach_gap_m", .type = number,
+       .meaning = "Way from each pad to the nearest point of the product at the start.", .range = kPositive,
+       .use = use, .field = cell<&C::approach_gap_m>},
+      {.path = "cell.grip_height_m", .type = number,
+       .meaning = "Height of the pads' centres above the product's centre.", .use = use,
+       .field = cell<&C::grip_height_m>},
+      {.path = "cell.lift_height_m", .type = number, .meaning = "Height of the lift; 0: none.",
+       .range = kNotNegative, .use = use, .field = cell<&C::lift_height_m>},
+      {.path = "cell.transfer_m", .type = numbers,
+       .meaning = "Horizontal way along x (the grip axis) and y (across it).", .size = 2, .use = use,
+       .field = cell<&C::transfer_m>},
+      {.path = "cell.place_height_m", .type = number, .meaning = "Height of the target plane above the support.",
+       .use = use, .note = "< cell.lift_height_m when there is a lift", .field = cell<&C::place_height_m>},
+  };
+}
+
+Table strategy_keys() {
+  using S = StrategyParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "strategy.approach_speed_m_s", .type = number, .meaning = "Closing speed of each finger.",
+       .range = kPositive, .use = use, .note = "<= gripper.max_speed_m_s",
+       .field = strategy<&S::approach_speed_m_s>},
+      {.path = "strategy.grip_force_N", .type = number,
+       .meaning = "Drive force limit of each finger, so its normal force at rest.", .range = kPositive,
+       .use = Use::not_window, .note = "<= gripper.max_force_N; a window study searches it",
+       .field = strategy<&S::grip_force_N>},
+      {.path = "strategy.contact_force_N", .type = number,
+       .meaning = "Drive force limit before the first contact.", .range = kNotNegative, .use = use,
+       .note = "<= strategy.grip_force_N (window studies: window.from_N)",
+       .field = strategy<&S::contact_force_N>},
+      {.path = "strategy.grip_ramp_s", .type = number,
+       .meaning = "Time in which the limit rises linearly to grip_force_N, from the first contact.",
+       .range = kNotNegative, .use = use, .field = strategy<&S::grip_ramp_s>},
+      {.path = "strategy.ramp_from_start", .type = boolean,
+       .meaning = "Does the ramp start at t = 0 instead of at the first contact?", .use = use,
+       .field = strategy<&S::ramp_from_start>},
+      {.path = "strategy.settle_s", .type = number, .meaning = "Rest after the ramp, before the lift.",
+       .range = kNotNegative, .use = use, .field = strategy<&S::settle_s>},
+      {.path = "strategy.profile", .type = choice, .meaning = "Motion profile of lift, transfer and lowering.",
+       .choices = {"trapezoid", "minimum_jerk"}, .use = use, .field = strategy<&S::profile>},
+      {.path = "strategy.lift_acceleration_m_s2", .type = number,
+       .meaning = "Peak acceleration of the lift's profile.", .range = kPositive, .use = use,
+       .field = strategy<&S::lift_acceleration_m_s2>},
+      {.path = "strategy.transfer_acceleration_m_s2", .type = optional_number,
+       .meaning = "Peak acceleration of the transfer; without it the lift's.", .range = kPositive, .use = use,
+       .field = strategy<&S::transfer_acceleration_m_s2>},
+      {.path = "strategy.lower_acceleration_m_s2", .type = optional_number,
+       .meaning = "Peak acceleration of the lowering; without it the lift's.", .range = kPositive, .use = use,
+       .field = strategy<&S::lower_acceleration_m_s2>},
+      {.path = "strategy.speed_m_s", .type = number, .meaning = "Speed limit of every phase of the path.",
+       .range = kPositive, .use = use, .field = strategy<&S::speed_m_s>},
+      {.path = "strategy.hold_s", .type = number, .meaning = "Rest after the lift.", .range = kNotNegative,
+       .use = use, .field = strategy<&S::hold_s>},
+      {.path = "strategy.release_height_m", .type = number,
+       .meaning = "Height above the target plane at which the fingers open.", .range = kNotNegative, .use = use,
+       .field = strategy<&S::release_height_m>},
+      {.path = "strategy.place_settle_s", .type = number,
+       .meaning = "Rest after lowering, before the fingers open.", .range = kNotNegative, .use = use,
+       .field = strategy<&S::place_settle_s>},
+      {.path = "strategy.release_speed_m_s", .type = number, .meaning = "Opening speed of each finger.",
+       .range = kPositive, .use = use, .note = "<= gripper.max_speed_m_s",
+       .field = strategy<&S::release_speed_m_s>},
+      {.path = "strategy.recover_s", .type = number,
+       .meaning = "Time without gripper contact before the permanent set is measured.", .range = kNotNegative,
+       .use = use, .field = strategy<&S::recover_s>},
+  };
+}
+
+Table limit_keys() {
+  using M = LimitParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "limits.permanent_set_m", .type = optional_number,
+       .meaning = "Damage: largest permanent_set_max_m.", .range = kNotNegative,
+       .field = limits<&M::permanent_set_m>},
+      {.path = "limits.plastic_strain", .type = optional_number,
+       .meaning = "Damage: largest plastic_strain_max; also the strain from which a cell counts as bruised.",
+       .range = kNotNegative, .field = limits<&M::plastic_strain>},
+      {.path = "limits.bruised_volume_m3", .type = optional_number,
+       .meaning = "Damage: largest bruised_volume_m3.", .range = kNotNegative,
+       .use = Use::lattice, .field = limits<&M::bruised_volume_m3>},
+      {.path = "limits.peak_pressure_Pa", .type = optional_number, .meaning = "Damage: largest peak_pressure_Pa.",
+       .range = kNotNegative, .use = Use::lattice, .field = limits<&M::peak_pressure_Pa>},
+      {.path = "limits.absorbed_energy_J", .type = optional_number,
+       .meaning = "Damage: largest absorbed_energy_J.", .range = kNotNegative,
+       .field = limits<&M::absorbed_energy_J>},
+      {.path = "limits.finger_force_N", .type = optional_number,
+       .meaning = "Damage: largest peak_finger_force_N; for products with nothing but a measured force.",
+       .range = kNotNegative, .use = use, .field = limits<&M::finger_force_N>},
+      {.path = "limits.contact_yield_ratio", .type = optional_number,
+       .meaning = "Damage: largest contact_yield_ratio_max (1: first yield under the contact).",
+       .range = kNotNegative, .use = use, .field = limits<&M::contact_yield_ratio>},
+      {.path = "limits.slip_m", .type = number, .meaning = "A longer slip_max_m makes the outcome 'slipped'.",
+       .range = kPositive, .use = use, .field = limits<&M::slip_m>},
+  };
+}
+
+Table simulation_keys() {
+  using S = SimulationParameters;
+  return {
+      {.path = "simulation.time_step_s", .type = number, .meaning = "Time step.", .range = kPositive,
+       .field = simulation<&S::time_step_s>},
+      {.path = "simulation.theta", .type = number,
+       .meaning = "Wilson's theta; from 1.37 on the method is stable for every step.",
+       .range = {1.37, false, kInfinity, false}, .field = simulation<&S::theta>},
+      {.path = "simulation.duration_s", .type = optional_number,
+       .meaning = "Length of the run; with a gripper its phases fix it.", .range = kPositive,
+       .use = Use::not_gripper, .note = "required without a gripper; >= time_step_s",
+       .field = simulation<&S::duration_s>},
+      {.path = "simulation.initial_acceleration", .type = choice,
+       .meaning = "Acceleration at the start of a network: from the equations of motion, or zero.",
+       .choices = {"consistent", "zero"}, .use = Use::network, .field = simulation<&S::initial_acceleration>},
+      {.path = "simulation.trace_interval_s", .type = optional_number,
+       .meaning = "Wanted time between rows of the trace; without it every step.", .range = kPositive,
+       .note = ">= time_step_s", .field = simulation<&S::trace_interval_s>},
+      {.path = "simulation.pressure_patch_m", .type = number,
+       .meaning = "Side of the square patch over which peak_pressure_Pa averages.", .range = kPositive,
+       .use = Use::lattice, .field = simulation<&S::pressure_patch_m>},
+      {.path = "simulation.max_strain", .type = number,
+       .meaning = "A larger principal strain of a cell ends the run as out_of_range.", .range = kPositive,
+       .use = Use::lattice, .field = simulation<&S::max_strain>},
+      {.path = "simulation.max_rotation_rad", .type = number,
+       .meaning = "A larger rotation of the product ends the run as out_of_range.", .range = kPositive,
+       .use = Use::lattice, .field = simulation<&S::max_rotation_rad>},
+  };
+}
+
+Table vary_keys() {
+  return {
+      {.path = "vary[].key", .type = text, .meaning = "The key that takes several values.", .required = true,
+       .vary_field = vary<&VaryBlock::key>},
+      {.path = "vary[].from", .type = optional_number, .meaning = "First value, in the key's unit.",
+       .note = "with to and count, or values instead", .vary_field = vary<&VaryBlock::from>},
+      {.path = "vary[].to", .type = optional_number, .meaning = "Last value, in the key's unit.",
+       .note = "with from and count", .vary_field = vary<&VaryBlock::to>},
+      {.path = "vary[].count", .type = integer, .meaning = "Number of values, both ends included.",
+       .range = kCountRange, .note = "with from and to", .vary_field = vary<&VaryBlock::count>},
+      {.path = "vary[].scale", .type = choice, .meaning = "Equal steps, or equal ratios.",
+       .choices = {"linear", "log"}, .note = "log needs from > 0 and to > 0",
+       .vary_field = vary<&VaryBlock::scale>},
+      {.path = "vary[].values", .type = any_array, .meaning = "The values themselves: numbers, strings or booleans.",
+       .note = "instead of from, to, count"},
+      {.path = "vary[].zip", .type = text,
+       .meaning = "Blocks with the same word vary together, at the place of the first of them.",
+       .note = "equal numbers of values", .vary_field = vary<&VaryBlock::zip>},
+  };
+}
+
+}  // namespace
+
+const std::vector<KeySpec>& key_table() {
+  static const std::vector<KeySpec> table = [] {
+    std::vector<KeySpec> all;
+    for (const Table& part :
+         {study_keys(), lattice_keys(), particle_keys(), spring_and_load_keys(), gripper_keys(), cell_keys(),
+          strategy_keys(), limit_keys(), simulation_keys(), vary_keys()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace unbruised::studies

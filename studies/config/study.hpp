@@ -1,0 +1,129 @@
+#pragma once
+
+/// @file
+/// From a TOML study to scenarios. Reading collects every violation and returns either a `Study` that is known
+/// to be well formed, or the lines to print. No exception leaves this header's functions for bad user input.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised::studies {
+
+/// A varied key with the values of its own [[vary]] block (not one per scenario).
+struct InputColumn {
+  std::string key;       ///< dotted path, e.g. "strategy.grip_force_N" or "product.size_m[0]"
+  bool is_text = false;  ///< true: `texts` holds the values (product.use, choices, booleans), else `numbers`
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::string units;  ///< UDUNITS spelling of a numeric key; "1" without dimension; empty for text
+
+  [[nodiscard]] std::size_t count() const { return is_text ? texts.size() : numbers.size(); }
+};
+
+enum class StudyKind { simulate, sweep, window };
+
+/// The word of a kind, as in `study.kind`.
+std::string_view study_kind_word(StudyKind kind);
+
+/// The search range of a window study.
+struct WindowSettings {
+  /// > 0
+  double from_N = 0.1;
+  /// > from_N
+  double to_N = 10.0;
+  /// > 0, < 1; relative width at which the search for either end stops
+  double tolerance = 0.005;
+};
+
+/// Lines to print, one per violation: `file:line: key = value: rule`, in file and line order.
+struct ConfigError {
+  std::vector<std::string> messages;
+};
+
+struct StudyData;  // defined inside studies/config
+
+/// A validated study: immutable, cheap to copy, safe to use from several threads at once.
+class Study {
+ public:
+  explicit Study(std::shared_ptr<const StudyData> data);
+
+  [[nodiscard]] const std::string& name() const;
+  [[nodiscard]] StudyKind kind() const;
+  [[nodiscard]] std::uint64_t seed() const;
+  [[nodiscard]] const std::string& description() const;
+  /// Meaningful when kind() == StudyKind::window.
+  [[nodiscard]] const WindowSettings& window() const;
+
+  /// Points of the Cartesian product of all [[vary]] blocks; 1 without any. At most 10,000,000.
+  [[nodiscard]] std::size_t scenario_count() const;
+  /// The varied keys in the order of their blocks.
+  [[nodiscard]] const std::vector<InputColumn>& inputs() const;
+  /// Index into `inputs()[column].numbers` or `.texts` of a scenario's value. The first block is the slowest.
+  [[nodiscard]] std::size_t input_index(std::size_t scenario, std::size_t column) const;
+  /// Value of a numeric column; NaN when the column is text.
+  [[nodiscard]] double input_number(std::size_t scenario, std::size_t column) const;
+  /// Value of a column as text; numbers in their shortest exact spelling.
+  [[nodiscard]] std::string input_text(std::size_t scenario, std::size_t column) const;
+
+  /// The fully specified run `id`, 0 <= id < scenario_count(). A fraction of a microsecond for lattices.
+  [[nodiscard]] Scenario scenario(std::size_t id) const;
+
+  /// Complete TOML that reads back to this study without `use`, --set or CSV files; every value explicit and
+  /// exact. Deterministic: equal studies give equal text.
+  [[nodiscard]] const std::string& resolved_toml() const;
+  /// Things that are allowed but probably not meant; one line each.
+  [[nodiscard]] const std::vector<std::string>& warnings() const;
+
+ private:
+  std::shared_ptr<const StudyData> data_;
+};
+
+using StudyOrError = std::variant<Study, ConfigError>;
+
+/// Reads, merges and validates a study.
+/// @param sets the values of `--set`, each `key=value` with a TOML literal (strings may be bare).
+/// @param config_root the installed configs folder, second place where `use` looks; may be empty.
+StudyOrError read_study(const std::filesystem::path& file, const std::vector<std::string>& sets,
+                        const std::filesystem::path& config_root);
+
+/// The same from text, e.g. from the resolved config of a run directory.
+/// @param display_name stands for the file in messages.
+/// @param folder first place where `use` and CSV files are looked for; may be empty.
+StudyOrError read_study_text(std::string_view text, const std::string& display_name,
+                             const std::vector<std::string>& sets, const std::filesystem::path& folder,
+                             const std::filesystem::path& config_root);
+
+/// What a key means: unit, default, range, one sentence. Accepts indices ("product.size_m[0]") and table names
+/// ("strategy": all keys of the table). Nothing when unknown; ask `nearest_key` then.
+std::optional<std::string> explain_key(const std::string& key);
+/// The whole key reference, plain text.
+std::string explain_all();
+/// The whole key reference as the Markdown that stands in docs/config.md.
+std::string reference_markdown();
+/// The known key or table that is spelt most like `key`; nothing when none is near.
+std::optional<std::string> nearest_key(const std::string& key);
+
+/// The keys whose values differ between two resolved configs, sorted; for the refusal to continue another study.
+std::vector<std::string> differing_keys(const std::string& resolved_a, const std::string& resolved_b);
+
+/// One file of the configs folder, for `unbruised list`.
+struct LibraryEntry {
+  enum class Kind { product, gripper, study };
+  Kind kind = Kind::study;
+  std::string path;         ///< relative to the configs folder
+  std::string name;         ///< [study] name, or the file's `name`; else its stem
+  std::string description;  ///< one line, may be empty
+};
+/// All products, grippers and studies below `config_root`, sorted by kind and path. Unreadable files are left out.
+std::vector<LibraryEntry> list_library(const std::filesystem::path& config_root);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,30 @@
+#pragma once
+
+/// @file
+/// What a `Study` holds, and its resolved text.
+
+#include <string>
+#include <vector>
+
+#include "studies/config/schema.hpp"
+#include "studies/config/vary.hpp"
+
+namespace unbruised::studies {
+
+struct StudyData {
+  StudySettings settings;
+  VaryPlan plan;
+  std::vector<InputColumn> inputs;
+  /// One scenario per combination of the values of product.use and gripper.use (the latter faster).
+  std::vector<Scenario> bases;
+  std::string resolved;
+  std::vector<std::string> warnings;
+
+  /// Which combination a scenario belongs to.
+  [[nodiscard]] std::size_t base_of(std::size_t scenario) const;
+};
+
+/// The complete TOML of a study (everything but `resolved` is set).
+std::string resolved_text(const StudyData& data);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,39 @@
+#pragma once
+
+/// @file
+/// The few POSIX calls the promises about `kill -9` and power loss rest on, with errors that name the path.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "studies/results/expected.hpp"
+
+namespace unbruised::studies {
+
+/// An io error: "cannot <action> <path>: <reason of errno>".
+ResultsError system_error(std::string_view action, const std::filesystem::path& path, int error_number);
+
+/// Makes names created in or renamed into `directory` durable.
+MaybeError sync_directory(const std::filesystem::path& directory);
+
+/// Makes the contents of `path` durable.
+MaybeError sync_file(const std::filesystem::path& path);
+
+/// Renames `<path>.tmp`, already synced, to `path` and syncs the directory.
+MaybeError publish_temporary(const std::filesystem::path& path);
+
+/// Writes `text` to `path` atomically and durably.
+MaybeError write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// The whole file.
+Expected<std::string> read_text_file(const std::filesystem::path& path);
+
+/// `<path>.tmp`.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+std::string host_name();
+/// The kernel's boot id; "unknown" where there is none.
+std::string boot_id();
+
+}  // namespace unbruised::studies

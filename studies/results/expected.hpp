@@ -1,0 +1,57 @@
+#pragma once
+
+/// @file
+/// What comes back from files: a value or a typed error. Nothing in studies/results throws across its door.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace unbruised::studies {
+
+/// Why a file or a run directory could not be used. The caller maps it to an exit status.
+enum class ResultsErrorKind {
+  io,            ///< the disk, the file system or HDF5 failed (exit 5)
+  busy,          ///< another process holds the run directory (exit 4)
+  finished,      ///< the run directory already holds complete results (exit 2)
+  other_config,  ///< the run directory belongs to another config (exit 2)
+  foreign,       ///< not a file or directory of this program, or of a version it cannot read (exit 2)
+  damaged,       ///< checksums or contents do not agree (exit 6)
+};
+
+/// One error: its kind, a full sentence for the user (with the path in it), and the keys in question.
+struct ResultsError {
+  ResultsErrorKind kind = ResultsErrorKind::io;
+  std::string message;
+  std::vector<std::string> keys;  ///< other_config: the dotted keys that differ
+};
+
+/// The exit status interfaces promise for an error of this kind.
+int exit_status(ResultsErrorKind kind);
+
+/// Nothing on success.
+using MaybeError = std::optional<ResultsError>;
+
+/// A value of type T, or the error that prevented it.
+template <class T>
+class Expected {
+ public:
+  Expected(T value) : content_(std::move(value)) {}             // NOLINT: implicit on purpose
+  Expected(ResultsError error) : content_(std::move(error)) {}  // NOLINT: implicit on purpose
+  [[nodiscard]] bool has_value() const { return content_.index() == 0; }
+  explicit operator bool() const { return has_value(); }
+  [[nodiscard]] T& value() { return std::get<0>(content_); }
+  [[nodiscard]] const T& value() const { return std::get<0>(content_); }
+  T& operator*() { return value(); }
+  const T& operator*() const { return value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+  [[nodiscard]] const ResultsError& error() const { return std::get<1>(content_); }
+
+ private:
+  std::variant<T, ResultsError> content_;
+};
+
+}  // namespace unbruised::studies

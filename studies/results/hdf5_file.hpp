@@ -1,0 +1,121 @@
+#pragma once
+
+/// @file
+/// A thin owner of HDF5 objects: every call checked, every error names file and object, nothing printed.
+/// For use inside studies/results only; its doors catch `Hdf5Failure`.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <hdf5.h>
+
+namespace unbruised::studies {
+
+/// Thrown inside studies/results when an HDF5 call fails; `what()` is a whole sentence.
+class Hdf5Failure : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Owns one HDF5 identifier and closes it with the function of its kind.
+class Hdf5Handle {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Hdf5Handle() = default;
+  Hdf5Handle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept;
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  ~Hdf5Handle() { reset(); }
+  [[nodiscard]] hid_t id() const { return id_; }
+  [[nodiscard]] bool valid() const { return id_ >= 0; }
+  herr_t reset();
+
+ private:
+  hid_t id_ = -1;
+  Closer closer_ = nullptr;
+};
+
+/// Keeps HDF5 from printing its error stack while it lives.
+class Hdf5Silence {
+ public:
+  Hdf5Silence();
+  ~Hdf5Silence();
+  Hdf5Silence(const Hdf5Silence&) = delete;
+  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* client_ = nullptr;
+};
+
+using Hdf5Extents = std::vector<std::uint64_t>;
+
+/// One HDF5 file. Object names are absolute paths; groups on the way are made as needed. Every dataset is
+/// chunked; numbers are little endian with fletcher32, texts variable-length UTF-8 (without: HDF5 cannot).
+class Hdf5File {
+ public:
+  /// A new file of the earliest format, truncating what is there.
+  static Hdf5File create(const std::filesystem::path& path);
+  /// An existing file, read-only.
+  static Hdf5File open(const std::filesystem::path& path);
+  /// Flushes and closes; throws when either fails.
+  void close();
+
+  void make_group(const std::string& name);
+  void write(const std::string& name, std::span<const double> values, const Hdf5Extents& extents);
+  void write(const std::string& name, std::span<const std::int8_t> values, const Hdf5Extents& extents,
+             std::int8_t fill);
+  void write(const std::string& name, std::span<const std::int32_t> values, const Hdf5Extents& extents);
+  void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Extents& extents);
+  void write(const std::string& name, std::span<const std::uint64_t> values, const Hdf5Extents& extents);
+  void write(const std::string& name, const std::vector<std::string>& texts);
+
+  /// Turns a one-dimensional dataset into the scale of a dimension called as the last part of its name.
+  void make_scale(const std::string& name);
+  /// Attaches a scale to dimension `axis` of a dataset.
+  void attach_scale(const std::string& dataset, const std::string& scale, unsigned axis);
+
+  void set_attribute(const std::string& object, const std::string& name, const std::string& text);
+  void set_attribute(const std::string& object, const std::string& name, std::int32_t value);
+  void set_attribute(const std::string& object, const std::string& name, std::span<const std::int8_t> values);
+  void set_attribute(const std::string& object, const std::string& name, double value);
+
+  [[nodiscard]] bool exists(const std::string& name) const;
+  /// Names of the datasets directly below a group, alphabetical.
+  [[nodiscard]] std::vector<std::string> datasets(const std::string& group) const;
+  [[nodiscard]] Hdf5Extents extents(const std::string& name) const;
+  [[nodiscard]] bool holds_text(const std::string& name) const;
+  [[nodiscard]] std::vector<double> read_doubles(const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& name) const;
+  [[nodiscard]] std::vector<std::uint64_t> read_unsigned(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> read_texts(const std::string& name) const;
+  /// The names of the dimension scales of a dataset, last parts only; empty where there is none.
+  [[nodiscard]] std::vector<std::string> dimension_names(const std::string& name) const;
+  [[nodiscard]] std::optional<std::string> text_attribute(const std::string& object,
+                                                          const std::string& name) const;
+  [[nodiscard]] std::optional<std::int64_t> integer_attribute(const std::string& object,
+                                                              const std::string& name) const;
+
+ private:
+  Hdf5File(std::filesystem::path path, Hdf5Handle file);
+  [[nodiscard]] Hdf5Failure failure(const std::string& action, const std::string& object) const;
+  Hdf5Handle require(hid_t id, Hdf5Handle::Closer closer, const char* action, const std::string& object) const;
+  void check(herr_t status, const char* action, const std::string& object) const;
+  void write_raw(const std::string& name, hid_t file_type, hid_t memory_type, const void* values,
+                 const Hdf5Extents& extents, const void* fill);
+  void write_attribute(const std::string& object, const std::string& name, hid_t file_type, hid_t memory_type,
+                       const void* values, std::optional<std::uint64_t> length);
+  [[nodiscard]] Hdf5Handle dataset(const std::string& name) const;
+  [[nodiscard]] Hdf5Handle attribute(const std::string& object, const std::string& name) const;
+  template <class T>
+  [[nodiscard]] std::vector<T> read_raw(const std::string& name, hid_t memory_type) const;
+
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+};
+
+}  // namespace unbruised::studies

@@ -1,0 +1,572 @@
+#include "studies/results/results_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <numeric>
+#include <system_error>
+
+#include "studies/results/checksum.hpp"
+#include "studies/results/digest.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/hdf5_file.hpp"
+#include "studies/results/text.hpp"
+
+namespace unbruised::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int8_t kNotRunCode = -1;
+constexpr std::array<std::int8_t, 8> kOutcomeFlags = {-1, 0, 1, 2, 3, 4, 5, 6};
+constexpr std::array<std::int8_t, 2> kExistsFlags = {0, 1};
+constexpr std::array<std::int8_t, 4> kEventFlags = {0, 1, 2, 3};
+
+struct WindowColumn {
+  const char* name;
+  double WindowRow::*value;
+  const char* units;
+  const char* long_name;
+};
+
+constexpr std::array<WindowColumn, 7> kWindowColumns = {{
+    {"hold_force_N", &WindowRow::hold_force_N, "N", "least grip force that neither drops nor slips"},
+    {"damage_force_N", &WindowRow::damage_force_N, "N", "greatest grip force that exceeds no damage limit"},
+    {"margin", &WindowRow::margin, "1", "damage_force_N / hold_force_N - 1"},
+    {"hold_bracket_low_N", &WindowRow::hold_bracket_low_N, "N", "greatest grip force known not to hold"},
+    {"hold_bracket_high_N", &WindowRow::hold_bracket_high_N, "N", "least grip force known to hold"},
+    {"damage_bracket_low_N", &WindowRow::damage_bracket_low_N, "N", "greatest grip force known not to damage"},
+    {"damage_bracket_high_N", &WindowRow::damage_bracket_high_N, "N", "least grip force known to damage"},
+}};
+
+std::string outcome_meanings() {
+  std::string meanings = "not_run";
+  for (const std::string_view word : kOutcomeWords) meanings.append(" ").append(word);
+  return meanings;
+}
+
+std::vector<std::int64_t> indices(std::size_t count) {
+  std::vector<std::int64_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
+  return numbers;
+}
+
+void describe(Hdf5File& file, const std::string& name, const std::string& units, const std::string& long_name) {
+  if (!units.empty()) file.set_attribute(name, "units", units);
+  if (!long_name.empty()) file.set_attribute(name, "long_name", long_name);
+}
+
+void describe_flags(Hdf5File& file, const std::string& name, std::span<const std::int8_t> values,
+                    const std::string& meanings, const std::string& long_name) {
+  file.set_attribute(name, "flag_values", values);
+  file.set_attribute(name, "flag_meanings", meanings);
+  file.set_attribute(name, "long_name", long_name);
+}
+
+/// A table's dimension: its scale, and the number of its rows.
+struct Dimension {
+  std::string scale;
+  std::size_t count;
+};
+
+void write_scale(Hdf5File& file, const Dimension& dimension, const std::string& long_name) {
+  file.write(dimension.scale, indices(dimension.count), {dimension.count});
+  file.set_attribute(dimension.scale, "long_name", long_name);
+  file.make_scale(dimension.scale);
+}
+
+void write_column(Hdf5File& file, const std::string& name, const Dimension& dimension,
+                  std::span<const double> values, const std::string& units, const std::string& long_name) {
+  file.write(name, values, {dimension.count});
+  file.set_attribute(name, "_FillValue", kAbsent);
+  describe(file, name, units, long_name);
+  file.attach_scale(name, dimension.scale, 0);
+}
+
+void write_text_column(Hdf5File& file, const std::string& name, const Dimension& dimension,
+                       const std::vector<std::string>& texts, const std::string& long_name) {
+  file.write(name, texts);
+  describe(file, name, "", long_name);
+  file.attach_scale(name, dimension.scale, 0);
+}
+
+template <class Row, class Field>
+auto column_of(const std::vector<Row>& rows, Field field) {
+  std::vector<std::decay_t<decltype(field(rows.front()))>> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(field(row));
+  return values;
+}
+
+double number_of(const InputValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? *number : kAbsent;
+}
+
+std::string text_of(const InputValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : std::string();
+}
+
+// One dataset per varied key; `position` keeps the order of the study.
+template <class Row>
+void write_inputs(Hdf5File& file, const std::string& group, const Dimension& dimension,
+                  const std::vector<ColumnInfo>& columns, const std::vector<Row>& rows) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const ColumnInfo& column = columns[k];
+    const std::string name = joined({group, "/", column.key});
+    const auto values = column_of(rows, [k](const Row& row) -> InputValue {
+      return k < row.inputs.size() ? row.inputs[k] : InputValue(kAbsent);
+    });
+    const bool is_text =
+        std::any_of(values.begin(), values.end(), [](const InputValue& v) { return v.index() == 1; });
+    if (is_text) {
+      write_text_column(file, name, dimension, column_of(values, text_of), column.long_name);
+    } else {
+      write_column(file, name, dimension, column_of(values, number_of), column.units, column.long_name);
+    }
+    file.set_attribute(name, "position", static_cast<std::int32_t>(k));
+  }
+}
+
+void write_root(Hdf5File& file, const ResultsMeta& meta) {
+  const std::string sha = meta.config_sha256.empty() ? sha256_hex(meta.config_toml) : meta.config_sha256;
+  file.set_attribute("/", "format_version", std::int32_t{kResultsFormatVersion});
+  file.set_attribute("/", "unbruised_version", meta.unbruised_version);
+  file.set_attribute("/", "config", meta.config_toml);
+  file.set_attribute("/", "config_sha256", sha);
+  file.set_attribute("/", "study_name", meta.study_name);
+  file.set_attribute("/", "study_kind", meta.study_kind);
+  file.set_attribute("/", "created_utc", meta.created_utc);
+  file.set_attribute("/", "instruction_set", meta.instruction_set);
+  file.set_attribute("/", "compiler", meta.compiler);
+  file.set_attribute("/", "complete", std::int32_t{meta.complete ? 1 : 0});
+  file.set_attribute("/", "Conventions", std::string("CF-1.8"));
+}
+
+void write_outcomes(Hdf5File& file, const Dimension& scenarios, const std::vector<ScenarioRow>& rows) {
+  const auto outcomes =
+      column_of(rows, [](const ScenarioRow& row) { return static_cast<std::int8_t>(row.result.outcome); });
+  file.write("/scenarios/outcome", outcomes, {rows.size()}, kNotRunCode);
+  describe_flags(file, "/scenarios/outcome", kOutcomeFlags, outcome_meanings(), "how the scenario ended");
+  file.attach_scale("/scenarios/outcome", scenarios.scale, 0);
+  write_text_column(file, "/scenarios/cause", scenarios,
+                    column_of(rows, [](const ScenarioRow& row) { return row.result.cause; }),
+                    "what decided the outcome");
+  write_column(file, "/scenarios/outcome_time_s", scenarios,
+               column_of(rows, [](const ScenarioRow& row) { return row.result.outcome_time_s; }), "s",
+               "first crossing of the limit that decided the outcome");
+  const auto digests = column_of(rows, [](const ScenarioRow& row) { return result_digest(row.result); });
+  file.write("/scenarios/digest", digests, {rows.size()});
+  describe(file, "/scenarios/digest", "", "XXH3 of outcome, outcome_time_s and every metric");
+  file.attach_scale("/scenarios/digest", scenarios.scale, 0);
+}
+
+void write_scenarios(Hdf5File& file, const ResultsContent& content) {
+  const std::vector<ScenarioRow>& rows = content.rows;
+  const Dimension scenarios{"/scenarios/id", rows.size()};
+  const auto ids = column_of(rows, [](const ScenarioRow& row) { return static_cast<std::int64_t>(row.id); });
+  file.write(scenarios.scale, ids, {rows.size()});
+  file.set_attribute(scenarios.scale, "long_name", std::string("number of the scenario in the study's order"));
+  file.make_scale(scenarios.scale);
+  file.make_group("/scenarios/input");
+  write_inputs(file, "/scenarios/input", scenarios, content.inputs, rows);
+  for (const MetricInfo& info : kMetricTable) {
+    const auto values =
+        column_of(rows, [&info](const ScenarioRow& row) { return row.result.metrics[info.metric]; });
+    write_column(file, joined({"/scenarios/metric/", info.name}), scenarios, values, std::string(info.units),
+                 std::string(info.long_name));
+  }
+  write_outcomes(file, scenarios, rows);
+}
+
+void write_window(Hdf5File& file, const WindowTable& table) {
+  const Dimension windows{"/window/window", table.rows.size()};
+  write_scale(file, windows, "number of the combination of the other varied keys");
+  write_inputs(file, "/window", windows, table.inputs, table.rows);
+  for (const WindowColumn& column : kWindowColumns) {
+    const auto values = column_of(table.rows, [&](const WindowRow& row) { return row.*column.value; });
+    write_column(file, joined({"/window/", column.name}), windows, values, column.units, column.long_name);
+  }
+  const auto exists =
+      column_of(table.rows, [](const WindowRow& row) { return static_cast<std::int8_t>(row.exists); });
+  file.write("/window/exists", exists, {table.rows.size()}, 0);
+  describe_flags(file, "/window/exists", kExistsFlags, "no_window window",
+                 "is there a grip force that holds unharmed");
+  file.attach_scale("/window/exists", windows.scale, 0);
+  write_text_column(file, "/window/note", windows,
+                    column_of(table.rows, [](const WindowRow& row) { return row.note; }), "remark on this window");
+}
+
+/// Writes /trace: knows which dimension scales exist already.
+class TraceWriter {
+ public:
+  TraceWriter(Hdf5File& file, const Trace& trace) : file_(file), trace_(trace) {}
+
+  void write() {
+    const std::size_t times = trace_.time_s.size();
+    const auto particles = static_cast<std::size_t>(trace_.particle_count);
+    file_.write("/trace/time_s", trace_.time_s, {times});
+    describe(file_, "/trace/time_s", "s", "time since the start of the scenario");
+    file_.make_scale("/trace/time_s");
+    const std::vector<std::string> motion = {scale("particle", particles), scale("component", 3)};
+    write_array("rest_position_m", "m", "rest position", trace_.rest_position_m, {particles, 3}, motion);
+    write_over_time("displacement_m", "m", "displacement from rest", trace_.displacement_m, {particles, 3},
+                    motion);
+    write_over_time("velocity_m_s", "m s-1", "velocity", trace_.velocity_m_s, {particles, 3}, motion);
+    write_over_time("acceleration_m_s2", "m s-2", "acceleration", trace_.acceleration_m_s2, {particles, 3},
+                    motion);
+    for (const TraceSignal& signal : trace_.signals) write_signal(signal);
+  }
+
+ private:
+  // The scale of a dimension; one whose name is taken by another extent is called <name>_<extent>.
+  std::string scale(const std::string& dimension, std::size_t extent) {
+    const auto known = extents_.find(dimension);
+    if (known != extents_.end() && known->second != extent) {
+      return scale(joined({dimension, "_", std::to_string(extent)}), extent);
+    }
+    const std::string name = joined({"/trace/", dimension});
+    if (known == extents_.end()) {
+      write_scale(file_, {name, extent}, joined({"index of the ", dimension}));
+      extents_[dimension] = extent;
+    }
+    return name;
+  }
+
+  void write_array(const std::string& name, const std::string& units, const std::string& long_name,
+                   const std::vector<double>& values, const Hdf5Extents& extents,
+                   const std::vector<std::string>& scales) {
+    const std::string full_name = joined({"/trace/", name});
+    std::uint64_t expected = 1;
+    for (const std::uint64_t extent : extents) expected *= extent;
+    if (expected != values.size()) {
+      throw Hdf5Failure(joined({"the trace's ", name, " has ", std::to_string(values.size()), " values where ",
+                                std::to_string(expected), " are due"}));
+    }
+    file_.write(full_name, values, extents);
+    describe(file_, full_name, units, long_name);
+    for (std::size_t axis = 0; axis < scales.size(); ++axis) {
+      file_.attach_scale(full_name, scales[axis], static_cast<unsigned>(axis));
+    }
+  }
+
+  void write_over_time(const std::string& name, const std::string& units, const std::string& long_name,
+                       const std::vector<double>& values, const Hdf5Extents& row_extents,
+                       const std::vector<std::string>& row_scales) {
+    Hdf5Extents extents{trace_.time_s.size()};
+    std::vector<std::string> scales{"/trace/time_s"};
+    extents.insert(extents.end(), row_extents.begin(), row_extents.end());
+    scales.insert(scales.end(), row_scales.begin(), row_scales.end());
+    write_array(name, units, long_name, values, extents, scales);
+  }
+
+  void write_signal(const TraceSignal& signal) {
+    Hdf5Extents extents(signal.extents.begin(), signal.extents.end());
+    std::vector<std::string> scales;
+    for (std::size_t k = 0; k < extents.size(); ++k) {
+      const bool named = k < signal.dimensions.size();
+      scales.push_back(scale(named ? signal.dimensions[k] : joined({"axis_", std::to_string(k)}), extents[k]));
+    }
+    write_over_time(signal.name, signal.units, signal.long_name, signal.values, extents, scales);
+  }
+
+  Hdf5File& file_;
+  const Trace& trace_;
+  std::map<std::string, std::size_t> extents_;
+};
+
+void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
+  const Dimension dimension{"/contact_events/event", events.size()};
+  write_scale(file, dimension, "number of the event in the order of time");
+  write_column(file, "/contact_events/time_s", dimension,
+               column_of(events, [](const ContactEvent& e) { return e.time_s; }), "s",
+               "time of the event, interpolated inside the step");
+  const auto write_index = [&](const std::string& name, int ContactEvent::*field, const std::string& long_name) {
+    file.write(name, column_of(events, [&](const ContactEvent& e) { return std::int32_t{e.*field}; }),
+               {events.size()});
+    describe(file, name, "", long_name);
+    file.attach_scale(name, dimension.scale, 0);
+  };
+  write_index("/contact_events/node", &ContactEvent::node, "index of the particle");
+  write_index("/contact_events/surface", &ContactEvent::surface, "0 left pad, 1 right pad, 2 support");
+  file.write("/contact_events/kind",
+             column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),
+             {events.size()}, 0);
+  describe_flags(file, "/contact_events/kind", kEventFlags, "make break stick slip", "change of the contact");
+  file.attach_scale("/contact_events/kind", dimension.scale, 0);
+}
+
+void write_content(Hdf5File& file, const ResultsContent& content) {
+  write_root(file, content.meta);
+  write_scenarios(file, content);
+  if (content.window != nullptr) write_window(file, *content.window);
+  if (content.trace == nullptr) return;
+  file.make_group("/trace");
+  TraceWriter(file, *content.trace).write();
+  write_events(file, content.trace->events);
+}
+
+ResultsContent sorted_by_id(const ResultsContent& content) {
+  ResultsContent sorted = content;
+  std::stable_sort(sorted.rows.begin(), sorted.rows.end(),
+                   [](const ScenarioRow& a, const ScenarioRow& b) { return a.id < b.id; });
+  return sorted;
+}
+
+}  // namespace
+
+MaybeError write_results_file(const fs::path& path, const ResultsContent& content) {
+  const Hdf5Silence silence;
+  const fs::path temporary = temporary_name(path);
+  try {
+    Hdf5File file = Hdf5File::create(temporary);
+    write_content(file, sorted_by_id(content));
+    file.close();
+  } catch (const std::exception& failure) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    return ResultsError{ResultsErrorKind::io, failure.what(), {}};
+  }
+  if (auto error = sync_file(temporary)) return error;
+  return publish_temporary(path);
+}
+
+std::string ResultsSummary::digest() const { return digest_text(digest_of_digests(digests)); }
+
+std::size_t ResultsSummary::count(Outcome outcome) const {
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [outcome](const ScenarioRow& row) { return row.result.outcome == outcome; }));
+}
+
+namespace {
+
+ResultsError damaged(const fs::path& path, std::string_view what) {
+  return {ResultsErrorKind::damaged, joined({path.string(), " is damaged: ", what}), {}};
+}
+
+ResultsError foreign(const fs::path& path, std::string_view what) {
+  return {ResultsErrorKind::foreign, joined({path.string(), " ", what}), {}};
+}
+
+// Opens a file that is one of ours, or says why it is not.
+Expected<Hdf5File> open_results(const fs::path& path) {
+  std::error_code missing;
+  if (!fs::exists(path, missing)) return system_error("open", path, ENOENT);
+  if (fs::is_directory(path, missing)) return foreign(path, "is a directory, not a results file");
+  if (H5Fis_hdf5(path.c_str()) <= 0) return foreign(path, "is not an HDF5 file (no signature)");
+  try {
+    Hdf5File file = Hdf5File::open(path);
+    const auto version = file.integer_attribute("/", "format_version");
+    if (!version || !file.text_attribute("/", "unbruised_version")) {
+      return foreign(path, "is an HDF5 file but not one of unbruised");
+    }
+    if (*version > kResultsFormatVersion) {
+      return foreign(path, joined({"has format version ", std::to_string(*version), ", this program reads up to ",
+                                   std::to_string(kResultsFormatVersion)}));
+    }
+    return file;
+  } catch (const std::exception& failure) {
+    return damaged(path, failure.what());
+  }
+}
+
+ResultsMeta read_meta(const Hdf5File& file) {
+  const auto text = [&](const char* name) { return file.text_attribute("/", name).value_or(std::string()); };
+  ResultsMeta meta;
+  meta.unbruised_version = text("unbruised_version");
+  meta.config_toml = text("config");
+  meta.config_sha256 = text("config_sha256");
+  meta.study_name = text("study_name");
+  meta.study_kind = text("study_kind");
+  meta.created_utc = text("created_utc");
+  meta.instruction_set = text("instruction_set");
+  meta.compiler = text("compiler");
+  meta.complete = file.integer_attribute("/", "complete").value_or(0) == 1;
+  return meta;
+}
+
+void require_length(const std::string& name, std::size_t length, std::size_t expected) {
+  if (length == expected) return;
+  throw Hdf5Failure(
+      joined({name, " has ", std::to_string(length), " rows where ", std::to_string(expected), " are due"}));
+}
+
+std::vector<double> read_column(const Hdf5File& file, const std::string& name, std::size_t count) {
+  auto values = file.read_doubles(name);
+  require_length(name, values.size(), count);
+  return values;
+}
+
+std::vector<std::string> read_text_column(const Hdf5File& file, const std::string& name, std::size_t count) {
+  auto texts = file.read_texts(name);
+  require_length(name, texts.size(), count);
+  return texts;
+}
+
+std::vector<std::int64_t> read_integer_column(const Hdf5File& file, const std::string& name, std::size_t count) {
+  auto values = file.read_integers(name);
+  require_length(name, values.size(), count);
+  return values;
+}
+
+// The columns below `group` that carry a position, in that order, and their values into the rows.
+template <class Row>
+std::vector<ColumnInfo> read_inputs(const Hdf5File& file, const std::string& group, std::vector<Row>& rows) {
+  std::map<std::int64_t, std::string> names;
+  for (const std::string& name : file.datasets(group)) {
+    if (const auto position = file.integer_attribute(joined({group, "/", name}), "position")) {
+      names[*position] = name;
+    }
+  }
+  std::vector<ColumnInfo> columns;
+  for (const auto& [position, key] : names) {
+    const std::string name = joined({group, "/", key});
+    columns.push_back({key, file.text_attribute(name, "units").value_or(""),
+                       file.text_attribute(name, "long_name").value_or("")});
+    if (file.holds_text(name)) {
+      const auto texts = read_text_column(file, name, rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].inputs.emplace_back(texts[i]);
+    } else {
+      const auto numbers = read_column(file, name, rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].inputs.emplace_back(numbers[i]);
+    }
+  }
+  return columns;
+}
+
+Outcome outcome_of(std::int64_t code) {
+  if (code < kNotRunCode || code >= static_cast<std::int64_t>(kOutcomeWords.size())) {
+    throw Hdf5Failure(joined({"/scenarios/outcome holds the unknown code ", std::to_string(code)}));
+  }
+  return static_cast<Outcome>(code);
+}
+
+void read_scenarios(const Hdf5File& file, ResultsSummary& summary) {
+  const auto ids = file.read_integers("/scenarios/id");
+  const std::size_t count = ids.size();
+  const auto outcomes = read_integer_column(file, "/scenarios/outcome", count);
+  const auto causes = read_text_column(file, "/scenarios/cause", count);
+  const auto times = read_column(file, "/scenarios/outcome_time_s", count);
+  summary.rows.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ScenarioRow& row = summary.rows[i];
+    row.id = static_cast<std::uint64_t>(ids[i]);
+    row.result.outcome = outcome_of(outcomes[i]);
+    row.result.cause = causes[i];
+    row.result.outcome_time_s = times[i];
+  }
+  for (const MetricInfo& info : kMetricTable) {
+    const std::string name = joined({"/scenarios/metric/", info.name});
+    if (!file.exists(name)) continue;  // a file of an earlier version: the metric stays NaN
+    const auto values = read_column(file, name, count);
+    for (std::size_t i = 0; i < count; ++i) summary.rows[i].result.metrics[info.metric] = values[i];
+  }
+  summary.inputs = read_inputs(file, "/scenarios/input", summary.rows);
+  summary.digests = file.read_unsigned("/scenarios/digest");
+  require_length("/scenarios/digest", summary.digests.size(), count);
+}
+
+WindowTable read_window(const Hdf5File& file) {
+  WindowTable table;
+  const auto exists = file.read_integers("/window/exists");
+  table.rows.resize(exists.size());
+  const auto notes = read_text_column(file, "/window/note", exists.size());
+  for (std::size_t i = 0; i < exists.size(); ++i) {
+    table.rows[i].exists = exists[i] != 0;
+    table.rows[i].note = notes[i];
+  }
+  for (const WindowColumn& column : kWindowColumns) {
+    const auto values = read_column(file, joined({"/window/", column.name}), exists.size());
+    for (std::size_t i = 0; i < values.size(); ++i) table.rows[i].*column.value = values[i];
+  }
+  table.inputs = read_inputs(file, "/window", table.rows);
+  return table;
+}
+
+TraceSignal read_signal(const Hdf5File& file, const std::string& name) {
+  const std::string full_name = joined({"/trace/", name});
+  TraceSignal signal;
+  signal.name = name;
+  signal.units = file.text_attribute(full_name, "units").value_or("");
+  signal.long_name = file.text_attribute(full_name, "long_name").value_or("");
+  const auto extents = file.extents(full_name);
+  for (std::size_t axis = 1; axis < extents.size(); ++axis)
+    signal.extents.push_back(static_cast<int>(extents[axis]));
+  signal.dimensions = file.dimension_names(full_name);
+  if (!signal.dimensions.empty()) signal.dimensions.erase(signal.dimensions.begin());
+  signal.values = file.read_doubles(full_name);
+  return signal;
+}
+
+// Datasets of /trace that run over time and are not the motion itself.
+std::vector<std::string> signal_names(const Hdf5File& file) {
+  const auto is_motion = [](const std::string& name) {
+    return name == "displacement_m" || name == "velocity_m_s" || name == "acceleration_m_s2" || name == "time_s";
+  };
+  std::vector<std::string> names;
+  for (const std::string& name : file.datasets("/trace")) {
+    const auto dimensions = file.dimension_names(joined({"/trace/", name}));
+    if (!is_motion(name) && !dimensions.empty() && dimensions.front() == "time_s") names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<ContactEvent> read_events(const Hdf5File& file) {
+  const auto times = file.read_doubles("/contact_events/time_s");
+  const auto nodes = read_integer_column(file, "/contact_events/node", times.size());
+  const auto surfaces = read_integer_column(file, "/contact_events/surface", times.size());
+  const auto kinds = read_integer_column(file, "/contact_events/kind", times.size());
+  std::vector<ContactEvent> events(times.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    events[i] = {times[i], static_cast<int>(nodes[i]), static_cast<int>(surfaces[i]),
+                 static_cast<ContactEvent::Kind>(kinds[i])};
+  }
+  return events;
+}
+
+}  // namespace
+
+Expected<ResultsSummary> read_results_summary(const fs::path& path) {
+  const Hdf5Silence silence;
+  auto file = open_results(path);
+  if (!file) return file.error();
+  try {
+    ResultsSummary summary;
+    summary.format_version = static_cast<int>(*file->integer_attribute("/", "format_version"));
+    summary.meta = read_meta(*file);
+    read_scenarios(*file, summary);
+    if (file->exists("/window")) summary.window = read_window(*file);
+    summary.has_trace = file->exists("/trace");
+    if (summary.has_trace) summary.trace_signals = signal_names(*file);
+    return summary;
+  } catch (const std::exception& failure) {
+    return damaged(path, failure.what());
+  }
+}
+
+Expected<Trace> read_trace(const fs::path& path) {
+  const Hdf5Silence silence;
+  auto file = open_results(path);
+  if (!file) return file.error();
+  if (!file->exists("/trace")) return foreign(path, "holds no trace");
+  try {
+    Trace trace;
+    trace.rest_position_m = file->read_doubles("/trace/rest_position_m");
+    trace.particle_count = static_cast<int>(trace.rest_position_m.size() / 3);
+    trace.time_s = file->read_doubles("/trace/time_s");
+    trace.displacement_m = file->read_doubles("/trace/displacement_m");
+    trace.velocity_m_s = file->read_doubles("/trace/velocity_m_s");
+    trace.acceleration_m_s2 = file->read_doubles("/trace/acceleration_m_s2");
+    for (const std::string& name : signal_names(*file)) trace.signals.push_back(read_signal(*file, name));
+    trace.events = read_events(*file);
+    return trace;
+  } catch (const std::exception& failure) {
+    return damaged(path, failure.what());
+  }
+}
+
+}  // namespace unbruised::studies

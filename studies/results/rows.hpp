@@ -1,0 +1,79 @@
+#pragma once
+
+/// @file
+/// The tables a study leaves behind, as plain data: scenario rows, the window table, what the root of
+/// results.h5 says. Both sides of the file (writer and reader) speak these types.
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/outcome/outcome.hpp"
+#include "core/outcome/trace.hpp"
+
+namespace unbruised::studies {
+
+inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+
+/// The value of a varied key: a number, or a text such as a product file.
+using InputValue = std::variant<double, std::string>;
+
+/// A varied key. Its column holds texts as soon as one of its values is a text.
+struct ColumnInfo {
+  std::string key;        ///< dotted, e.g. "strategy.grip_force_N"
+  std::string units;      ///< UDUNITS spelling; may stay empty
+  std::string long_name;  ///< may stay empty
+};
+
+/// One scenario of a study.
+struct ScenarioRow {
+  std::uint64_t id = 0;
+  ScenarioResult result;
+  std::vector<InputValue> inputs;  ///< as long as, and in the order of, the study's input columns
+};
+
+/// One line of the window table: F_hold and F_damage at one combination of the other varied keys.
+struct WindowRow {
+  std::vector<InputValue> inputs;  ///< in the order of WindowTable::inputs
+  double hold_force_N = kAbsent;   ///< NaN where it lies outside the searched range
+  double damage_force_N = kAbsent;
+  bool exists = false;                     ///< F_damage > F_hold, both ends known well enough to say so
+  double margin = kAbsent;                 ///< damage_force_N / hold_force_N - 1
+  double hold_bracket_low_N = kAbsent;     ///< greatest force known not to hold
+  double hold_bracket_high_N = kAbsent;    ///< least force known to hold
+  double damage_bracket_low_N = kAbsent;   ///< greatest force known not to damage
+  double damage_bracket_high_N = kAbsent;  ///< least force known to damage
+  std::string note;                        ///< e.g. "no window at this speed: the impact alone damages"
+};
+
+/// The window of every combination of the varied keys other than the grip force.
+struct WindowTable {
+  std::vector<ColumnInfo> inputs;
+  std::vector<WindowRow> rows;
+};
+
+/// What the root attributes of results.h5 say about the study.
+struct ResultsMeta {
+  std::string unbruised_version;
+  std::string config_toml;    ///< the full resolved config
+  std::string config_sha256;  ///< 64 hex digits; `sha256_hex(config_toml)` when left empty
+  std::string study_name;
+  std::string study_kind;
+  std::string created_utc;      ///< ISO 8601, given by the caller
+  std::string instruction_set;  ///< numeric build: e.g. "avx512f"
+  std::string compiler;         ///< numeric build: e.g. "GNU 12.2.0"
+  bool complete = true;         ///< false: interrupted; some rows are not_run
+};
+
+/// Everything that goes into one results.h5 (or scenario_<id>.h5). Rows are sorted by id when written.
+struct ResultsContent {
+  ResultsMeta meta;
+  std::vector<ColumnInfo> inputs;
+  std::vector<ScenarioRow> rows;
+  const WindowTable* window = nullptr;  ///< no /window group when null
+  const Trace* trace = nullptr;         ///< no /trace and /contact_events when null
+};
+
+}  // namespace unbruised::studies

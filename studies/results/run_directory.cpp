@@ -1,0 +1,388 @@
+#include "studies/results/run_directory.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "studies/config/study.hpp"
+#include "studies/results/checksum.hpp"
+#include "studies/results/digest.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/results_file.hpp"
+#include "studies/results/run_layout.hpp"
+#include "studies/results/text.hpp"
+
+namespace unbruised::studies {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> journal_files(const fs::path& directory) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory / "journal", error)) {
+    if (entry.path().extension() == ".jrnl") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+fs::path hash_path(const fs::path& results) {
+  fs::path path = results;
+  path += ".sha256";
+  return path;
+}
+
+bool same_row(const ScenarioRow& a, const ScenarioRow& b) {
+  const auto same_input = [](const InputValue& left, const InputValue& right) {
+    const auto* x = std::get_if<double>(&left);
+    const auto* y = std::get_if<double>(&right);
+    return left == right || (x != nullptr && y != nullptr && *x != *x && *y != *y);
+  };
+  return result_digest(a.result) == result_digest(b.result) && a.result.cause == b.result.cause &&
+         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same_input);
+}
+
+namespace {
+
+ResultsError error_of(ResultsErrorKind kind, std::initializer_list<std::string_view> parts) {
+  return {kind, joined(parts), {}};
+}
+
+MaybeError make_directory(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) return system_error("create", directory, error.value());
+  return {};
+}
+
+std::string lock_text() {
+  return joined({"host = ", host_name(), "\npid = ", std::to_string(::getpid()), "\nboot_id = ", boot_id(), "\n"});
+}
+
+// "pid = 12, host = a, ..." of the process that wrote the lock file.
+std::string lock_holder(const fs::path& lock) {
+  const auto text = read_text_file(lock);
+  if (!text || text->empty()) return "unknown";
+  std::string holder = *text;
+  while (!holder.empty() && holder.back() == '\n') holder.pop_back();
+  for (std::size_t at = holder.find('\n'); at != std::string::npos; at = holder.find('\n', at)) {
+    holder.replace(at, 1, ", ");
+  }
+  return holder;
+}
+
+// Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
+bool is_own_extra(const std::string& name) {
+  return name == "lock" || name == "log.txt" || name == "config.toml.tmp" || name == "report.html" ||
+         (name.starts_with("scenario_") && name.ends_with(".h5"));
+}
+
+bool holds_anything(const fs::path& directory) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    if (entry.path().filename() != "lock") return true;
+  }
+  return false;
+}
+
+std::string first_foreign_entry(const fs::path& directory) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!is_own_extra(name)) return name;
+  }
+  return {};
+}
+
+std::string list_of(const std::vector<std::string>& keys) {
+  constexpr std::size_t kShown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(keys.size(), kShown); ++i) {
+    text.append(i == 0 ? "" : ", ").append(keys[i]);
+  }
+  if (keys.size() > kShown) text.append(", and ").append(std::to_string(keys.size() - kShown)).append(" more");
+  return text;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<RunDirectory>> RunDirectory::open(const Request& request) {
+  std::unique_ptr<RunDirectory> run(new RunDirectory());
+  if (auto error = run->prepare(request)) return *error;
+  return run;
+}
+
+RunDirectory::~RunDirectory() {
+  journal_.reset();
+  if (lock_descriptor_ >= 0) ::close(lock_descriptor_);
+}
+
+MaybeError RunDirectory::prepare(const Request& request) {
+  directory_ = request.directory;
+  config_toml_ = request.config_toml;
+  config_sha256_ = sha256_hex(config_toml_);
+  build_ = request.build;
+  if (auto error = take_lock()) return error;
+  if (request.fresh && holds_anything(directory_)) {
+    if (auto error = move_aside()) return error;
+  }
+  std::error_code ignored;
+  return fs::exists(directory_ / "config.toml", ignored) ? continue_old() : begin_new();
+}
+
+MaybeError RunDirectory::take_lock() {
+  if (auto error = make_directory(directory_)) return error;
+  const fs::path path = directory_ / "lock";
+  lock_descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (lock_descriptor_ < 0) return system_error("create", path, errno);
+  if (::flock(lock_descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) {
+      return error_of(ResultsErrorKind::busy,
+                      {directory_.string(), " is in use by another process (", lock_holder(path), ")"});
+    }
+    notes_.push_back(joined({"the file system of ", directory_.string(),
+                             " has no locks: make sure that no other process uses this directory"}));
+  }
+  const std::string text = lock_text();
+  if (::ftruncate(lock_descriptor_, 0) != 0) return system_error("truncate", path, errno);
+  if (::pwrite(lock_descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
+    return system_error("write", path, errno);
+  }
+  return {};
+}
+
+MaybeError RunDirectory::move_aside() {
+  std::string name = directory_.lexically_normal().string();
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
+  std::error_code error;
+  int number = 1;
+  while (fs::exists(joined({name, ".old-", std::to_string(number)}), error)) ++number;
+  const std::string aside = joined({name, ".old-", std::to_string(number)});
+  fs::rename(name, aside, error);
+  if (error) return system_error("move aside", directory_, error.value());
+  ::close(lock_descriptor_);
+  lock_descriptor_ = -1;
+  notes_.push_back(joined({"moved ", name, " aside to ", aside}));
+  return take_lock();
+}
+
+MaybeError RunDirectory::begin_new() {
+  const std::string other = first_foreign_entry(directory_);
+  if (!other.empty()) {
+    return error_of(ResultsErrorKind::foreign, {directory_.string(), " holds ", other,
+                                                " but no config.toml: it is not a run directory; choose another "
+                                                "one, or move it aside with --fresh"});
+  }
+  if (auto error = write_text_file(directory_ / "config.toml", config_toml_)) return error;
+  if (auto error = make_directory(directory_ / "journal")) return error;
+  return sync_directory(directory_);
+}
+
+MaybeError RunDirectory::continue_old() {
+  if (auto error = refuse_other_config()) return error;
+  if (auto error = refuse_finished()) return error;
+  if (auto error = make_directory(directory_ / "journal")) return error;
+  if (auto error = recover_journals()) return error;
+  continued_ = true;
+  return {};
+}
+
+MaybeError RunDirectory::refuse_other_config() const {
+  const auto old_config = read_text_file(directory_ / "config.toml");
+  if (!old_config) return old_config.error();
+  if (*old_config == config_toml_) return {};
+  ResultsError error = error_of(ResultsErrorKind::other_config, {});
+  error.keys = differing_keys(*old_config, config_toml_);
+  const std::string what = error.keys.empty() ? std::string("its text differs, though no key does")
+                                              : joined({"these keys differ: ", list_of(error.keys)});
+  error.message = joined({directory_.string(), " holds a study of another config: ", what,
+                          ". Choose another --output, or --fresh to move the old one aside"});
+  return error;
+}
+
+MaybeError RunDirectory::refuse_finished() {
+  std::error_code ignored;
+  if (!fs::exists(results_path(), ignored)) return {};
+  const auto summary = read_results_summary(results_path());
+  if (!summary) {
+    notes_.push_back(joined({summary.error().message, "; it will be written anew from the journal"}));
+    return {};
+  }
+  if (!summary->meta.complete) return {};
+  return error_of(ResultsErrorKind::finished,
+                  {directory_.string(), " holds this study, finished (digest ", summary->digest(),
+                   "). Use --fresh to move it aside and run again"});
+}
+
+MaybeError RunDirectory::recover_journals() {
+  const auto files = journal_files(directory_);
+  for (const fs::path& file : files) {
+    const auto scan = scan_journal(file, config_hash_prefix(config_sha256_));
+    if (!scan) return scan.error();
+    recover_journal(file, *scan);
+  }
+  recovered_count_ = rows_.size() + records_.size();
+  notes_.push_back(joined({"continuing ", directory_.string(), ": ", std::to_string(rows_.size()),
+                           " scenarios found in ", std::to_string(files.size()), " journal file(s)"}));
+  return {};
+}
+
+void RunDirectory::recover_journal(const fs::path& path, const JournalScan& scan) {
+  for (const JournalRecord& record : scan.records) recover_record(path, record);
+  for (const JournalDamage& damage : scan.damage) {
+    notes_.push_back(joined({path.string(), " is damaged: ", std::to_string(damage.bytes), " bytes at offset ",
+                             std::to_string(damage.offset), "; what stood there is run again"}));
+  }
+  if (scan.torn_tail_bytes > 0) {
+    notes_.push_back(joined({path.string(), " ends in ", std::to_string(scan.torn_tail_bytes),
+                             " bytes of an unfinished record; that one is run again"}));
+  }
+  if (scan.other_config_records > 0) {
+    notes_.push_back(joined({path.string(), " holds ", std::to_string(scan.other_config_records),
+                             " records of another config; they are ignored"}));
+  }
+}
+
+void RunDirectory::recover_record(const fs::path& path, const JournalRecord& record) {
+  if (record.kind == RecordKind::session) {
+    if (record.payload != build_) {
+      notes_.push_back(joined({path.string(), " was written by another build (", record.payload,
+                               "); its rows may differ from this one's (", build_, ") in their last bits"}));
+    }
+    return;
+  }
+  if (record.kind != RecordKind::scenario) {
+    records_.try_emplace({record.kind, record.id}, record);
+    return;
+  }
+  auto row = decode_scenario_row(record.id, record.payload);
+  if (!row) {
+    notes_.push_back(joined({path.string(), ", scenario ", std::to_string(record.id), ": ", row.error().message}));
+    return;
+  }
+  const auto [known, is_new] = rows_.try_emplace(record.id, *row);
+  if (!is_new && !same_row(known->second, *row)) {
+    notes_.push_back(joined({path.string(), ": scenario ", std::to_string(record.id),
+                             " stands in the journals with two different results; the first is kept"}));
+  }
+}
+
+bool RunDirectory::is_done(std::uint64_t id) const {
+  const std::lock_guard lock(mutex_);
+  return rows_.contains(id);
+}
+
+std::vector<std::uint64_t> RunDirectory::done_ids() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::uint64_t> ids;
+  ids.reserve(rows_.size());
+  for (const auto& [id, row] : rows_) ids.push_back(id);
+  return ids;
+}
+
+std::vector<ScenarioRow> RunDirectory::rows() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<ScenarioRow> all;
+  all.reserve(rows_.size());
+  for (const auto& [id, row] : rows_) all.push_back(row);
+  return all;
+}
+
+std::vector<JournalRecord> RunDirectory::records(RecordKind kind) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<JournalRecord> chosen;
+  for (const auto& [key, record] : records_) {
+    if (key.first == kind) chosen.push_back(record);
+  }
+  return chosen;
+}
+
+// The journal of this process, begun with its session record at the first use.
+Expected<JournalWriter*> RunDirectory::journal() {
+  const std::lock_guard lock(mutex_);
+  if (journal_) return journal_.get();
+  auto created = JournalWriter::create(directory_ / "journal", config_hash_prefix(config_sha256_));
+  if (!created) return created.error();
+  if (auto error = (*created)->append({RecordKind::session, 0, 0, build_})) return *error;
+  journal_ = std::move(*created);
+  return journal_.get();
+}
+
+MaybeError RunDirectory::append(const ScenarioRow& row) {
+  if (is_done(row.id)) {
+    return error_of(ResultsErrorKind::io, {"scenario ", std::to_string(row.id), " stands in the journal of ",
+                                           directory_.string(), " already"});
+  }
+  auto writer = journal();
+  if (!writer) return writer.error();
+  if (auto error = (*writer)->append({RecordKind::scenario, row.id, 0, encode_scenario_row(row)})) return error;
+  const std::lock_guard lock(mutex_);
+  rows_.try_emplace(row.id, row);
+  return {};
+}
+
+MaybeError RunDirectory::append(const JournalRecord& record) {
+  auto writer = journal();
+  if (!writer) return writer.error();
+  if (auto error = (*writer)->append(record)) return error;
+  const std::lock_guard lock(mutex_);
+  records_.try_emplace({record.kind, record.id}, record);
+  return {};
+}
+
+MaybeError RunDirectory::commit() {
+  JournalWriter* writer = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    writer = journal_.get();
+  }
+  return writer == nullptr ? MaybeError{} : writer->commit();
+}
+
+std::uint64_t RunDirectory::acknowledged() const {
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t written = journal_ ? journal_->acknowledged() : 0;
+  return recovered_count_ + (written > 0 ? written - 1 : 0);  // the first record is the session
+}
+
+void RunDirectory::log(std::string_view line) {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char stamp[32] = "";
+  std::strftime(stamp, sizeof stamp, "%Y-%m-%dT%H:%M:%SZ ", &utc);
+  const std::string text = joined({stamp, line, "\n"});
+  const int descriptor = ::open((directory_ / "log.txt").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor < 0) return;
+  [[maybe_unused]] const ssize_t written = ::write(descriptor, text.data(), text.size());
+  ::close(descriptor);
+}
+
+MaybeError RunDirectory::finish(ResultsContent content) {
+  if (auto error = commit()) return error;
+  std::map<std::uint64_t, ScenarioRow> all;
+  for (ScenarioRow& row : content.rows) all[row.id] = std::move(row);
+  for (ScenarioRow& row : rows()) all[row.id] = std::move(row);
+  content.rows.clear();
+  for (auto& [id, row] : all) content.rows.push_back(std::move(row));
+  if (content.meta.config_toml.empty()) content.meta.config_toml = config_toml_;
+  content.meta.config_sha256 = config_sha256_;
+  return write_results(content);
+}
+
+MaybeError RunDirectory::write_results(const ResultsContent& content) {
+  std::error_code ignored;
+  fs::remove(hash_path(results_path()), ignored);
+  if (auto error = write_results_file(results_path(), content)) return error;
+  const auto bytes = read_text_file(results_path());
+  if (!bytes) return bytes.error();
+  return write_text_file(hash_path(results_path()), joined({sha256_hex(*bytes), "  results.h5\n"}));
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,120 @@
+#pragma once
+
+/// @file
+/// results/<study name>/: config.toml, lock, journal/, results.h5, log.txt, and who may write there.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "studies/results/expected.hpp"
+#include "studies/results/journal.hpp"
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// A run directory that this process holds alone. Use:
+///   auto opened = RunDirectory::open({...});          // an error, or the directory, new or continued
+///   RunDirectory& run = **opened;
+///   for (id of the study) if (!run.is_done(id)) ... run.append(row);      // any thread, any order
+///   run.finish({.meta = ..., .inputs = ..., .window = &table});           // writes results.h5 atomically
+/// Rows found in the journals count as done: a resumed study ends with the digest of an uninterrupted one.
+class RunDirectory {
+ public:
+  struct Request {
+    std::filesystem::path directory;
+    std::string config_toml;  ///< resolved config; its SHA-256 decides "the same study"
+    std::string build;        ///< version and numeric build, one line; a change is noted on resume
+    bool fresh = false;       ///< move what is there aside to <name>.old-<n> and start anew
+  };
+
+  /// New when nothing is there, continued when the same config was interrupted. Errors: busy (names host
+  /// and pid), finished, other_config (names the keys), foreign (something else is in the directory), io.
+  static Expected<std::unique_ptr<RunDirectory>> open(const Request& request);
+  ~RunDirectory();
+  RunDirectory(const RunDirectory&) = delete;
+  RunDirectory& operator=(const RunDirectory&) = delete;
+
+  [[nodiscard]] bool continued() const { return continued_; }
+  /// Plain sentences for the user: what was moved aside, continued, torn or damaged.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+  [[nodiscard]] std::filesystem::path results_path() const { return directory_ / "results.h5"; }
+  [[nodiscard]] const std::string& config_sha256() const { return config_sha256_; }
+
+  /// Is a row of this id recovered or appended? Thread-safe.
+  [[nodiscard]] bool is_done(std::uint64_t id) const;
+  /// Ids recovered or appended, ascending. Thread-safe.
+  [[nodiscard]] std::vector<std::uint64_t> done_ids() const;
+  /// All rows recovered or appended, by ascending id. Thread-safe.
+  [[nodiscard]] std::vector<ScenarioRow> rows() const;
+  /// Records of other kinds (window rows, evaluations) recovered or appended, in id order; of records with
+  /// the same id the first stays. Thread-safe.
+  [[nodiscard]] std::vector<JournalRecord> records(RecordKind kind) const;
+
+  /// Appends a scenario row to the journal. Thread-safe. A row whose id is done already is refused (io).
+  MaybeError append(const ScenarioRow& row);
+  /// Appends a record of another kind. Thread-safe.
+  MaybeError append(const JournalRecord& record);
+  /// Makes every row appended so far durable (call it before the program says how to resume).
+  MaybeError commit();
+  /// Rows and other records that survive a power loss: recovered ones and acknowledged ones.
+  [[nodiscard]] std::uint64_t acknowledged() const;
+
+  /// One line into log.txt; a failure to log is not an error.
+  void log(std::string_view line);
+
+  /// Commits the journal and writes results.h5 (tmp, fsync, rename) and results.h5.sha256 from rows().
+  /// @param content meta, inputs, window and trace as wanted; `rows` may hold the not_run rows of an
+  ///   interrupted study (journalled rows of the same id win). config texts are filled in when empty.
+  MaybeError finish(ResultsContent content);
+
+ private:
+  RunDirectory() = default;
+  MaybeError prepare(const Request& request);
+  MaybeError take_lock();
+  MaybeError move_aside();
+  MaybeError begin_new();
+  MaybeError continue_old();
+  MaybeError refuse_other_config() const;
+  MaybeError refuse_finished();
+  MaybeError recover_journals();
+  void recover_journal(const std::filesystem::path& path, const JournalScan& scan);
+  void recover_record(const std::filesystem::path& path, const JournalRecord& record);
+  Expected<JournalWriter*> journal();
+  MaybeError write_results(const ResultsContent& content);
+
+  std::filesystem::path directory_;
+  std::string config_toml_;
+  std::string config_sha256_;
+  std::string build_;
+  bool continued_ = false;
+  std::vector<std::string> notes_;
+  int lock_descriptor_ = -1;
+  mutable std::mutex mutex_;
+  std::unique_ptr<JournalWriter> journal_;
+  std::uint64_t recovered_count_ = 0;
+  std::map<std::uint64_t, ScenarioRow> rows_;
+  std::map<std::pair<RecordKind, std::uint64_t>, JournalRecord> records_;
+};
+
+/// What `verify` found. Damage: results or journals cannot be believed (exit 6).
+struct VerifyReport {
+  std::vector<std::string> damage;
+  std::vector<std::string> notes;  ///< checks made, torn tails (a kill leaves them, nothing is lost)
+  std::uint64_t journal_rows = 0;
+  std::uint64_t results_rows = 0;
+  std::string digest;  ///< of results.h5, else of the journal; 16 hex digits
+};
+
+/// Checks every checksum of a run directory: journals, config, results.h5 (file hash, fletcher32, digests
+/// recomputed from the metrics) and results.h5 against the journals, row by row. Takes no lock.
+Expected<VerifyReport> verify_run_directory(const std::filesystem::path& directory);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "studies/results/checksum.hpp"
+#include "studies/results/digest.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/results_file.hpp"
+#include "studies/results/run_directory.hpp"
+#include "studies/results/run_layout.hpp"
+#include "studies/results/text.hpp"
+
+namespace unbruised::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Gathers what `verify` finds, check by check.
+class Verifier {
+ public:
+  explicit Verifier(fs::path directory) : directory_(std::move(directory)) {}
+
+  Expected<VerifyReport> run() {
+    const auto config = read_text_file(directory_ / "config.toml");
+    if (!config) {
+      return ResultsError{
+          ResultsErrorKind::foreign, joined({directory_.string(), " is not a run directory: no config.toml"}), {}};
+    }
+    config_sha256_ = sha256_hex(*config);
+    for (const fs::path& file : journal_files(directory_)) check_journal(file);
+    report_.journal_rows = journal_rows_.size();
+    std::error_code ignored;
+    if (fs::exists(directory_ / "results.h5", ignored)) {
+      check_results();
+    } else {
+      report_.notes.push_back("there is no results.h5 yet: the study is not finished");
+      report_.digest = journal_digest();
+    }
+    return report_;
+  }
+
+ private:
+  void check_journal(const fs::path& file) {
+    const auto scan = scan_journal(file, config_hash_prefix(config_sha256_));
+    if (!scan) {
+      report_.damage.push_back(scan.error().message);
+      return;
+    }
+    for (const JournalDamage& damage : scan->damage) {
+      report_.damage.push_back(joined({file.string(), ": ", std::to_string(damage.bytes), " bytes at offset ",
+                                       std::to_string(damage.offset), " fail their checksum"}));
+    }
+    if (scan->other_config_records > 0) {
+      report_.damage.push_back(joined({file.string(), ": ", std::to_string(scan->other_config_records),
+                                       " records belong to another config than config.toml"}));
+    }
+    report_.notes.push_back(joined({file.string(), ": ", std::to_string(scan->records.size()), " records, ",
+                                    std::to_string(scan->torn_tail_bytes), " bytes of torn tail"}));
+    for (const JournalRecord& record : scan->records) check_record(file, record);
+  }
+
+  void check_record(const fs::path& file, const JournalRecord& record) {
+    if (record.kind != RecordKind::scenario) return;
+    const auto row = decode_scenario_row(record.id, record.payload);
+    if (!row) {
+      report_.damage.push_back(joined({file.string(), ": ", row.error().message}));
+      return;
+    }
+    const auto [known, is_new] = journal_rows_.try_emplace(record.id, *row);
+    if (!is_new && !same_row(known->second, *row)) {
+      report_.damage.push_back(
+          joined({"scenario ", std::to_string(record.id), " has two different results in the journals"}));
+    }
+  }
+
+  void check_file_hash(const fs::path& results) {
+    const auto stored = read_text_file(hash_path(results));
+    if (!stored) {
+      report_.notes.push_back("results.h5.sha256 is missing: the file's own hash was not checked");
+      return;
+    }
+    const auto bytes = read_text_file(results);
+    if (!bytes || stored->substr(0, 64) != sha256_hex(*bytes)) {
+      report_.damage.push_back(joined({results.string(), " does not match results.h5.sha256"}));
+    }
+  }
+
+  void check_results() {
+    const fs::path results = directory_ / "results.h5";
+    check_file_hash(results);
+    const auto summary = read_results_summary(results);
+    if (!summary) {
+      report_.damage.push_back(summary.error().message);
+      return;
+    }
+    report_.results_rows = summary->rows.size();
+    report_.digest = summary->digest();
+    if (summary->meta.config_sha256 != config_sha256_) {
+      report_.damage.push_back("results.h5 was written from another config than config.toml");
+    }
+    if (sha256_hex(summary->meta.config_toml) != summary->meta.config_sha256) {
+      report_.damage.push_back("the config in results.h5 does not match its config_sha256");
+    }
+    compare_rows(*summary);
+  }
+
+  void compare_rows(const ResultsSummary& summary) {
+    std::size_t agreeing = 0;
+    for (std::size_t i = 0; i < summary.rows.size(); ++i) {
+      const ScenarioRow& row = summary.rows[i];
+      if (result_digest(row.result) != summary.digests[i]) {
+        report_.damage.push_back(
+            joined({"results.h5, scenario ", std::to_string(row.id), ": the metrics do not match their digest"}));
+      }
+      if (row.result.outcome != Outcome::not_run && agrees_with_journal(row)) ++agreeing;
+    }
+    const std::size_t missing = journal_rows_.size() - std::min(agreeing, journal_rows_.size());
+    if (missing > 0) {
+      // An interrupted study that was continued since: its results.h5 is older than the journals.
+      auto& list = summary.meta.complete ? report_.damage : report_.notes;
+      list.push_back(joined({std::to_string(missing), " rows of the journals are not in results.h5"}));
+    }
+    report_.notes.push_back(
+        joined({"results.h5: ", std::to_string(agreeing), " rows equal those of the journals"}));
+  }
+
+  bool agrees_with_journal(const ScenarioRow& row) {
+    const auto truth = journal_rows_.find(row.id);
+    const bool agrees = truth != journal_rows_.end() && same_row(truth->second, row);
+    if (!agrees) {
+      report_.damage.push_back(
+          joined({"results.h5, scenario ", std::to_string(row.id),
+                  truth == journal_rows_.end() ? " stands in no journal" : " differs from the journal"}));
+    }
+    return agrees;
+  }
+
+  [[nodiscard]] std::string journal_digest() const {
+    std::vector<std::uint64_t> digests;
+    for (const auto& [id, row] : journal_rows_) digests.push_back(result_digest(row.result));
+    return digest_text(digest_of_digests(digests));
+  }
+
+  fs::path directory_;
+  std::string config_sha256_;
+  VerifyReport report_;
+  std::map<std::uint64_t, ScenarioRow> journal_rows_;
+};
+
+}  // namespace
+
+Expected<VerifyReport> verify_run_directory(const fs::path& directory) { return Verifier(directory).run(); }
+
+}  // namespace unbruised::studies

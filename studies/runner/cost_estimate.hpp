@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file
+/// What a study will cost before it runs: rough, and honest about being rough.
+
+#include <cstddef>
+
+#include "core/simulation/scenario.hpp"
+#include "core/simulation/simulation.hpp"
+
+namespace unbruised::studies {
+
+/// Wall time of one step of one lane on one core per entry of the factor, all parts of the step included.
+/// Measured on a 512-particle block between two pads (AVX-512, 16 lanes); other machines differ by some factor.
+inline constexpr double kLaneStepSecondsPerFactorEntry = 6e-10;
+/// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).
+inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
+/// A contact that closes and opens again within fewer steps is not resolved (docs/theory.md, "Contact").
+inline constexpr double kStepsPerContact = 20.0;
+
+/// Time that passes inside the run, from the start to the end of `recover`; compression is neglected.
+double simulated_duration_s(const Scenario& scenario);
+double estimated_steps(const Scenario& scenario);
+
+/// Half a period of the finger on the springs between it and the product's middle plane: pad layer and product in
+/// series, pi sqrt(m_finger / k). Flat faces: E A / t each. Curved products: Hertz, k = 2 E* sqrt(R d) and the
+/// layer under the contact circle pi R d, at the larger of grip and impact force. Infinite without a gripper.
+double contact_time_s(const Scenario& scenario);
+
+double estimated_factor_entries(const ModelSize& size);
+/// One model: factor, particles and springs, dense compliance of the contact freedoms.
+double estimated_model_bytes(const ModelSize& size);
+/// The state of one lane.
+double estimated_lane_bytes(const ModelSize& size);
+double estimated_lane_step_s(const ModelSize& size);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,22 @@
+#pragma once
+
+/// @file
+/// Numbers for people.
+
+#include <string>
+
+namespace unbruised::studies {
+
+/// Four significant digits: 1.234, 0.25, 1.2e-07.
+std::string short_number(double value);
+
+/// 1,234,567
+std::string with_thousands(unsigned long long value);
+
+/// A time span from microseconds to days: "12 s", "3 min 20 s", "2 h 5 min".
+std::string duration_text(double seconds);
+
+/// "12 kB", "3.4 GB"
+std::string bytes_text(double bytes);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,61 @@
+#pragma once
+
+/// @file
+/// Runs a study on its run directory: only what the journal does not hold yet, every row into the journal as it
+/// comes, results.h5 at the end.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+#include "studies/config/study.hpp"
+#include "studies/results/expected.hpp"
+#include "studies/results/rows.hpp"
+#include "studies/results/run_directory.hpp"
+#include "studies/runner/progress.hpp"
+#include "studies/runner/simulator.hpp"
+#include "studies/runner/summary.hpp"
+
+namespace unbruised::studies {
+
+struct StudyRunOptions {
+  /// > 0
+  int threads = 1;
+  const std::atomic<bool>* stop = nullptr;  ///< may be null
+  Progress* progress = nullptr;             ///< may be null
+};
+
+struct StudyReport {
+  StudyTables tables;
+  bool interrupted = false;
+  double seconds = 0.0;
+  std::size_t run_now = 0;  ///< scenarios that were not in the journal
+};
+
+/// Runs what is left of a study and writes results.h5, also when interrupted (complete = 0).
+/// Errors: those of the run directory; damaged when a recorded evaluation of a search does not belong to it.
+Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
+                                const StudyRunOptions& options);
+
+/// What the root of a results file says about this study.
+ResultsMeta results_meta(const Study& study, bool complete);
+
+/// The input columns of a study's rows: its varied keys, and for a window study the grip force.
+std::vector<ColumnInfo> input_columns(const Study& study);
+/// The values of the varied keys at one point of the study's grid.
+std::vector<InputValue> grid_inputs(const Study& study, std::size_t point);
+
+/// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds
+/// it.
+Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N);
+/// The scenario a row of this study was made from; nothing when its inputs are none of the study's.
+std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row);
+
+/// The window of a sweep over the grip force, read from its grid; nothing when the grip force is not varied.
+std::optional<WindowTable> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,47 @@
+#pragma once
+
+/// @file
+/// What a study found, in lines for people: the same from `run` (rows in hand) and from `info` (a results file).
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// A study's tables, as far as it got.
+struct StudyTables {
+  std::vector<ColumnInfo> inputs;
+  std::vector<ScenarioRow> rows;  ///< by id; those not run yet may be there as not_run
+  std::optional<WindowTable> window;
+};
+
+/// The last part of a dotted key: "grip_force_N".
+std::string key_leaf(const std::string& key);
+/// "approach_speed_m_s = 0.25, friction = 0.5"; empty without inputs.
+std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vector<InputValue>& inputs);
+
+/// "outcomes: held 512, slipped 300"
+std::string outcome_line(const std::vector<ScenarioRow>& rows);
+/// The largest |impulse_balance_error| and the largest energy_balance_error, with their scenarios; empty when
+/// no row has them.
+std::string balance_line(const std::vector<ScenarioRow>& rows);
+/// The window of each combination and the one common to all. @param most_lines of combinations.
+std::vector<std::string> window_lines(const WindowTable& window, std::size_t most_lines);
+/// The held row with the shortest cycle, then the largest friction margin, then the least id; nullptr: none.
+const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
+std::string best_line(const StudyTables& tables);
+
+/// All of the above in order.
+std::vector<std::string> summary_lines(const StudyTables& tables);
+/// The first few rows that are not held, most serious first, each with its cause and the command that replays it.
+/// @param replay_command without the id, e.g. "unbruised run study.toml --scenario".
+std::vector<std::string> replay_lines(const StudyTables& tables, const std::string& replay_command);
+
+/// The digest of digests of the rows in id order, 16 hex digits.
+std::string rows_digest(const std::vector<ScenarioRow>& rows);
+
+}  // namespace unbruised::studies

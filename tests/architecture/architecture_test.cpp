@@ -1,0 +1,172 @@
+// The arrows of docs/architecture.md, read from the include lines.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/architecture/include_lines.hpp"
+
+namespace unbruised {
+namespace {
+
+const std::vector<std::string> kHouses = {"core", "optimizer", "studies", "benchmarks", "tests"};
+
+/// Whom each house may include.
+const std::map<std::string, std::vector<std::string>> kArrows = {
+    {"core", {"core"}},
+    {"optimizer", {"optimizer"}},
+    {"studies", {"studies", "core", "optimizer"}},
+    {"benchmarks", {"benchmarks", "studies", "core", "optimizer"}},
+    {"tests", {"tests", "benchmarks", "studies", "core", "optimizer"}},
+};
+
+const std::vector<SourceFile>& sources() {
+  static const std::vector<SourceFile> all = read_sources(UNBRUISED_SOURCE_DIR, kHouses);
+  return all;
+}
+
+std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Calls `check` for every include line of the repository.
+void for_every_include(const std::function<void(const IncludeLine&)>& check) {
+  for (const SourceFile& source : sources()) {
+    for (const IncludeLine& include : source.includes) check(include);
+  }
+}
+
+std::string place(const IncludeLine& include) {
+  return include.file + ":" + std::to_string(include.line) + ": " + include.target;
+}
+
+/// Fails where a header that matches `header` is included from a file outside `folders`. Tests may look anywhere.
+void expect_included_only_below(const std::string& header, const std::vector<std::string>& folders) {
+  const std::regex pattern(header);
+  for_every_include([&](const IncludeLine& include) {
+    if (house_of(include.file) == "tests" || !std::regex_search(include.target, pattern)) return;
+    const bool allowed = std::any_of(folders.begin(), folders.end(),
+                                     [&](const std::string& folder) { return include.file.starts_with(folder); });
+    EXPECT_TRUE(allowed) << place(include) << " belongs behind the doors of " << folders.front();
+  });
+}
+
+TEST(IncludeLines, AreReadWithTheirLineAndKindAndNotFromCommentsOrLiterals) {
+  const std::string text =
+      "#pragma once\n"
+      "// #include \"core/no.hpp\"\n"
+      "/* #include <no>\n#include <no> */\n"
+      "#include <vector>  // why\n"
+      "  #  include \"core/a.hpp\"\n"
+      "const char* s = R\"x(\n#include <no>\n)x\";\n"
+      "int n = 1'000; char c = '\"'; // \"\n"
+      "#include <map>\n";
+  const std::vector<IncludeLine> includes = include_lines(text, "f.hpp");
+  ASSERT_EQ(includes.size(), 3U);
+  EXPECT_EQ(includes[0].target, "vector");
+  EXPECT_EQ(includes[0].line, 5);
+  EXPECT_FALSE(includes[0].quoted);
+  EXPECT_EQ(includes[1].target, "core/a.hpp");
+  EXPECT_EQ(includes[1].line, 6);
+  EXPECT_TRUE(includes[1].quoted);
+  EXPECT_EQ(includes[2].line, 11);
+}
+
+TEST(IncludeLines, LeaveCodeWithoutTheWordsOfCommentsAndLiterals) {
+  const std::string code =
+      without_comments_and_literals("f(\"printf \\\" x\"); /* printf */ g(); // printf\nh();\n");
+  EXPECT_EQ(code.find("printf"), std::string::npos);
+  EXPECT_NE(code.find("g();"), std::string::npos);
+  EXPECT_NE(code.find("\nh();"), std::string::npos);
+}
+
+TEST(Architecture, TheSourcesAreFound) {
+  EXPECT_TRUE(std::any_of(sources().begin(), sources().end(),
+                          [](const SourceFile& s) { return s.path == "core/simulation/scenario.hpp"; }));
+}
+
+TEST(Architecture, QuotedIncludesStartWithAHouse) {
+  for_every_include([](const IncludeLine& include) {
+    // Generated headers stand under generated/<house>/ and so look like any other.
+    EXPECT_EQ(include.quoted, contains(kHouses, house_of(include.target))) << place(include);
+  });
+}
+
+TEST(Architecture, ArrowsPointOneWay) {
+  for_every_include([](const IncludeLine& include) {
+    if (!include.quoted) return;
+    const std::string from = house_of(include.file);
+    EXPECT_TRUE(contains(kArrows.at(from), house_of(include.target)))
+        << place(include) << ": " << from << " may not see " << house_of(include.target);
+  });
+}
+
+TEST(Architecture, CholmodStaysInIntegration) {
+  expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)",
+                             {"core/integration/"});
+}
+
+TEST(Architecture, NloptIsIncludedByOneFileOfTheOptimizer) {
+  expect_included_only_below("\\bnlopt\\b", {"optimizer/"});
+  std::vector<std::string> files;
+  for_every_include([&](const IncludeLine& include) {
+    const bool nlopt = !include.quoted && include.target.starts_with("nlopt");
+    if (nlopt && house_of(include.file) == "optimizer" && !contains(files, include.file))
+      files.push_back(include.file);
+  });
+  EXPECT_LE(files.size(), 1U) << testing::PrintToString(files);
+}
+
+TEST(Architecture, Hdf5StaysInResults) {
+  expect_included_only_below("^(hdf5|H5[A-Za-z]*public|hdf5_hl|H5Cpp)", {"studies/results/"});
+}
+
+TEST(Architecture, TomlStaysInConfig) {
+  expect_included_only_below("^toml(\\+\\+|\\.hpp|plusplus)", {"studies/config/"});
+}
+
+TEST(Architecture, TheCommandLineLibraryStaysInCli) { expect_included_only_below("^CLI/", {"studies/cli/"}); }
+
+TEST(Architecture, CoreAndOptimizerKnowNoThreadsLibrary) {
+  expect_included_only_below("^(tbb|oneapi/tbb)/", {"studies/", "benchmarks/"});
+}
+
+TEST(Architecture, CoreHasNoFilesThreadsClockOrChance) {
+  const std::vector<std::string> banned = {
+      "iostream", "fstream", "ostream", "istream",      "print",      "syncstream", "thread",
+      "mutex",    "future",  "atomic",  "shared_mutex", "stop_token", "semaphore",  "condition_variable",
+      "chrono",   "ctime",   "time.h",  "random",       "filesystem", "sys/time.h", "unistd.h"};
+  for_every_include([&](const IncludeLine& include) {
+    if (house_of(include.file) != "core" || include.quoted) return;
+    // The one clock of core: part times for benchmarks, which no result depends on.
+    if (include.file == "core/lanes/part_timer.hpp" && include.target == "chrono") return;
+    EXPECT_FALSE(contains(banned, include.target)) << place(include) << ": core has no use for it";
+  });
+}
+
+TEST(Architecture, CorePrintsNothingAndOpensNoFile) {
+  const std::regex printing(
+      R"(\b(printf|fprintf|puts|putchar|fputs|perror|fopen|fwrite)\s*\(|\bstd::(cout|cerr|clog)\b)");
+  for (const SourceFile& source : sources()) {
+    if (house_of(source.path) != "core") continue;
+    std::smatch match;
+    EXPECT_FALSE(std::regex_search(source.code, match, printing)) << source.path << ": " << match.str();
+  }
+}
+
+TEST(Architecture, HeadersAreGuardedByPragmaOnce) {
+  for (const SourceFile& source : sources()) {
+    const bool header = source.path.ends_with(".hpp");
+    EXPECT_TRUE(!header || source.code.find("#pragma once") != std::string::npos) << source.path;
+  }
+}
+
+}  // namespace
+}  // namespace unbruised

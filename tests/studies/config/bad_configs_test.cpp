@@ -1,0 +1,81 @@
+// Golden messages: what a user reads for each kind of mistake. A change here is a change users see.
+
+#include "tests/studies/config/config_testing.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::errors_of;
+using testing::gripped_block;
+using testing::small_network;
+
+struct BadConfig {
+  std::string what;
+  std::string text;
+  std::vector<std::string> sets;
+  std::vector<std::string> messages;
+};
+
+/// A correct study (nine lines) with lines after it; the first of them is line 10.
+BadConfig after_block(const std::string& what, const std::string& lines, const std::vector<std::string>& messages,
+                      const std::string& kind = "simulate") {
+  return {what, gripped_block(kind) + lines, {}, messages};
+}
+
+BadConfig with_set(const std::string& what, const std::string& set, const std::string& message) {
+  return {what, gripped_block("simulate"), {set}, {message}};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<BadConfig> bad_configs() {
+  const std::string network = small_network();
+  return {
+#include "tests/studies/config/bad_configs.inc"
+  };
+}
+
+TEST(BadConfigs, AreAnsweredWithExactlyTheseMessages) {
+  const auto all = bad_configs();
+  EXPECT_GE(all.size(), 60U);
+  for (const BadConfig& bad : all) {
+    std::vector<std::string> messages = errors_of(bad.text, bad.sets);
+    for (std::string& message : messages) {
+      const std::size_t at = message.find(testing::config_root());
+      if (at != std::string::npos) message.replace(at, testing::config_root().size(), "CONFIGS");
+    }
+    EXPECT_EQ(messages, bad.messages) << bad.what;
+  }
+}
+
+TEST(BadConfigs, AMissingFileIsNamed) {
+  const auto result = read_study("no/such/study.toml", {}, "");
+  EXPECT_EQ(std::get<ConfigError>(result).messages, std::vector<std::string>{"no/such/study.toml: no such file"});
+}
+
+TEST(BadConfigs, AFileOverFourMebibytesIsRefusedBeforeParsing) {
+  const std::string text = gripped_block("simulate") + std::string(std::size_t{4} << 20, '#');
+  EXPECT_EQ(errors_of(text), std::vector<std::string>{"study.toml:1: the file is larger than 4 MiB"});
+}
+
+TEST(BadConfigs, EveryTruncationAndEveryChangedByteIsSurvived) {
+  // A crash or an escaping exception fails the test; most of these texts are wrong, some are right.
+  const std::string text = gripped_block("sweep") + "[[vary]]\nkey = \"product.size_m[0]\"\nvalues = [0.05, 0.06]\n";
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    wrong += errors_of(text.substr(0, i)).empty() ? 0U : 1U;
+    for (const char c : {'\0', '[', ']', '"', '\'', '.', '=', '{', '#', '\n', '\xC3', '\x80', '\xFF', '-', '9'}) {
+      std::string other = text;
+      other[i] = c;
+      wrong += errors_of(other).empty() ? 0U : 1U;
+    }
+  }
+  EXPECT_GT(wrong, 10 * text.size());
+}
+
+}  // namespace
+}  // namespace unbruised::studies

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "studies/config/study.hpp"
+
+namespace unbruised::studies::testing {
+
+inline std::string config_root() { return std::string(UNBRUISED_SOURCE_DIR) + "/configs"; }
+
+/// The messages for a text; empty when it is accepted.
+inline std::vector<std::string> errors_of(const std::string& text, const std::vector<std::string>& sets = {}) {
+  const StudyOrError result = read_study_text(text, "study.toml", sets, "", config_root());
+  const auto* error = std::get_if<ConfigError>(&result);
+  return error == nullptr ? std::vector<std::string>{} : error->messages;
+}
+
+/// The study of a text that must be right.
+inline Study study_of(const std::string& text, const std::vector<std::string>& sets = {}) {
+  StudyOrError result = read_study_text(text, "study.toml", sets, "", config_root());
+  if (const auto* error = std::get_if<ConfigError>(&result)) {
+    std::string all;
+    for (const std::string& line : error->messages) all += line + "\n";
+    ADD_FAILURE() << all << "in\n" << text;
+    return std::get<Study>(read_study(config_root() + "/hold.toml", {}, config_root()));
+  }
+  return std::get<Study>(std::move(result));
+}
+
+/// A lattice product, written out, in a gripper of default parameters.
+inline std::string gripped_block(const std::string& kind) {
+  return "[study]\nname = \"test\"\nkind = \"" + kind +
+         "\"\n[product]\nshape = \"box\"\nsize_m = [0.05, 0.06, 0.07]\nmass_kg = 0.1\nyoungs_modulus_Pa = 1e6\n"
+         "[gripper]\n";
+}
+
+/// A wall and a mass on a spring.
+inline std::string small_network() {
+  return R"(
+[study]
+name = "test"
+kind = "simulate"
+[product]
+kind = "network"
+[[product.particle]]
+position_m = [0.0, 0.0, 0.0]
+fixed = ["x", "y", "z"]
+[[product.particle]]
+position_m = [1.0, 0.0, 0.0]
+mass_kg = 2.0
+[[product.spring]]
+between = [0, 1]
+stiffness_N_m = 10.0
+yield_force_N = 3.0
+[[product.load]]
+particle = 1
+time_s = [0.0, 1.0]
+force_N = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]
+[simulation]
+duration_s = 1.0
+)";
+}
+
+}  // namespace unbruised::studies::testing

@@ -1,0 +1,248 @@
+// The key table against the fields it names, and the suggestions made from it.
+
+#include "studies/config/schema.hpp"
+
+#include <cmath>
+
+#include "tests/studies/config/config_testing.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::gripped_block;
+using testing::small_network;
+using testing::study_of;
+
+/// Lines of a study that differ from `gripped_block` or `small_network`, and what must have arrived.
+struct Arrival {
+  std::string key;
+  std::string value;
+  bool (*arrived)(const Scenario&);
+  std::vector<std::string> with = {};  ///< further --set that the key needs
+};
+
+const LatticeParameters& lattice(const Scenario& s) { return std::get<LatticeParameters>(s.product); }
+const NetworkParameters& network(const Scenario& s) { return std::get<NetworkParameters>(s.product); }
+
+using S = const Scenario&;
+using A3 = std::array<double, 3>;
+using A2 = std::array<double, 2>;
+
+std::vector<Arrival> lattice_arrivals() {
+  const std::vector<std::string> plastic = {"product.yield_stress_Pa=11.5", "product.tangent_modulus_Pa=7.5"};
+  const std::vector<std::string> lossy = {"product.loss_ratio=0.25", "product.at_frequency_Hz=12.5"};
+  return {
+      {"product.shape", "\"cylinder\"", [](S s) { return lattice(s).shape == Shape::cylinder; }},
+      {"product.size_m", "[0.5, 0.25, 0.75]", [](S s) { return lattice(s).size_m == A3{0.5, 0.25, 0.75}; }},
+      {"product.axis", "\"y\"", [](S s) { return lattice(s).axis == Axis::y; }, {"product.shape=cylinder"}},
+      {"product.cell_size_m", "0.0125", [](S s) { return lattice(s).cell_size_m == 0.0125; }},
+      {"product.mass_kg", "0.375", [](S s) { return lattice(s).mass_kg == 0.375 && !lattice(s).density_kg_m3; }},
+      {"product.density_kg_m3", "875.0", [](S s) { return lattice(s).density_kg_m3 == 875.0 && !lattice(s).mass_kg; }},
+      {"product.youngs_modulus_Pa", "12345.0", [](S s) { return lattice(s).youngs_modulus_Pa == 12345.0; }},
+      {"product.poisson_ratio", "0.375", [](S s) { return lattice(s).poisson_ratio == 0.375; }},
+      {"product.yield_stress_Pa", "11.5", [](S s) { return lattice(s).yield_stress_Pa == 11.5; }, plastic},
+      {"product.tangent_modulus_Pa", "7.5", [](S s) { return lattice(s).tangent_modulus_Pa == 7.5; }, plastic},
+      {"product.relaxation_time_s", "0.125", [](S s) { return lattice(s).relaxation_time_s == 0.125; }},
+      {"product.loss_ratio", "0.25", [](S s) { return lattice(s).loss_ratio == 0.25; }, lossy},
+      {"product.at_frequency_Hz", "12.5", [](S s) { return lattice(s).at_frequency_Hz == 12.5; }, lossy},
+      {"product.friction", "0.875", [](S s) { return lattice(s).friction == 0.875; }},
+      {"product.initial_velocity_m_s", "[1.0, 2.0, 3.0]",
+       [](S s) { return lattice(s).initial_velocity_m_s == A3{1.0, 2.0, 3.0}; }},
+      {"gripper.finger_mass_kg", "0.375", [](S s) { return s.gripper->finger_mass_kg == 0.375; }},
+      {"gripper.stroke_m", "0.375", [](S s) { return s.gripper->stroke_m == 0.375; }},
+      {"gripper.pad_size_m", "[0.5, 0.25]", [](S s) { return s.gripper->pad_size_m == A2{0.5, 0.25}; }},
+      {"gripper.pad_thickness_m", "0.375", [](S s) { return s.gripper->pad_thickness_m == 0.375; }},
+      {"gripper.pad_modulus_Pa", "375.0", [](S s) { return s.gripper->pad_modulus_Pa == 375.0; }},
+      {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return s.gripper->pad_relaxation_time_s == 0.375; }},
+      {"gripper.drive_gain_N_s_m", "375.0", [](S s) { return s.gripper->drive_gain_N_s_m == 375.0; }},
+      {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return s.gripper->drive_viscous_N_s_m == 0.375; }},
+      {"gripper.max_force_N", "375.0", [](S s) { return s.gripper->max_force_N == 375.0; }},
+      {"gripper.max_speed_m_s", "3.75", [](S s) { return s.gripper->max_speed_m_s == 3.75; }},
+      {"gripper.coupling", "\"independent\"", [](S s) { return s.gripper->coupling == FingerCoupling::independent; }},
+      {"cell.gravity_m_s2", "[1.0, 2.0, 3.0]", [](S s) { return s.cell.gravity_m_s2 == A3{1.0, 2.0, 3.0}; }},
+      {"cell.support", "false", [](S s) { return !s.cell.support; }},
+      {"cell.support_friction", "0.375", [](S s) { return s.cell.support_friction == 0.375; }},
+      {"cell.support_modulus_Pa", "375.0", [](S s) { return s.cell.support_modulus_Pa == 375.0; }},
+      {"cell.support_thickness_m", "0.375", [](S s) { return s.cell.support_thickness_m == 0.375; }},
+      {"cell.support_relaxation_time_s", "0.375", [](S s) { return s.cell.support_relaxation_time_s == 0.375; }},
+      {"cell.approach_gap_m", "0.0375", [](S s) { return s.cell.approach_gap_m == 0.0375; }},
+      {"cell.grip_height_m", "-0.0375", [](S s) { return s.cell.grip_height_m == -0.0375; }},
+      {"cell.lift_height_m", "0.375", [](S s) { return s.cell.lift_height_m == 0.375; }},
+      {"cell.transfer_m", "[0.5, 0.25]", [](S s) { return s.cell.transfer_m == A2{0.5, 0.25}; }},
+      {"cell.place_height_m", "-0.375", [](S s) { return s.cell.place_height_m == -0.375; }},
+      {"strategy.approach_speed_m_s", "0.375", [](S s) { return s.strategy.approach_speed_m_s == 0.375; }},
+      {"strategy.grip_force_N", "3.75", [](S s) { return s.strategy.grip_force_N == 3.75; }},
+      {"strategy.contact_force_N", "0.875", [](S s) { return s.strategy.contact_force_N == 0.875; }},
+      {"strategy.grip_ramp_s", "0.875", [](S s) { return s.strategy.grip_ramp_s == 0.875; }},
+      {"strategy.ramp_from_start", "true", [](S s) { return s.strategy.ramp_from_start; }},
+      {"strategy.settle_s", "0.875", [](S s) { return s.strategy.settle_s == 0.875; }},
+      {"strategy.profile", "\"trapezoid\"", [](S s) { return s.strategy.profile == ProfileKind::trapezoid; }},
+      {"strategy.lift_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lift_acceleration_m_s2 == 8.75; }},
+      {"strategy.transfer_acceleration_m_s2", "8.75",
+       [](S s) { return s.strategy.transfer_acceleration_m_s2 == 8.75; }},
+      {"strategy.lower_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lower_acceleration_m_s2 == 8.75; }},
+      {"strategy.speed_m_s", "8.75", [](S s) { return s.strategy.speed_m_s == 8.75; }},
+      {"strategy.hold_s", "8.75", [](S s) { return s.strategy.hold_s == 8.75; }},
+      {"strategy.release_height_m", "0.875", [](S s) { return s.strategy.release_height_m == 0.875; }},
+      {"strategy.place_settle_s", "0.875", [](S s) { return s.strategy.place_settle_s == 0.875; }},
+      {"strategy.release_speed_m_s", "0.375", [](S s) { return s.strategy.release_speed_m_s == 0.375; }},
+      {"strategy.recover_s", "0.875", [](S s) { return s.strategy.recover_s == 0.875; }},
+      {"limits.permanent_set_m", "0.875", [](S s) { return s.limits.permanent_set_m == 0.875; }},
+      {"limits.plastic_strain", "0.875", [](S s) { return s.limits.plastic_strain == 0.875; }},
+      {"limits.bruised_volume_m3", "0.875", [](S s) { return s.limits.bruised_volume_m3 == 0.875; }},
+      {"limits.peak_pressure_Pa", "0.875", [](S s) { return s.limits.peak_pressure_Pa == 0.875; }},
+      {"limits.absorbed_energy_J", "0.875", [](S s) { return s.limits.absorbed_energy_J == 0.875; }},
+      {"limits.finger_force_N", "0.875", [](S s) { return s.limits.finger_force_N == 0.875; }},
+      {"limits.contact_yield_ratio", "0.875", [](S s) { return s.limits.contact_yield_ratio == 0.875; }},
+      {"limits.slip_m", "0.875", [](S s) { return s.limits.slip_m == 0.875; }},
+      {"simulation.time_step_s", "0.125", [](S s) { return s.simulation.time_step_s == 0.125; }},
+      {"simulation.theta", "1.5", [](S s) { return s.simulation.theta == 1.5; }},
+      {"simulation.trace_interval_s", "0.875", [](S s) { return s.simulation.trace_interval_s == 0.875; }},
+      {"simulation.pressure_patch_m", "0.875", [](S s) { return s.simulation.pressure_patch_m == 0.875; }},
+      {"simulation.max_strain", "0.875", [](S s) { return s.simulation.max_strain == 0.875; }},
+      {"simulation.max_rotation_rad", "0.875", [](S s) { return s.simulation.max_rotation_rad == 0.875; }},
+  };
+}
+
+std::vector<Arrival> network_arrivals() {
+  return {
+      {"product.particle[1].position_m", "[1.0, 2.0, 3.0]",
+       [](S s) { return network(s).particle[1].position_m == A3{1.0, 2.0, 3.0}; }},
+      {"product.particle[1].mass_kg", "0.375", [](S s) { return network(s).particle[1].mass_kg == 0.375; }},
+      {"product.particle[1].fixed", "[\"z\", \"x\"]",
+       [](S s) { return network(s).particle[1].fixed == std::array<bool, 3>{true, false, true}; }},
+      {"product.particle[1].initial_displacement_m", "[1.0, 2.0, 3.0]",
+       [](S s) { return network(s).particle[1].initial_displacement_m == A3{1.0, 2.0, 3.0}; }},
+      {"product.particle[1].initial_velocity_m_s", "[1.0, 2.0, 3.0]",
+       [](S s) { return network(s).particle[1].initial_velocity_m_s == A3{1.0, 2.0, 3.0}; }},
+      {"product.particle[1].contact_stiffness_N_m", "375.0",
+       [](S s) { return network(s).particle[1].contact_stiffness_N_m == 375.0; }, {"cell.support=true"}},
+      {"product.spring[0].between", "[1, 0]",
+       [](S s) { return network(s).spring[0].between == std::array<int, 2>{1, 0}; }},
+      {"product.spring[0].stiffness_N_m", "375.0", [](S s) { return network(s).spring[0].stiffness_N_m == 375.0; }},
+      {"product.spring[0].damping_N_s_m", "3.75", [](S s) { return network(s).spring[0].damping_N_s_m == 3.75; }},
+      {"product.spring[0].rest_length_m", "3.75", [](S s) { return network(s).spring[0].rest_length_m == 3.75; }},
+      {"product.spring[0].yield_force_N", "3.75", [](S s) { return network(s).spring[0].yield_force_N == 3.75; }},
+      {"product.spring[0].hardening_ratio", "3.75", [](S s) { return network(s).spring[0].hardening_ratio == 3.75; }},
+      {"product.load[0].particle", "0", [](S s) { return network(s).load[0].particle == 0; }},
+      {"product.load[0].time_s", "[0.5, 3.0]",
+       [](S s) { return network(s).load[0].time_s == std::vector<double>{0.5, 3.0}; }},
+      {"product.load[0].force_N", "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]",
+       [](S s) {
+         return network(s).load[0].force_N == std::vector<A3>{A3{1.0, 2.0, 3.0}, A3{4.0, 5.0, 6.0}};
+       }},
+      {"product.friction", "0.875", [](S s) { return network(s).friction == 0.875; }},
+      {"simulation.duration_s", "3.75", [](S s) { return s.simulation.duration_s == 3.75; }},
+      {"simulation.initial_acceleration", "\"zero\"",
+       [](S s) { return s.simulation.initial_acceleration == InitialAcceleration::zero; }},
+  };
+}
+
+/// The key read directly, and once more from the resolved text.
+void expect_arrivals(const std::vector<Arrival>& arrivals, const std::string& text) {
+  const Scenario before = study_of(text).scenario(0);
+  for (const Arrival& arrival : arrivals) {
+    EXPECT_FALSE(arrival.arrived(before)) << arrival.key << ": the test needs a value that is not there already";
+    std::vector<std::string> sets = arrival.with;
+    sets.push_back(arrival.key + "=" + arrival.value);
+    const Study study = study_of(text, sets);
+    EXPECT_TRUE(arrival.arrived(study.scenario(0))) << arrival.key;
+    const Study again = study_of(study.resolved_toml());
+    EXPECT_TRUE(arrival.arrived(again.scenario(0))) << arrival.key << " from\n" << study.resolved_toml();
+    EXPECT_EQ(again.resolved_toml(), study.resolved_toml());
+  }
+}
+
+TEST(Schema, EveryLatticeKeyReachesTheFieldItNames) {
+  expect_arrivals(lattice_arrivals(), gripped_block("simulate"));
+}
+
+TEST(Schema, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
+
+TEST(Schema, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
+  std::vector<std::string> covered;
+  for (const auto& list : {lattice_arrivals(), network_arrivals()}) {
+    for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
+  }
+  for (const KeySpec& spec : key_table()) {
+    if (spec.field == nullptr) continue;
+    EXPECT_NE(std::find(covered.begin(), covered.end(), spec.path), covered.end()) << spec.path;
+  }
+}
+
+TEST(Schema, StudyKeysReachTheirFields) {
+  const Study study = study_of(R"(
+[study]
+name = "a-b_C3"
+kind = "window"
+seed = 7
+description = "Grüße \"quoted\" \\ tab\t"
+[window]
+from_N = 0.75
+to_N = 1.5
+tolerance = 0.25
+[product]
+use = "products/kiwi_ripe.toml"
+[gripper]
+)");
+  for (const Study& s : {study, study_of(study.resolved_toml())}) {
+    EXPECT_EQ(s.name(), "a-b_C3");
+    EXPECT_EQ(s.kind(), StudyKind::window);
+    EXPECT_EQ(s.seed(), 7U);
+    EXPECT_EQ(s.description(), "Grüße \"quoted\" \\ tab\t");
+    EXPECT_EQ(s.window().from_N, 0.75);
+    EXPECT_EQ(s.window().to_N, 1.5);
+    EXPECT_EQ(s.window().tolerance, 0.25);
+    EXPECT_EQ(s.scenario(0).strategy.grip_force_N, 0.75) << "a window study starts at its lower end";
+  }
+}
+
+TEST(Schema, EveryDimensionalKeyEndsInItsUnit) {
+  EXPECT_EQ(unit_of("strategy.lift_acceleration_m_s2")->udunits, "m s-2");
+  EXPECT_EQ(unit_of("product.spring[].damping_N_s_m")->udunits, "N s m-1");
+  EXPECT_EQ(unit_of("product.size_m[0]")->udunits, "m");
+  EXPECT_EQ(unit_of("limits.bruised_volume_m3")->udunits, "m3");
+  EXPECT_EQ(unit_of("gripper.max_speed_m_s")->udunits, "m s-1");
+  EXPECT_EQ(unit_of("simulation.theta"), nullptr);
+}
+
+TEST(Schema, OneDeletedOrSwappedLetterIsRecognised) {
+  std::size_t typos = 0;
+  std::size_t right = 0;
+  const auto ask = [&](const std::string& typo, std::string_view key) {
+    if (typo == key || find_key(typo).spec != nullptr) return;
+    ++typos;
+    if (nearest(typo, key_patterns()) == key) {
+      ++right;
+    } else {
+      std::cout << typo << " -> " << nearest(typo, key_patterns()) << "\n";
+    }
+  };
+  for (const KeySpec& spec : key_table()) {
+    const std::string key(spec.path);
+    for (std::size_t i = 0; i < key.size(); ++i) {
+      if (key[i] == '[' || key[i] == ']') continue;
+      std::string typo = key;
+      ask(typo.erase(i, 1), key);
+      typo = key;
+      if (i + 1 < key.size() && key[i + 1] != '[' && key[i + 1] != ']') std::swap(typo[i], typo[i + 1]);
+      ask(typo, key);
+    }
+  }
+  EXPECT_GT(typos, 3000U);
+  EXPECT_GE(static_cast<double>(right), 0.95 * static_cast<double>(typos)) << right << " of " << typos;
+}
+
+TEST(Schema, ExplainAnswersForKeysIndicesAndTables) {
+  EXPECT_NE(explain_key("strategy.grip_force_N")->find("in N"), std::string::npos);
+  EXPECT_EQ(explain_key("product.size_m[0]"), explain_key("product.size_m"));
+  EXPECT_EQ(explain_key("product.particle[3].mass_kg"), explain_key("product.particle[].mass_kg"));
+  EXPECT_NE(explain_key("strategy")->find("strategy.recover_s"), std::string::npos);
+  EXPECT_EQ(explain_key("strategy.grip"), std::nullopt);
+  EXPECT_EQ(nearest_key("strategy.grip_forc_N"), "strategy.grip_force_N");
+  EXPECT_EQ(nearest_key("stratgy"), "strategy");
+  EXPECT_EQ(nearest_key("zzzzzzzzzzzzzzzz"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace unbruised::studies

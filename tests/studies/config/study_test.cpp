@@ -1,0 +1,336 @@
+#include "studies/config/study.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/studies/config/config_testing.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::config_root;
+using testing::errors_of;
+using testing::gripped_block;
+using testing::study_of;
+
+TEST(Vary, IsACartesianProductWithTheFirstBlockSlowest) {
+  const Study study = study_of(gripped_block("sweep") + R"(
+[[vary]]
+key = "strategy.hold_s"
+values = [0.0, 1.0]
+[[vary]]
+key = "product.size_m[1]"
+from = 0.05
+to = 0.07
+count = 3
+)");
+  ASSERT_EQ(study.scenario_count(), 6U);
+  ASSERT_EQ(study.inputs().size(), 2U);
+  EXPECT_EQ(study.inputs()[1].key, "product.size_m[1]");
+  EXPECT_EQ(study.inputs()[1].units, "m");
+  const double hold[] = {0, 0, 0, 1, 1, 1};
+  // 0.05 + 0.5 x (0.07 - 0.05) is 0.06 to one rounding.
+  const double width[] = {0.05, 0.06, 0.07, 0.05, 0.06, 0.07};
+  for (std::size_t id = 0; id < 6; ++id) {
+    EXPECT_EQ(study.input_number(id, 0), hold[id]);
+    EXPECT_DOUBLE_EQ(study.input_number(id, 1), width[id]);
+    const Scenario scenario = study.scenario(id);
+    EXPECT_EQ(scenario.strategy.hold_s, study.input_number(id, 0));
+    EXPECT_EQ(std::get<LatticeParameters>(scenario.product).size_m[1], study.input_number(id, 1));
+    EXPECT_EQ(std::get<LatticeParameters>(scenario.product).size_m[0], 0.05);
+  }
+}
+
+TEST(Vary, ZippedBlocksMoveTogetherAtThePlaceOfTheFirst) {
+  const Study study = study_of(gripped_block("sweep") + R"(
+[[vary]]
+key = "strategy.hold_s"
+values = [1.0, 2.0]
+zip = "a"
+[[vary]]
+key = "strategy.speed_m_s"
+values = [0.1, 0.2, 0.3]
+[[vary]]
+key = "strategy.settle_s"
+values = [10.0, 20.0]
+zip = "a"
+)");
+  ASSERT_EQ(study.scenario_count(), 6U);
+  for (std::size_t id = 0; id < 6; ++id) {
+    EXPECT_EQ(study.input_number(id, 0), id < 3 ? 1.0 : 2.0);
+    EXPECT_EQ(study.input_number(id, 2), 10.0 * study.input_number(id, 0));
+    EXPECT_EQ(study.input_index(id, 1), id % 3);
+  }
+}
+
+TEST(Vary, LogScaleHasEqualRatiosAndExactEnds) {
+  const Study study = study_of(gripped_block("sweep") +
+                               "[[vary]]\nkey = \"strategy.grip_force_N\"\nfrom = 0.6\nto = 6.0\ncount = 16\n"
+                               "scale = \"log\"\n");
+  const std::vector<double>& force = study.inputs()[0].numbers;
+  ASSERT_EQ(force.size(), 16U);
+  EXPECT_EQ(force.front(), 0.6);
+  EXPECT_EQ(force.back(), 6.0);
+  // pow is right to an ulp or two, and a ratio of two such values to four times that.
+  for (std::size_t i = 1; i < 16; ++i) EXPECT_NEAR(force[i] / force[i - 1], std::pow(10.0, 1.0 / 15.0), 2e-15);
+}
+
+TEST(Vary, TakesWordsBooleansAndProductFiles) {
+  const Study study = study_of(R"(
+[study]
+name = "t"
+kind = "sweep"
+[gripper]
+[product]
+friction = 0.9
+[[vary]]
+key = "product.use"
+values = ["products/kiwi_ripe.toml", "products/pear_korla.toml"]
+[[vary]]
+key = "strategy.profile"
+values = ["minimum_jerk", "trapezoid"]
+[[vary]]
+key = "strategy.ramp_from_start"
+values = [false, true]
+)");
+  ASSERT_EQ(study.scenario_count(), 8U);
+  EXPECT_TRUE(study.inputs()[0].is_text);
+  EXPECT_EQ(study.input_text(5, 0), "products/pear_korla.toml");
+  EXPECT_EQ(study.input_text(5, 2), "true");
+  EXPECT_TRUE(std::isnan(study.input_number(5, 0)));
+  for (const Study& s : {study, study_of(study.resolved_toml())}) {
+    const Scenario kiwi = s.scenario(3);
+    const Scenario pear = s.scenario(4);
+    EXPECT_EQ(std::get<LatticeParameters>(kiwi.product).yield_stress_Pa, 0.024e6);
+    EXPECT_EQ(std::get<LatticeParameters>(pear.product).yield_stress_Pa, std::nullopt);
+    EXPECT_EQ(std::get<LatticeParameters>(pear.product).friction, 0.9) << "the study overrides every file";
+    EXPECT_EQ(kiwi.limits.plastic_strain, 0.01);
+    EXPECT_EQ(pear.limits.plastic_strain, std::nullopt);
+    EXPECT_EQ(pear.limits.finger_force_N, 35.0);
+    EXPECT_EQ(kiwi.strategy.profile, ProfileKind::trapezoid);
+    EXPECT_TRUE(kiwi.strategy.ramp_from_start);
+    EXPECT_EQ(pear.strategy.profile, ProfileKind::minimum_jerk);
+  }
+}
+
+TEST(Vary, AHundredThousandScenariosAreReadInFarLessThanHalfASecond) {
+  const auto start = std::chrono::steady_clock::now();
+  const Study study = study_of(gripped_block("sweep") + R"(
+[[vary]]
+key = "strategy.grip_force_N"
+from = 1.0
+to = 2.0
+count = 1000
+[[vary]]
+key = "strategy.contact_force_N"
+from = 0.0
+to = 1.0
+count = 100
+)");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_EQ(study.scenario_count(), 100'000U);
+  EXPECT_LT(seconds, 0.5);
+  RecordProperty("seconds", std::to_string(seconds));
+}
+
+TEST(Set, OverridesTheStudyAndTheFilesItUses) {
+  const std::string text = "[study]\nname = \"t\"\nkind = \"simulate\"\n[gripper]\n[product]\nfriction = 0.9\n";
+  const Study study = study_of(text, {"product.use=products/kiwi_ripe.toml", "product.size_m[1]=0.08", "study.seed=5",
+                                      "product.mass_kg = 0.11", "limits.plastic_strain=none", "study.name=123",
+                                      "gripper.use=\"grippers/parallel_jaw_firm.toml\"", "gripper.stroke_m=0.03"});
+  const Scenario scenario = study.scenario(0);
+  const auto& kiwi = std::get<LatticeParameters>(scenario.product);
+  EXPECT_EQ(kiwi.size_m, (std::array<double, 3>{0.050, 0.08, 0.050}));
+  EXPECT_EQ(kiwi.mass_kg, 0.11);
+  EXPECT_EQ(kiwi.friction, 0.9);
+  EXPECT_EQ(scenario.limits.plastic_strain, std::nullopt);
+  EXPECT_EQ(scenario.limits.permanent_set_m, 1e-4);
+  EXPECT_EQ(scenario.gripper->pad_modulus_Pa, 2.5e6);
+  EXPECT_EQ(scenario.gripper->stroke_m, 0.03);
+  EXPECT_EQ(study.seed(), 5U);
+  EXPECT_EQ(study.name(), "123");
+}
+
+TEST(Set, ChangesABlockOfTheSweep) {
+  const std::string text = gripped_block("sweep") + "[[vary]]\nkey = \"strategy.hold_s\"\nvalues = [0.0, 1.0]\n";
+  const Study study = study_of(text, {"vary[0].values=[0.0, 1.0, 2.0]", "strategy.settle_s=0.5"});
+  EXPECT_EQ(study.scenario_count(), 3U);
+  EXPECT_EQ(study.scenario(2).strategy.settle_s, 0.5);
+}
+
+TEST(Use, AKeyOfTheStudyDisplacesItsAlternativeInTheFile) {
+  const Study study = study_of(
+      "[study]\nname = \"t\"\nkind = \"simulate\"\n[gripper]\n[product]\nuse = \"products/kiwi_ripe.toml\"\n"
+      "density_kg_m3 = 1022.0\nrelaxation_time_s = 0.001\n");
+  const auto product = std::get<LatticeParameters>(study.scenario(0).product);
+  EXPECT_EQ(product.mass_kg, std::nullopt);
+  EXPECT_EQ(product.density_kg_m3, 1022.0);
+  EXPECT_EQ(product.relaxation_time_s, 0.001);
+  EXPECT_EQ(product.loss_ratio, std::nullopt);
+  EXPECT_EQ(product.at_frequency_Hz, std::nullopt);
+}
+
+TEST(Use, LooksBesideTheStudyFirstAndRefusesAFileThatUsesAnother) {
+  const auto folder = std::filesystem::temp_directory_path() / "unbruised_use_test";
+  std::filesystem::create_directories(folder / "products");
+  std::ofstream(folder / "products" / "kiwi_ripe.toml")
+      << "shape = \"sphere\"\nsize_m = [0.03, 0.03, 0.03]\nmass_kg = 0.01\nyoungs_modulus_Pa = 1e5\n";
+  std::ofstream(folder / "looping.toml") << "use = \"looping.toml\"\n";
+  std::ofstream(folder / "study.toml")
+      << "[study]\nname = \"t\"\nkind = \"simulate\"\n[gripper]\n[product]\nuse = \"products/kiwi_ripe.toml\"\n";
+  const auto own = read_study(folder / "study.toml", {}, config_root());
+  ASSERT_TRUE(std::holds_alternative<Study>(own));
+  EXPECT_EQ(std::get<LatticeParameters>(std::get<Study>(own).scenario(0).product).mass_kg, 0.01);
+  const auto loop = read_study(folder / "study.toml", {"product.use=looping.toml"}, config_root());
+  ASSERT_TRUE(std::holds_alternative<ConfigError>(loop));
+  EXPECT_NE(std::get<ConfigError>(loop).messages[0].find("a file that is used may not use another one"),
+            std::string::npos)
+      << std::get<ConfigError>(loop).messages[0];
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Networks, AreReadFromCsvLikeFromTables) {
+  const Study study = study_of(R"(
+[study]
+name = "t"
+kind = "simulate"
+[product]
+kind = "network"
+particles_csv = "networks/elastic_bar_particles.csv"
+springs_csv = "networks/elastic_bar_springs.csv"
+[cell]
+support = true
+[simulation]
+duration_s = 1.0
+)",
+                               {"product.particle[2].mass_kg=0.5"});
+  const auto network = std::get<NetworkParameters>(study.scenario(0).product);
+  ASSERT_EQ(network.particle.size(), 20U);
+  ASSERT_EQ(network.spring.size(), 19U);
+  EXPECT_EQ(network.particle[0].contact_stiffness_N_m, 2000.0);
+  EXPECT_EQ(network.particle[2].mass_kg, 0.5);
+  EXPECT_EQ(network.particle[3].mass_kg, 0.004);
+  EXPECT_EQ(network.particle[3].fixed, (std::array<bool, 3>{true, true, false}));
+  EXPECT_EQ(network.particle[3].initial_velocity_m_s, (std::array<double, 3>{0.0, 0.0, -0.1}));
+  EXPECT_EQ(network.particle[3].position_m, (std::array<double, 3>{0.0, 0.0, 0.031}));
+  EXPECT_EQ(network.spring[7].between, (std::array<int, 2>{7, 8}));
+}
+
+TEST(Networks, HaveNoSupportUnlessAskedFor) {
+  EXPECT_FALSE(study_of(testing::small_network()).scenario(0).cell.support);
+  EXPECT_TRUE(study_of(testing::small_network(), {"cell.support=true"}).scenario(0).cell.support);
+  EXPECT_TRUE(study_of(gripped_block("simulate")).scenario(0).cell.support);
+}
+
+TEST(Networks, VaryAMassByItsIndex) {
+  const std::string text = testing::small_network();
+  const Study study = study_of(text + "[[vary]]\nkey = \"product.particle[1].mass_kg\"\nvalues = [1.0, 4.0]\n",
+                               {"study.kind=sweep"});
+  EXPECT_EQ(std::get<NetworkParameters>(study.scenario(1).product).particle[1].mass_kg, 4.0);
+}
+
+TEST(Resolved, IsCompleteDeterministicAndReadsBack) {
+  for (const auto& entry : list_library(config_root())) {
+    if (entry.kind != LibraryEntry::Kind::study) continue;
+    const auto read = read_study(config_root() + "/" + entry.path, {}, config_root());
+    ASSERT_TRUE(std::holds_alternative<Study>(read)) << entry.path;
+    const Study& first = std::get<Study>(read);
+    const auto again = read_study_text(first.resolved_toml(), entry.path, {}, "", "");
+    ASSERT_TRUE(std::holds_alternative<Study>(again)) << std::get<ConfigError>(again).messages[0];
+    const Study& second = std::get<Study>(again);
+    EXPECT_EQ(first.resolved_toml(), second.resolved_toml());
+    EXPECT_EQ(first.scenario_count(), second.scenario_count());
+    for (std::size_t c = 0; c < first.inputs().size(); ++c) {
+      EXPECT_EQ(first.inputs()[c].numbers, second.inputs()[c].numbers);
+      EXPECT_EQ(first.inputs()[c].texts, second.inputs()[c].texts);
+    }
+    EXPECT_TRUE(differing_keys(first.resolved_toml(), second.resolved_toml()).empty());
+  }
+}
+
+TEST(Resolved, NamesTheKeysInWhichTwoConfigsDiffer) {
+  const std::string a = study_of(gripped_block("simulate")).resolved_toml();
+  const std::string b =
+      study_of(gripped_block("simulate"), {"strategy.hold_s=1", "limits.plastic_strain=0.1"}).resolved_toml();
+  EXPECT_EQ(differing_keys(a, b), (std::vector<std::string>{"limits.plastic_strain", "strategy.hold_s"}));
+}
+
+TEST(Configs, EveryFileThatShipsIsRead) {
+  std::size_t products = 0, grippers = 0, studies = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(config_root())) {
+    if (file.path().extension() != ".toml") continue;
+    const std::string path = file.path().lexically_relative(config_root()).generic_string();
+    const std::string head = "[study]\nname = \"t\"\nkind = \"simulate\"\n";
+    if (path.starts_with("products/")) {
+      ++products;
+      EXPECT_EQ(errors_of(head + "[gripper]\n[product]\nuse = \"" + path + "\"\n"), std::vector<std::string>{});
+    } else if (path.starts_with("grippers/")) {
+      ++grippers;
+      EXPECT_EQ(errors_of(head + "[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\nuse = \"" + path + "\"\n"),
+                std::vector<std::string>{});
+    } else {
+      ++studies;
+      const auto read = read_study(file.path(), {}, config_root());
+      if (const auto* error = std::get_if<ConfigError>(&read)) ADD_FAILURE() << error->messages[0];
+      if (const auto* study = std::get_if<Study>(&read)) {
+        EXPECT_EQ(study->warnings(), std::vector<std::string>{}) << path;
+        EXPECT_FALSE(study->description().empty()) << path;
+      }
+    }
+  }
+  EXPECT_GE(products, 6U);
+  EXPECT_GE(grippers, 1U);
+  EXPECT_GE(studies, 7U);
+  EXPECT_EQ(list_library(config_root()).size(), products + grippers + studies);
+}
+
+TEST(Configs, TheKiwiSweepHasItsFiveHundredAndTwelveScenarios) {
+  const auto read = read_study(config_root() + "/kiwi_sweep.toml", {}, config_root());
+  EXPECT_EQ(std::get<Study>(read).scenario_count(), 512U);
+}
+
+TEST(Configs, BathesMatricesAreThoseOfTheExample) {
+  const auto read = read_study(config_root() + "/networks/bathe_2dof.toml", {}, config_root());
+  const auto network = std::get<NetworkParameters>(std::get<Study>(read).scenario(0).product);
+  double k[2][2] = {{0, 0}, {0, 0}};
+  for (const NetworkSpring& spring : network.spring) {
+    const int a = spring.between[0] - 1, b = spring.between[1] - 1;
+    for (const int i : {a, b}) {
+      for (const int j : {a, b}) {
+        if (i < 0 || i > 1 || j < 0 || j > 1) continue;
+        k[i][j] += i == j ? spring.stiffness_N_m : -spring.stiffness_N_m;
+      }
+    }
+  }
+  EXPECT_EQ(k[0][0], 6.0);
+  EXPECT_EQ(k[0][1], -2.0);
+  EXPECT_EQ(k[1][0], -2.0);
+  EXPECT_EQ(k[1][1], 4.0);
+  EXPECT_EQ(network.particle[1].mass_kg, 2.0);
+  EXPECT_EQ(network.particle[2].mass_kg, 1.0);
+}
+
+TEST(Docs, TheConfigReferenceIsTheOneOfTheProgram) {
+  const std::string path = std::string(UNBRUISED_SOURCE_DIR) + "/docs/config.md";
+  const std::string begin = "<!-- reference: begin -->\n";
+  const std::string end = "<!-- reference: end -->\n";
+  std::stringstream content;
+  content << std::ifstream(path).rdbuf();
+  std::string text = content.str();
+  const std::size_t first = text.find(begin) + begin.size();
+  const std::size_t last = text.find(end);
+  ASSERT_NE(last, std::string::npos);
+  if (std::getenv("UNBRUISED_UPDATE_DOCS") != nullptr) {
+    text.replace(first, last - first, reference_markdown());
+    std::ofstream(path) << text;
+    return;
+  }
+  EXPECT_EQ(text.substr(first, last - first), reference_markdown())
+      << "run this test once with UNBRUISED_UPDATE_DOCS=1 to write the reference anew";
+}
+
+}  // namespace
+}  // namespace unbruised::studies

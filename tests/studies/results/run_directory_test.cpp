@@ -1,0 +1,302 @@
+#include "studies/results/run_directory.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sample_rows.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/results_file.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kConfig =
+    "[study]\nname = \"window\"\nkind = \"sweep\"\n[strategy]\napproach_speed_m_s = 0.05\ngrip_force_N = 1.0\n";
+const std::string kOtherConfig =
+    "[study]\nname = \"window\"\nkind = \"sweep\"\n[strategy]\napproach_speed_m_s = 0.07\ngrip_force_N = 1.0\n";
+constexpr std::uint64_t kScenarios = 40;
+
+RunDirectory::Request request_in(const TemporaryDirectory& parent) {
+  return {parent.path() / "window", kConfig, "0.1.0 GNU 12.2.0 avx512f", false};
+}
+
+ResultsContent meta_only() {
+  ResultsContent content;
+  content.meta.unbruised_version = "0.1.0";
+  content.meta.study_name = "window";
+  content.meta.study_kind = "sweep";
+  content.inputs = {{"strategy.grip_force_N", "N", ""}, {"product.use", "", ""}};
+  return content;
+}
+
+void append_missing(RunDirectory& run, std::uint64_t limit) {
+  for (std::uint64_t id = 0; id < limit; ++id) {
+    if (run.is_done(id)) continue;
+    ASSERT_EQ(message_of(run.append(sample_row(id))), "");
+  }
+}
+
+std::string finish_and_digest(RunDirectory& run) {
+  const auto error = run.finish(meta_only());
+  EXPECT_FALSE(error) << error->message;
+  return read_results_summary(run.results_path())->digest();
+}
+
+std::string uninterrupted_digest() {
+  const TemporaryDirectory parent;
+  auto run = RunDirectory::open(request_in(parent));
+  append_missing(**run, kScenarios);
+  return finish_and_digest(**run);
+}
+
+bool any_note_has(const std::vector<std::string>& notes, const std::string& words) {
+  return std::any_of(notes.begin(), notes.end(),
+                     [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+// Runs `body` in a child process that ends by SIGKILL, as a killed program would.
+template <class Body>
+void in_killed_process(Body body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    body();
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST(RunDirectory, BeginsWithItsConfigAndEndsWithResults) {
+  const TemporaryDirectory parent;
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_FALSE((*run)->continued());
+  append_missing(**run, kScenarios);
+  finish_and_digest(**run);
+  const auto summary = read_results_summary((*run)->results_path());
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->rows.size(), kScenarios);
+  EXPECT_EQ(summary->meta.config_toml, kConfig);
+  EXPECT_EQ(*read_text_file((*run)->directory() / "config.toml"), kConfig);
+}
+
+TEST(RunDirectory, ContinuesAKilledRunAndEndsWithTheSameDigest) {
+  const std::string expected = uninterrupted_digest();
+  for (const std::uint64_t done : {1, 17, 33, 40}) {
+    const TemporaryDirectory parent;
+    in_killed_process([&] {
+      auto killed = RunDirectory::open(request_in(parent));
+      append_missing(**killed, done);
+    });
+    auto run = RunDirectory::open(request_in(parent));
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_TRUE((*run)->continued());
+    EXPECT_EQ((*run)->done_ids().size(), done);
+    append_missing(**run, kScenarios);
+    EXPECT_EQ(finish_and_digest(**run), expected) << done;
+    EXPECT_TRUE(verify_run_directory((*run)->directory())->damage.empty());
+  }
+}
+
+TEST(RunDirectory, ContinuesBehindATornRecordAndSaysSo) {
+  const TemporaryDirectory parent;
+  in_killed_process([&] {
+    auto killed = RunDirectory::open(request_in(parent));
+    append_missing(**killed, 5);
+  });
+  const fs::path journal = fs::directory_iterator(parent.path() / "window" / "journal")->path();
+  fs::resize_file(journal, fs::file_size(journal) - 9);
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(run);
+  EXPECT_EQ((*run)->done_ids(), (std::vector<std::uint64_t>{0, 1, 2, 3}));
+  EXPECT_TRUE(any_note_has((*run)->notes(), "unfinished record"));
+  append_missing(**run, kScenarios);
+  EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
+}
+
+TEST(RunDirectory, ContinuesAnInterruptedStudyWhoseResultsWereWrittenIncomplete) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    append_missing(**run, 10);
+    ResultsContent content = meta_only();
+    content.meta.complete = false;
+    for (std::uint64_t id = 0; id < kScenarios; ++id) {
+      ScenarioRow row = sample_row(id);
+      row.result = ScenarioResult{};
+      content.rows.push_back(std::move(row));
+    }
+    ASSERT_EQ(message_of((*run)->finish(content)), "");
+    const auto partial = read_results_summary((*run)->results_path());
+    EXPECT_EQ(partial->rows.size(), kScenarios);
+    EXPECT_EQ(partial->count(Outcome::not_run), kScenarios - 10);
+  }
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_EQ((*run)->done_ids().size(), 10U);
+  append_missing(**run, kScenarios);
+  EXPECT_TRUE(verify_run_directory((*run)->directory())->damage.empty());  // results.h5 is only older
+  EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
+}
+
+TEST(RunDirectory, RefusesASecondProcessAndNamesTheHolder) {
+  const TemporaryDirectory parent;
+  auto holder = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(holder);
+  const auto second = RunDirectory::open(request_in(parent));
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().kind, ResultsErrorKind::busy);
+  EXPECT_EQ(exit_status(second.error().kind), 4);
+  EXPECT_NE(second.error().message.find("pid = " + std::to_string(::getpid())), std::string::npos)
+      << second.error().message;
+  auto fresh = request_in(parent);
+  fresh.fresh = true;  // does not pull the directory away from under a running process either
+  EXPECT_EQ(RunDirectory::open(fresh).error().kind, ResultsErrorKind::busy);
+}
+
+TEST(RunDirectory, IsFreeAfterItsHolderWasKilled) {
+  const TemporaryDirectory parent;
+  in_killed_process([&] {
+    auto killed = RunDirectory::open(request_in(parent));
+    append_missing(**killed, 1);
+  });
+  EXPECT_TRUE(RunDirectory::open(request_in(parent)));
+}
+
+TEST(RunDirectory, RefusesAFinishedStudy) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    append_missing(**run, kScenarios);
+    finish_and_digest(**run);
+  }
+  const auto again = RunDirectory::open(request_in(parent));
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().kind, ResultsErrorKind::finished);
+}
+
+TEST(RunDirectory, RefusesAnotherConfigNamingTheKeysThatDiffer) {
+  const TemporaryDirectory parent;
+  { ASSERT_TRUE(RunDirectory::open(request_in(parent))); }
+  auto other = request_in(parent);
+  other.config_toml = kOtherConfig;
+  const auto refused = RunDirectory::open(other);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ResultsErrorKind::other_config);
+  EXPECT_EQ(refused.error().keys, (std::vector<std::string>{"strategy.approach_speed_m_s"}));
+  EXPECT_NE(refused.error().message.find("strategy.approach_speed_m_s"), std::string::npos);
+}
+
+TEST(RunDirectory, FreshMovesTheOldOneAsideEveryTime) {
+  const TemporaryDirectory parent;
+  auto request = request_in(parent);
+  {
+    auto run = RunDirectory::open(request);
+    append_missing(**run, 3);
+  }
+  request.fresh = true;
+  request.config_toml = kOtherConfig;
+  for (int time = 1; time <= 2; ++time) {
+    auto run = RunDirectory::open(request);
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_FALSE((*run)->continued());
+    EXPECT_TRUE((*run)->done_ids().empty());
+    EXPECT_TRUE(any_note_has((*run)->notes(), "window.old-" + std::to_string(time)));
+  }
+  EXPECT_EQ(verify_run_directory(parent.path() / "window.old-1")->journal_rows, 3U);
+  EXPECT_TRUE(fs::exists(parent.path() / "window.old-2" / "config.toml"));
+}
+
+TEST(RunDirectory, TouchesNoDirectoryThatIsNotOne) {
+  const TemporaryDirectory parent;
+  fs::create_directories(parent.path() / "window");
+  std::ofstream(parent.path() / "window" / "thesis.tex") << "years of work";
+  const auto refused = RunDirectory::open(request_in(parent));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ResultsErrorKind::foreign);
+  EXPECT_NE(refused.error().message.find("thesis.tex"), std::string::npos);
+}
+
+TEST(RunDirectory, StartsBesideASingleScenarioFile) {
+  const TemporaryDirectory parent;
+  fs::create_directories(parent.path() / "window");
+  std::ofstream(parent.path() / "window" / "scenario_12.h5") << "x";
+  EXPECT_TRUE(RunDirectory::open(request_in(parent)));
+}
+
+TEST(RunDirectory, RefusesTheSameScenarioTwice) {
+  const TemporaryDirectory parent;
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_EQ(message_of((*run)->append(sample_row(2))), "");
+  EXPECT_TRUE((*run)->append(sample_row(2)));
+}
+
+TEST(RunDirectory, KeepsOtherRecordsAcrossARestart) {
+  const TemporaryDirectory parent;
+  WindowRow row;
+  row.hold_force_N = 0.8;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    ASSERT_EQ(message_of((*run)->append(JournalRecord{RecordKind::window, 3, 0, encode_window_row(row)})), "");
+    ASSERT_EQ(message_of((*run)->append(JournalRecord{RecordKind::evaluation, 3, 0, "answer"})), "");
+  }
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(run);
+  const auto records = (*run)->records(RecordKind::window);
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records[0].id, 3U);
+  EXPECT_EQ(decode_window_row(records[0].payload)->hold_force_N, 0.8);
+  EXPECT_EQ((*run)->acknowledged(), 2U);
+}
+
+TEST(RunDirectory, SaysThatAnotherBuildBeganTheStudy) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    append_missing(**run, 1);
+  }
+  auto request = request_in(parent);
+  request.build = "0.2.0 GNU 13.1.0 avx2";
+  auto run = RunDirectory::open(request);
+  ASSERT_TRUE(run);
+  EXPECT_TRUE(any_note_has((*run)->notes(), "another build"));
+}
+
+TEST(Verify, FindsAFlippedBitAnywhereInResultsOrJournal) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    append_missing(**run, 10);
+    finish_and_digest(**run);
+  }
+  const fs::path directory = parent.path() / "window";
+  EXPECT_TRUE(verify_run_directory(directory)->damage.empty());
+  const fs::path journal = fs::directory_iterator(directory / "journal")->path();
+  for (const fs::path& path : {directory / "results.h5", journal}) {
+    for (std::uintmax_t at = 60; at + 1 < fs::file_size(path); at += fs::file_size(path) / 37) {
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      const auto flip = [&] {
+        file.seekg(static_cast<std::streamoff>(at));
+        const char byte = static_cast<char>(file.get() ^ 4);
+        file.seekp(static_cast<std::streamoff>(at));
+        file.put(byte);
+        file.flush();
+      };
+      flip();
+      EXPECT_FALSE(verify_run_directory(directory)->damage.empty()) << path << " at " << at;
+      flip();
+    }
+  }
+  EXPECT_TRUE(verify_run_directory(directory)->damage.empty());
+}
+
+}  // namespace
+}  // namespace unbruised::studies

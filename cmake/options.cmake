@@ -9,6 +9,8 @@ target_compile_options(unbruised_options INTERFACE
   -Werror
   # GCC 12 sees uninitialised values inside its own AVX-512 headers (PR 105593).
   -Wno-uninitialized -Wno-maybe-uninitialized
+  # ... and overlaps in "literal" + std::string (PR 105651).
+  -Wno-restrict
   -fno-math-errno -fno-trapping-math -fopenmp-simd)
 # 512-bit vectors where the machine has them: the lane kernels are written for them.
 include(CheckCXXCompilerFlag)

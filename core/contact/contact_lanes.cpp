@@ -19,14 +19,28 @@ constexpr double kClosing[2] = {1.0, -1.0};
 
 Lane positive(const Lane& x) { return max(x, Lane(0.0)); }
 
+/// Share of the tributary places that touch at penetration p, and their mean depth times that share:
+/// (1/Q) sum_q [p > relief_q] and (1/Q) sum_q max(0, p - relief_q).
+void touch_relief(const ContactCandidate& candidate, const Lane& p, Lane& touching, Lane& pressed) {
+  Lane count(0.0), depth(0.0);
+  for (const double relief : candidate.relief_m) {
+    const Lane d = p - Lane(relief);
+    depth += positive(d);
+    count += select(d > Lane(0.0), Lane(1.0), Lane(0.0));
+  }
+  touching = count * Lane(1.0 / kReliefPlaces);
+  pressed = depth * Lane(1.0 / kReliefPlaces);
+}
+
 }  // namespace
 
 ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
     : model_(model), near_margin_(kNearShare * smallest_extent_m) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows :
-       {&normal_, &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_, &tangent2_theta_, &anchor1_, &anchor2_,
-        &travel_, &share_, &near_, &offset_, &gap_now_, &gap_free_, &previous_, &sliding_, &was_sliding_}) {
+  for (LaneArray* rows : {&normal_,         &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_,
+                          &tangent2_theta_, &anchor1_,  &anchor2_,  &penetration_,  &penetration_theta_,
+                          &travel1_,        &travel2_,  &share_,    &near_,         &offset_,
+                          &gap_now_,        &gap_free_, &previous_, &sliding_,      &was_sliding_}) {
     *rows = LaneArray(n);
   }
   base_ = LaneArray(3 * model.node_count());
@@ -42,9 +56,11 @@ ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
 
 void ContactLanes::load(int lane, const Scenario& scenario, const std::array<double, 3>& product_center_m) {
   for (LaneArray* rows : {&normal_, &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_, &tangent2_theta_,
-                          &anchor1_, &anchor2_, &travel_, &share_, &near_, &previous_, &sliding_, &was_sliding_}) {
+                          &anchor1_, &anchor2_, &penetration_, &penetration_theta_, &travel1_, &travel2_, &share_,
+                          &near_, &previous_, &sliding_, &was_sliding_}) {
     rows->clear_lane(lane);
   }
+  for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   const double product_friction =
       lattice != nullptr ? lattice->friction : std::get<NetworkParameters>(scenario.product).friction;
@@ -69,7 +85,8 @@ void ContactLanes::load(int lane, const Scenario& scenario, const std::array<dou
   relaxation_[support].set(lane, cell.support_relaxation_time_s);
 }
 
-void ContactLanes::set_support_force(int lane, int candidate, double normal_force_N) {
+void ContactLanes::set_support_force(int lane, int candidate, double normal_force_N, double penetration_m) {
+  penetration_.at(static_cast<std::size_t>(candidate), lane) = penetration_m;
   normal_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
   normal_theta_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
   share_.at(static_cast<std::size_t>(candidate), lane) = 1.0;
@@ -84,7 +101,16 @@ void ContactLanes::set_anchor_to_place(int lane, const LaneArray& u) {
   }
 }
 
-void ContactLanes::reset_travel(int lane) { travel_.clear_lane(lane); }
+void ContactLanes::reset_travel(int lane) {
+  travel1_.clear_lane(lane);
+  travel2_.clear_lane(lane);
+}
+
+Lane ContactLanes::layer_stiffness(std::size_t c) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
+  return stiffness_[candidate.surface] * Lane(candidate.area_m2) * share_.get(c);
+}
 
 Lane ContactLanes::surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const {
   if (surface == static_cast<int>(Surface::support)) return places.support_height;
@@ -111,7 +137,8 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     const Lane gap_free = sign * (rest + base.get(free + axis) - surface_place(surface, theta, way_free));
     const Lane held = normal_theta_.get(c);
     const Mask carrying = held > Lane(0.0);
-    Mask near = running & present_[surface] & (carrying | (gap_free < near_margin_));
+    const Lane least(candidate.least_relief_m);
+    Mask near = running & present_[surface] & (carrying | (gap_free + least < near_margin_));
     if (surface < 2) {
       // Share of the tributary rectangle under the pad; a closed contact keeps the one it closed with.
       const auto tangents = tangent_axes(surface);
@@ -130,8 +157,8 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
       share_.put(c, Lane(1.0));
     }
     near_.put(c, select(near, Lane(1.0), Lane(0.0)));
-    gap_now_.put(c, gap_now);
-    gap_free_.put(c, gap_free);
+    gap_now_.put(c, gap_now + least);
+    gap_free_.put(c, gap_free + least);
     previous_.put(c, held);
     was_sliding_.put(c, sliding_.get(c));
     // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.
@@ -148,18 +175,20 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     tangent2_theta_.put(c, select(near, tangent2_theta_.get(c), Lane(0.0)));
   }
   choose_active(running);
-  rebase(base);
+  rebase(base, running);
 }
 
 void ContactLanes::choose_active(const Mask& running) {
   active_node_.clear();
   live_candidate_.clear();
+  has_near_ = Mask(false);
   node_force_.fill(0.0);
   for (std::size_t node = 0; node < model_.node_count(); ++node) {
     bool active = false;
     for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
       const auto at = static_cast<std::size_t>(c);
       const bool near = any(near_.get(at) > Lane(0.0));
+      if (near) has_near_ = has_near_ | (near_.get(at) > Lane(0.0));
       active = active || near;
       if (near || any(running & (normal_.get(at) > Lane(0.0)))) live_candidate_.push_back(c);
     }
@@ -167,8 +196,9 @@ void ContactLanes::choose_active(const Mask& running) {
   }
 }
 
-void ContactLanes::rebase(const LaneArray& base) {
-  pad_force_ = {Lane(0.0), Lane(0.0)};
+void ContactLanes::rebase(const LaneArray& base, const Mask& lanes) {
+  // Lanes that are solved already keep their sums: summing again would round them differently.
+  std::array<Lane, 2> pad_force = {Lane(0.0), Lane(0.0)};
   for (int node : active_node_) {
     const auto at = 3 * static_cast<std::size_t>(node);
     std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
@@ -179,13 +209,14 @@ void ContactLanes::rebase(const LaneArray& base) {
       force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal_theta_.get(k);
       force[static_cast<std::size_t>(tangents[0])] += tangent1_theta_.get(k);
       force[static_cast<std::size_t>(tangents[1])] += tangent2_theta_.get(k);
-      if (surface < 2) pad_force_[surface] += normal_theta_.get(k);
+      if (surface < 2) pad_force[surface] += normal_theta_.get(k);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      base_.put(at + axis, base.get(at + axis));
-      node_force_.put(at + axis, force[axis]);
+      base_.put(at + axis, select(lanes, base.get(at + axis), base_.get(at + axis)));
+      node_force_.put(at + axis, select(lanes, force[axis], node_force_.get(at + axis)));
     }
   }
+  for (std::size_t pad = 0; pad < 2; ++pad) pad_force_[pad] = select(lanes, pad_force[pad], pad_force_[pad]);
 }
 
 void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving,
@@ -201,10 +232,9 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   const auto t2 = static_cast<std::size_t>(tangents[1]);
   const auto at = 3 * static_cast<std::size_t>(candidate.contact_node);
   const Lane sign(normal_sign(surface));
-  const Lane layer = candidate.stiffness_N_m > 0.0 ? Lane(candidate.stiffness_N_m)
-                                                   : stiffness_[surface] * Lane(candidate.area_m2) * share_.get(c);
+  const Lane layer = layer_stiffness(c);
 
-  // Normal: N = k (p - offset) at the solution, and p falls by (W_nn + finger compliance) per unit of N.
+  // Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
   Lane compliance(own[4 * axis]);
   std::array<Lane, 2> way = {Lane(0.0), Lane(0.0)};
   if (surface < 2) {
@@ -212,10 +242,15 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
     way[surface] = fingers.way_at_theta(surface, pad_force_);
   }
   const Lane gap = sign * (Lane(candidate.surface_m) + d[axis] - surface_place(surface, theta_places_, way));
-  const Lane stiffness = layer * a1_tau_factor_[surface];
+  const Lane penetration = -gap;
+  penetration_theta_.put(c, select(active, penetration, penetration_theta_.get(c)));
+  Lane touching(1.0), pressed = penetration;
+  if (!candidate.flat) touch_relief(candidate, penetration, touching, pressed);
+  const Lane rate_part = (a1_tau_factor_[surface] - Lane(1.0)) * penetration - offset_.get(c);
+  const Lane stiffness = layer * touching * a1_tau_factor_[surface];
   const Lane old_normal = normal_theta_.get(c);
-  const Lane wanted =
-      old_normal + (-stiffness * gap - layer * offset_.get(c) - old_normal) / (Lane(1.0) + stiffness * compliance);
+  const Lane law = layer * (pressed + touching * rate_part);
+  const Lane wanted = old_normal + (law - old_normal) / (Lane(1.0) + stiffness * compliance);
   const Lane normal = select(active, positive(wanted), old_normal);
   const Lane change = normal - old_normal;
   normal_theta_.put(c, normal);
@@ -255,7 +290,8 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
 
 Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
   Lane sweeps(0.0);
-  Mask solving = lanes;
+  // A lane with nothing near takes no sweep, whatever its neighbours do.
+  Mask solving = lanes & has_near_;
   const std::size_t m = model_.node_count();
   for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
     Lane largest_change(0.0), largest_force(0.0);
@@ -327,9 +363,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     tangent2_.put(c, now[2]);
 
     // Where a contact slides, its anchor follows so that the spring stays on the cone.
-    const Lane layer = candidate.stiffness_N_m > 0.0
-                           ? Lane(candidate.stiffness_N_m)
-                           : stiffness_[surface] * Lane(candidate.area_m2) * share_.get(c);
+    const Lane layer = layer_stiffness(c);
     const Lane shear = max(layer * Lane(1.0 / 3.0), Lane(1e-300));
     Lane moved[2];
     for (std::size_t t = 0; t < 2; ++t) {
@@ -342,8 +376,14 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
       moved[t] = select(sliding > Lane(0.0), after - before, Lane(0.0));
       anchor.put(c, before + moved[t]);
     }
-    const Lane way = sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
-    travel_.put(c, select(is_closed, travel_.get(c) + way, select(running, Lane(0.0), travel_.get(c))));
+    penetration_.put(
+        c, select(running, w.at_end(penetration_.get(c), penetration_theta_.get(c)), penetration_.get(c)));
+    Lane travel[2];
+    for (std::size_t t = 0; t < 2; ++t) {
+      LaneArray& way = t == 0 ? travel1_ : travel2_;
+      travel[t] = select(is_closed, way.get(c) + moved[t], select(running, Lane(0.0), way.get(c)));
+      way.put(c, travel[t]);
+    }
     dissipated_ +=
         select(running, -Lane(0.5) * ((old[1] + now[1]) * moved[0] + (old[2] + now[2]) * moved[1]), Lane(0.0));
 
@@ -352,13 +392,8 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     tally.tangent[1] += select(running, now[2], Lane(0.0));
     tally.closed += closed;
     tally.sliding += sliding;
-    tally.travel += closed * travel_.get(c);
-    const Lane y(candidate.place_m[0]), z(candidate.place_m[1]);
-    tally.first[0] += now[0] * y;
-    tally.first[1] += now[0] * z;
-    tally.second[0] += now[0] * y * y;
-    tally.second[1] += now[0] * z * z;
-    tally.second[2] += now[0] * y * z;
+    tally.travel += closed * sqrt(travel[0] * travel[0] + travel[1] * travel[1]);
+    tally_moments(c, now[0], tally);
     if (surface < 2) {
       Lane arm[3], force[3];
       for (std::size_t i = 0; i < 3; ++i) {
@@ -389,16 +424,55 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
   }
 }
 
+void ContactLanes::tally_moments(std::size_t c, const Lane& normal, SurfaceTally& tally) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const Lane y(candidate.place_m[0]), z(candidate.place_m[1]);
+  Lane m1[2] = {y, z};
+  Lane m2[3] = {y * y, z * z, y * z};
+  if (!candidate.flat) {
+    // The force sits where the places touch, in proportion to their depth.
+    const Lane p = penetration_theta_.get(c);
+    Lane sum(0.0), first[2] = {0.0, 0.0}, second[3] = {0.0, 0.0, 0.0};
+    for (int q = 0; q < kReliefPlaces; ++q) {
+      const Lane depth = positive(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
+      const auto offset = relief_offset(q);
+      const Lane yq(candidate.place_m[0] + offset[0] * candidate.extent_m[0]);
+      const Lane zq(candidate.place_m[1] + offset[1] * candidate.extent_m[1]);
+      sum += depth;
+      first[0] += depth * yq;
+      first[1] += depth * zq;
+      second[0] += depth * yq * yq;
+      second[1] += depth * zq * zq;
+      second[2] += depth * yq * zq;
+    }
+    const Mask spread = sum > Lane(1e-12);
+    const Lane inverse = Lane(1.0) / max(sum, Lane(1e-12));
+    for (int i = 0; i < 2; ++i) m1[i] = select(spread, first[i] * inverse, m1[i]);
+    for (int i = 0; i < 3; ++i) m2[i] = select(spread, second[i] * inverse, m2[i]);
+  }
+  for (std::size_t i = 0; i < 2; ++i) tally.first[i] += normal * m1[i];
+  for (std::size_t i = 0; i < 3; ++i) tally.second[i] += normal * m2[i];
+}
+
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const ContactCandidate& candidate = model_.candidate[c];
-    const Lane layer = candidate.stiffness_N_m > 0.0
-                           ? Lane(candidate.stiffness_N_m)
-                           : stiffness_[candidate.surface] * Lane(candidate.area_m2) * share_.get(c);
+    const Mask closed = normal_theta_.get(c) > Lane(0.0);
+    if (none(closed)) continue;
+    const Lane layer = layer_stiffness(c);
     const Lane n = normal_.get(c), t1 = tangent1_.get(c), t2 = tangent2_.get(c);
-    const Lane stored = (Lane(0.5) * n * n + Lane(1.5) * (t1 * t1 + t2 * t2)) / max(layer, Lane(1e-300));
-    energy += select(n > Lane(0.0), stored, Lane(0.0));
+    Lane stored = Lane(0.5) * n * n / max(layer, Lane(1e-300));
+    if (!candidate.flat) {
+      Lane squares(0.0);
+      for (const double relief : candidate.relief_m) {
+        const Lane depth = positive(penetration_.get(c) - Lane(relief));
+        squares += depth * depth;
+      }
+      stored = layer * squares * Lane(0.5 / kReliefPlaces);
+    }
+    stored += Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer, Lane(1e-300));
+    energy += select(closed, stored, Lane(0.0));
   }
   return energy;
 }

@@ -4,7 +4,7 @@
 /// The contact state register and the contact solve, all lanes at once (docs/theory.md, "Contact").
 ///
 /// Every contact has a compliant layer. At t + theta dt, with penetration p and relative place r in the plane:
-///   normal     N = max(0, k_n (p + tau p'))             the layer can only push
+///   normal     N = max(0, sum_q k_q (p - relief_q + tau p'))  over the places that touch; the layer can only push
 ///   tangential T = -k_t (r - anchor), |T| <= mu N       the anchor is set where the contact closes and moves only
 ///   when it slips
 /// and u = u_free + W J' (N, T). The register's closed contacts decide the equations; the factor never changes.
@@ -32,7 +32,7 @@ struct SurfaceTally {
   std::array<Lane, 2> tangent{Lane(0.0), Lane(0.0)};  ///< along tangent_axes(surface), on the product
   Lane closed{0.0};                                   ///< contacts that carry force
   Lane sliding{0.0};                                  ///< of these, at the friction cone
-  Lane travel{0.0};                                   ///< summed over closed contacts
+  Lane travel{0.0};                                   ///< net way of the anchors, summed over closed contacts
   std::array<Lane, 2> first{Lane(0.0), Lane(0.0)};    ///< moments of the normal force over the plane
   std::array<Lane, 3> second{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> torque{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< about the palm centre, on the product
@@ -45,7 +45,7 @@ class ContactLanes {
   /// Opens all contacts of a lane and sets its layers, pads and friction.
   void load(int lane, const Scenario& scenario, const std::array<double, 3>& product_center_m);
   /// Puts a statically loaded support contact into a lane.
-  void set_support_force(int lane, int candidate, double normal_force_N);
+  void set_support_force(int lane, int candidate, double normal_force_N, double penetration_m);
   void set_anchor_to_place(int lane, const LaneArray& u);
   /// Forgets the anchors' travel so far (start of the lift).
   void reset_travel(int lane);
@@ -58,8 +58,8 @@ class ContactLanes {
   /// Did begin_step find anything near a surface?
   [[nodiscard]] bool idle() const { return active_node_.empty(); }
 
-  /// The displacement without contact forces has changed (plastic iteration); solve again from the present forces.
-  void rebase(const LaneArray& base);
+  /// The displacement without contact forces has changed in `lanes` (plastic iteration); solve again from the present forces.
+  void rebase(const LaneArray& base, const Mask& lanes);
 
   /// Projected Gauss-Seidel to convergence in every lane of `solving`; lanes stop one by one.
   /// @return sweeps taken per lane
@@ -100,6 +100,8 @@ class ContactLanes {
  private:
   void choose_active(const Mask& running);
   [[nodiscard]] Lane surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const;
+  [[nodiscard]] Lane layer_stiffness(std::size_t candidate) const;
+  void tally_moments(std::size_t candidate, const Lane& normal, SurfaceTally& tally) const;
   void update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving, std::array<Lane, 3>& d,
                         const double* own, Lane& largest_change, Lane& largest_force);
 
@@ -115,11 +117,14 @@ class ContactLanes {
   // Per candidate, kept from step to step.
   LaneArray normal_, tangent1_, tangent2_;                    ///< forces at the start of the step
   LaneArray normal_theta_, tangent1_theta_, tangent2_theta_;  ///< at t + theta dt
-  LaneArray anchor1_, anchor2_, travel_, share_;              ///< share: of the tributary area under the pad
+  LaneArray penetration_, penetration_theta_;                 ///< of the particle's place; meaningful while closed
+  LaneArray anchor1_, anchor2_, travel1_, travel2_;
+  LaneArray share_;  ///< of the tributary area under the pad
   // Per candidate, of the present step.
   LaneArray near_, offset_, gap_now_, gap_free_, previous_, sliding_, was_sliding_;
   // Of the present step.
   LaneArray base_, node_force_;
+  Mask has_near_{false};  ///< some candidate is near
   std::vector<int> active_node_;
   std::vector<int> live_candidate_;  ///< near or carrying force in any lane
   std::array<Lane, 2> pad_force_{Lane(0.0), Lane(0.0)};

@@ -29,6 +29,45 @@ PatchForm patch_form(const LatticeParameters& parameters) {
   }
 }
 
+/// Half the chord of the shape along `axis` through a place in the plane normal to it (relative to the centre);
+/// negative where the line misses the shape.
+double half_chord_m(const LatticeParameters& p, std::size_t axis, const std::array<double, 3>& place) {
+  double rest = 1.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const bool round = p.shape == Shape::cylinder ? d != static_cast<std::size_t>(p.axis) : p.shape != Shape::box;
+    if (d != axis && round) rest -= 4.0 * place[d] * place[d] / (p.size_m[d] * p.size_m[d]);
+  }
+  if (rest < 0.0) return -1.0;
+  const bool round_axis =
+      p.shape == Shape::cylinder ? axis != static_cast<std::size_t>(p.axis) : p.shape != Shape::box;
+  return 0.5 * p.size_m[axis] * (round_axis ? std::sqrt(rest) : 1.0);
+}
+
+/// Heights of the true surface around the particle; places outside the body never touch.
+void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis,
+                 ContactCandidate& c) {
+  const auto tangents = tangent_axes(c.surface);
+  std::array<double, 3> place{};
+  for (std::size_t t = 0; t < 2; ++t) {
+    const auto along = static_cast<std::size_t>(tangents[t]);
+    place[along] = c.place_m[t] - lattice.center_m[along];
+  }
+  const double here = half_chord_m(parameters, axis, place);
+  for (int q = 0; q < kReliefPlaces; ++q) {
+    std::array<double, 3> there = place;
+    const auto offset = relief_offset(q);
+    for (std::size_t t = 0; t < 2; ++t) there[static_cast<std::size_t>(tangents[t])] += offset[t] * c.extent_m[t];
+    const double chord = half_chord_m(parameters, axis, there);
+    c.relief_m[static_cast<std::size_t>(q)] = chord < 0.0 ? 1e3 : here - chord;
+  }
+  // A face without curvature along both directions, edges included, is flat.
+  const bool curved = parameters.shape != Shape::box &&
+                      !(parameters.shape == Shape::cylinder && axis == static_cast<std::size_t>(parameters.axis));
+  c.flat = !curved;
+  if (c.flat) c.relief_m.fill(0.0);
+  c.least_relief_m = *std::min_element(c.relief_m.begin(), c.relief_m.end());
+}
+
 /// Length of the overlap of two intervals given by centre and width.
 double overlap(double center_a, double width_a, double center_b, double width_b) {
   const double low = std::max(center_a - width_a / 2, center_b - width_b / 2);
@@ -97,6 +136,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
         candidate.place_m[t] = lattice.position_m[point.node][tangents[t]];
         candidate.extent_m[t] = lattice.cell_extent_m[tangents[t]];
       }
+      fill_relief(parameters, lattice, static_cast<std::size_t>(axis), candidate);
       contact.candidate.push_back(candidate);
     }
   }

@@ -27,16 +27,24 @@ constexpr std::array<int, 2> tangent_axes(int surface) {
   return surface == static_cast<int>(Surface::support) ? std::array<int, 2>{0, 1} : std::array<int, 2>{1, 2};
 }
 
+/// The true surface over a particle's tributary rectangle is sampled at this many places, so that a curved contact
+/// grows smoothly and not particle by particle.
+inline constexpr int kReliefSide = 4;
+inline constexpr int kReliefPlaces = kReliefSide * kReliefSide;
+
 /// One particle that may touch one surface.
 struct ContactCandidate {
   int surface = 0;
-  int node = 0;                      ///< particle
-  int contact_node = 0;              ///< index into ContactModel::node
-  double surface_m = 0;              ///< coordinate of the true surface at rest, along the normal axis
-  double area_m2 = 0;                ///< tributary area, 0 for network particles
-  double stiffness_N_m = 0;          ///< of a network particle's own layer; 0: from the area
-  std::array<double, 2> place_m{};   ///< rest coordinates in the plane of the surface
-  std::array<double, 2> extent_m{};  ///< of the tributary rectangle
+  int node = 0;                                  ///< particle
+  int contact_node = 0;                          ///< index into ContactModel::node
+  double surface_m = 0;                          ///< coordinate of the true surface at rest, along the normal axis
+  double area_m2 = 0;                            ///< tributary area, 0 for network particles
+  double stiffness_N_m = 0;                      ///< of a network particle's own layer; 0: from the area
+  std::array<double, 2> place_m{};               ///< rest coordinates in the plane of the surface
+  std::array<double, 2> extent_m{};              ///< of the tributary rectangle
+  bool flat = true;                              ///< no relief: the whole rectangle touches at once
+  std::array<double, kReliefPlaces> relief_m{};  ///< how far the true surface lies behind the one at the particle
+  double least_relief_m = 0;
 };
 
 /// How a patch pressed against a flat pad is shaped, and where it yields first (docs/theory.md, "First yield").
@@ -72,6 +80,11 @@ struct ContactModel {
 /// Surface particles no deeper than this share of the body's extent behind the pole can touch a pad or the
 /// support: far more than a body of validity-limited strain can be flattened.
 inline constexpr double kCandidateDepth = 0.15;
+
+/// In-plane offset of sample place `q` from the particle, as a share of the tributary rectangle's extents.
+constexpr std::array<double, 2> relief_offset(int q) {
+  return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};
+}
 
 /// Candidates of a lattice body against both pads and the support.
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice, double pressure_patch_m);

@@ -14,6 +14,8 @@ namespace {
 constexpr double kShift = 1.0;
 /// Each refinement shrinks the shift's influence on elastic modes by shift / omega^2 < 1e-3.
 constexpr int kRefinements = 4;
+/// Passes over the touching places of the support; a few suffice.
+constexpr int kMaxPasses = 100;
 
 }  // namespace
 
@@ -85,6 +87,28 @@ std::vector<double> StaticSolver::free_shape(std::span<const double> force_N) co
   return u;
 }
 
+/// Layer of one candidate at penetration p: stiffness of the touching places and their mean relief, so that
+/// N = stiffness (p - relief).
+struct LayerSecant {
+  double stiffness = 0;
+  double relief = 0;
+  int touching = 0;
+};
+
+LayerSecant layer_at(const ContactCandidate& candidate, double layer_stiffness_N_m3, double penetration_m) {
+  LayerSecant secant;
+  double sum = 0.0;
+  for (double relief : candidate.relief_m) {
+    if (penetration_m <= relief) continue;
+    ++secant.touching;
+    sum += relief;
+  }
+  if (secant.touching == 0) return secant;
+  secant.stiffness = layer_stiffness_N_m3 * candidate.area_m2 * secant.touching / kReliefPlaces;
+  secant.relief = sum / secant.touching;
+  return secant;
+}
+
 StaticRest StaticSolver::rest_on_support(const ContactModel& contact, double gravity_m_s2,
                                          double layer_stiffness_N_m3) const {
   const std::size_t size = 3 * mass_kg_.size();
@@ -92,64 +116,71 @@ StaticRest StaticSolver::rest_on_support(const ContactModel& contact, double gra
   StaticRest rest;
   rest.displacement_m.assign(size, 0.0);
   rest.normal_force_N.assign(contact.candidate.size(), 0.0);
+  rest.penetration_m.assign(contact.candidate.size(), 0.0);
   if (k == 0 || gravity_m_s2 <= 0.0) return rest;
-  Eigen::VectorXd stiffness(static_cast<Eigen::Index>(k));
-  Eigen::VectorXd rest_gap(static_cast<Eigen::Index>(k));
-  std::vector<std::size_t> freedom(k);
+  const auto candidate = [&](std::size_t i) -> const ContactCandidate& {
+    return contact.candidate[static_cast<std::size_t>(support_candidate_[i])];
+  };
+  const auto freedom = [&](std::size_t i) { return 3 * static_cast<std::size_t>(candidate(i).node) + 2; };
+  std::vector<double> force(k, 0.0), penetration(k);
+  std::vector<LayerSecant> layer(k);
+  // Starts pressed in by the depth at which the layer of the whole body's footprint would carry it, at least.
+  double weight = 0.0, area = 0.0;
+  for (double mass : mass_kg_) weight += mass * gravity_m_s2;
+  for (std::size_t i = 0; i < k; ++i) area += candidate(i).area_m2;
   for (std::size_t i = 0; i < k; ++i) {
-    const ContactCandidate& candidate = contact.candidate[support_candidate_[i]];
-    stiffness[static_cast<Eigen::Index>(i)] = layer_stiffness_N_m3 * candidate.area_m2;
-    rest_gap[static_cast<Eigen::Index>(i)] = candidate.surface_m;
-    freedom[i] = 3 * static_cast<std::size_t>(candidate.node) + 2;
+    penetration[i] = 4.0 * weight / (area * layer_stiffness_N_m3) - candidate(i).surface_m;
+    layer[i] = layer_at(candidate(i), layer_stiffness_N_m3, penetration[i]);
   }
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(k));
-  // The lowest points carry first; a point joins when it is pressed and leaves when it would have to pull.
-  std::vector<bool> closed(k);
-  const double lowest = rest_gap.minCoeff();
-  for (std::size_t i = 0; i < k; ++i) closed[i] = rest_gap[static_cast<Eigen::Index>(i)] <= lowest + 1e-12;
   std::vector<double> load(size, 0.0);
   for (int round = 0; round <= kRefinements; ++round) {
     for (std::size_t i = 0; i < size; ++i) {
       load[i] = shift_ * mass_kg_[i / 3] * rest.displacement_m[i];
       if (i % 3 == 2) load[i] -= mass_kg_[i / 3] * gravity_m_s2;
     }
-    const std::vector<double> free = shifted_solve(load);
-    for (int pass = 0; pass < 100; ++pass) {
-      std::vector<Eigen::Index> active;
+    const std::vector<double> free = factor_->solve(load);
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+      std::vector<std::size_t> active;
       for (std::size_t i = 0; i < k; ++i) {
-        if (closed[i]) active.push_back(static_cast<Eigen::Index>(i));
+        if (layer[i].touching > 0) active.push_back(i);
       }
       const auto count = static_cast<Eigen::Index>(active.size());
       Eigen::MatrixXd A(count, count);
       Eigen::VectorXd b(count);
       for (Eigen::Index r = 0; r < count; ++r) {
-        const auto i = static_cast<std::size_t>(active[r]);
+        const std::size_t i = active[static_cast<std::size_t>(r)];
         for (Eigen::Index c = 0; c < count; ++c) {
-          A(r, c) = support_compliance_[i * k + static_cast<std::size_t>(active[c])];
+          A(r, c) = support_compliance_[i * k + active[static_cast<std::size_t>(c)]];
         }
-        A(r, r) += 1.0 / stiffness[active[r]];
-        b[r] = -(rest_gap[active[r]] + free[freedom[i]]);
+        A(r, r) += 1.0 / layer[i].stiffness;
+        b[r] = -(candidate(i).surface_m + free[freedom(i)] + layer[i].relief);
       }
       const Eigen::VectorXd x = A.ldlt().solve(b);
-      force.setZero();
-      for (Eigen::Index r = 0; r < count; ++r) force[active[r]] = x[r];
+      std::fill(force.begin(), force.end(), 0.0);
+      for (Eigen::Index r = 0; r < count; ++r) force[active[static_cast<std::size_t>(r)]] = x[r];
       bool changed = false;
       for (std::size_t i = 0; i < k; ++i) {
-        double gap = rest_gap[static_cast<Eigen::Index>(i)] + free[freedom[i]];
-        for (std::size_t j = 0; j < k; ++j) {
-          gap += support_compliance_[i * k + j] * force[static_cast<Eigen::Index>(j)];
+        penetration[i] = -(candidate(i).surface_m + free[freedom(i)]);
+        for (std::size_t j = 0; j < k; ++j) penetration[i] -= support_compliance_[i * k + j] * force[j];
+        const LayerSecant next = layer_at(candidate(i), layer_stiffness_N_m3, penetration[i]);
+        changed = changed || next.touching != layer[i].touching;
+        layer[i] = next;
+      }
+      // Nothing touches: the guess lifted the body off; press the lowest places again.
+      if (std::all_of(layer.begin(), layer.end(), [](const LayerSecant& l) { return l.touching == 0; })) {
+        for (std::size_t i = 0; i < k; ++i) {
+          layer[i] = layer_at(candidate(i), layer_stiffness_N_m3, 1e-6 - candidate(i).surface_m);
         }
-        const bool should_close = closed[i] ? force[static_cast<Eigen::Index>(i)] > 0.0 : gap < 0.0;
-        changed = changed || should_close != closed[i];
-        closed[i] = should_close;
       }
       if (!changed) break;
     }
-    for (std::size_t i = 0; i < k; ++i) load[freedom[i]] += std::max(0.0, force[static_cast<Eigen::Index>(i)]);
-    rest.displacement_m = shifted_solve(load);
+    for (std::size_t i = 0; i < k; ++i) load[freedom(i)] += std::max(0.0, force[i]);
+    rest.displacement_m = factor_->solve(load);
   }
   for (std::size_t i = 0; i < k; ++i) {
-    rest.normal_force_N[support_candidate_[i]] = std::max(0.0, force[static_cast<Eigen::Index>(i)]);
+    const auto at = static_cast<std::size_t>(support_candidate_[i]);
+    rest.normal_force_N[at] = std::max(0.0, force[i]);
+    rest.penetration_m[at] = penetration[i];
   }
   return rest;
 }

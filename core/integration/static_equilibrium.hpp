@@ -19,6 +19,7 @@ namespace unbruised {
 struct StaticRest {
   std::vector<double> displacement_m;  ///< [3n]
   std::vector<double> normal_force_N;  ///< per contact candidate, zero but on the support
+  std::vector<double> penetration_m;   ///< of the particle into the layer of the support, per contact candidate
 };
 
 /// Solves K u = f for a body that nothing holds. K alone is singular (rigid motions), so K + s M is factored with

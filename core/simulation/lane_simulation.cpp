@@ -105,6 +105,7 @@ struct LaneSimulation::Impl {
   std::array<double, 2> rest_key{-1.0, -1.0};
 
   bool timing = false;
+  PartTimer timer{false};  ///< one for all parts: every moment of a step is counted once
   PartTimes times;
 };
 
@@ -200,7 +201,7 @@ void LaneSimulation::Impl::start_at_rest(int lane, const Scenario& scenario) {
     for (std::size_t i = 0; i < rest.displacement_m.size(); ++i) u.at(i, lane) = rest.displacement_m[i];
     for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
       if (rest.normal_force_N[c] > 0.0)
-        contact.set_support_force(lane, static_cast<int>(c), rest.normal_force_N[c]);
+        contact.set_support_force(lane, static_cast<int>(c), rest.normal_force_N[c], rest.penetration_m[c]);
     }
   }
   for (std::size_t i = 0; i < 3 * parts.particle_count; ++i) {
@@ -240,12 +241,11 @@ void LaneSimulation::Impl::start_network(int lane, const NetworkParameters& netw
 void LaneSimulation::Impl::step() {
   finished.clear();
   if (none(running)) return;
-  PartTimer timer(timing);
+  timer = PartTimer(timing);
   command_drives();
   build_right_hand_side();
   timer.lap(times.right_hand_side_s);
   solve_step();
-  timer.lap(times.update_s);  // solve_step laps its own parts; what is left is copying
   advance_state();
   observe_lanes();
   timer.lap(times.update_s);
@@ -332,14 +332,13 @@ void LaneSimulation::Impl::add_network_loads() {
 }
 
 void LaneSimulation::Impl::solve_step() {
-  PartTimer timer(timing);
   Mask pending = running;
   rounds = Lane(0.0);
   sweeps = Lane(0.0);
   if (cells) cells->begin_step();
+  timer.lap(times.plasticity_s);
   for (int round = 0; round < kMaxPlasticRounds; ++round) {
     solve_contacts_and_product(pending);
-    timer = PartTimer(timing);
     if (cells) {
       pending = cells->update(u_theta, pending);
     } else if (springs->exists()) {
@@ -360,7 +359,6 @@ void LaneSimulation::Impl::solve_step() {
 }
 
 void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
-  PartTimer timer(timing);
   const bool first_round = none(rounds > Lane(0.0));
   const LaneArray* plastic = cells ? &cells->load_theta() : (springs->exists() ? &springs->load_theta() : nullptr);
   for (std::size_t i = 0; i < 3 * parts.particle_count; ++i) {
@@ -387,7 +385,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     if (first_round) {
       contact.begin_step(w, u, v, a, now, theta, fingers, base, lanes);
     } else {
-      contact.rebase(base);
+      contact.rebase(base, lanes);
     }
     if (!contact.idle()) {
       sweeps += contact.solve(fingers, lanes);

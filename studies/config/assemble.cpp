@@ -60,7 +60,8 @@ struct Assembler {
                      "excludes " + std::string(first.front()) + "; give one of them");
         drop(second);
       } else {
-        problems.add(out.fallback, second.front(), "excludes " + std::string(first.front()) + "; vary one of them");
+        problems.add(out.fallback, second.front(),
+                     "excludes " + std::string(first.front()) + "; vary one of them");
       }
     }
   }
@@ -112,7 +113,8 @@ struct Assembler {
 
   bool used(const KeySpec& spec) const {
     // A gripped network is refused as such; that its run has a length is not the mistake.
-    const bool gripped_network = input.has_gripper && std::holds_alternative<NetworkParameters>(out.scenario.product);
+    const bool gripped_network =
+        input.has_gripper && std::holds_alternative<NetworkParameters>(out.scenario.product);
     if (gripped_network && spec.use == Use::not_gripper) return true;
     return is_used(spec, out.scenario, out.settings.kind, input.varied_keys);
   }
@@ -131,7 +133,7 @@ struct Assembler {
     if (network != nullptr && path.find("[]") != std::string_view::npos) {
       const std::size_t count = path.starts_with("product.particle") ? network->particle.size()
                                 : path.starts_with("product.spring") ? network->spring.size()
-                                                                      : network->load.size();
+                                                                     : network->load.size();
       if (static_cast<std::size_t>(address.index) >= count) {
         return "there are only " + std::to_string(count) + " of them, counted from 0";
       }
@@ -220,7 +222,7 @@ struct Assembler {
       const std::string list(spec.path.substr(0, open));
       const std::size_t count = list == "product.particle" ? network->particle.size()
                                 : list == "product.spring" ? network->spring.size()
-                                                            : network->load.size();
+                                                           : network->load.size();
       for (std::size_t i = 0; i < count; ++i) {
         const std::string path = list + "[" + std::to_string(i) + "]" + std::string(spec.path.substr(open + 2));
         // An array may come element by element, from CSV columns.
@@ -265,7 +267,7 @@ Assembly assemble(const AssemblyInput& input, Problems& problems) {
   assembler.prepare();
   for (const LayeredEntry& item : assembler.entries) assembler.apply(item);
   assembler.report_unused();
-  assembler.report_missing();
+  if (input.is_complete) assembler.report_missing();
   return std::move(assembler.out);
 }
 

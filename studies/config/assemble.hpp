@@ -40,6 +40,7 @@ struct AssemblyInput {
   std::unordered_map<std::string, Origin> tables;
   Origin fallback;  ///< where a missing key is reported when its table is missing too
   bool has_gripper = false;
+  bool is_complete = true;  ///< false: something could not be read, so nothing is reported as missing
 };
 
 /// Builds a scenario. With problems, the result is not to be used.

@@ -6,8 +6,6 @@
 #undef TOML_SHARED_LIB
 #define TOML_HEADER_ONLY 1
 #define TOML_ASSERT(expr) static_cast<void>(0)
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,12 +14,15 @@
 #include <optional>
 #include <utility>
 
+#include <toml++/toml.h>
+
 namespace unbruised::studies {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 
-/// Length of the UTF-8 sequence that starts at `at`; 0 when it is none (RFC 3629: no overlong forms, no surrogates).
+/// Length of the UTF-8 sequence that starts at `at`; 0 when it is none (RFC 3629: no overlong forms, no
+/// surrogates).
 std::size_t utf8_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) -> unsigned {
     return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
@@ -79,7 +80,8 @@ std::optional<Complaint> guard(std::string_view text) {
       if (c == '\'') place = block ? Place::literal_block : Place::literal;
       if (block) step = 3;
     } else if ((place == Place::basic || place == Place::basic_block) && c == '\\') {
-      if (at + 1 < text.size() && text[at + 1] != '\n' && static_cast<unsigned char>(text[at + 1]) < 0x80U) step = 2;
+      if (at + 1 < text.size() && text[at + 1] != '\n' && static_cast<unsigned char>(text[at + 1]) < 0x80U)
+        step = 2;
       if (step == 2 && text[at + 1] == '\0') step = 1;
     } else if ((place == Place::basic && c == '"') || (place == Place::literal && c == '\'')) {
       place = Place::bare;

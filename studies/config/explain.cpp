@@ -124,7 +124,8 @@ std::string explanation(const KeySpec& spec) {
 std::string table_of(std::string_view path) { return std::string(path.substr(0, path.rfind('.'))); }
 
 std::string markdown_cell(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, "\\");
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.insert(at, "\\");
   return text.empty() ? " " : text;
 }
 
@@ -194,8 +195,8 @@ std::string reference_markdown() {
     }
     const auto where = where_used(spec.use);
     const std::string key(spec.path.substr(table.size() + 1));
-    out += "| `" + key + "` | " + markdown_cell(type_words(spec)) + " | " + markdown_cell(unit_words(spec)) + " | " +
-           markdown_cell(default_words(spec)) + " | " + markdown_cell(rule_words(spec)) + " | " +
+    out += "| `" + key + "` | " + markdown_cell(type_words(spec)) + " | " + markdown_cell(unit_words(spec)) +
+           " | " + markdown_cell(default_words(spec)) + " | " + markdown_cell(rule_words(spec)) + " | " +
            markdown_cell(std::string(spec.meaning) + (where.empty() ? "" : " For " + std::string(where) + ".")) +
            " |\n";
   }

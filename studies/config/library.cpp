@@ -195,8 +195,9 @@ std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, 
       continue;
     }
     if (cells.size() != columns.size()) {
-      problems.add(origin, list, "a row must have as many cells as the first line has (" +
-                                     std::to_string(columns.size()) + "), not " + std::to_string(cells.size()));
+      problems.add(origin, list,
+                   "a row must have as many cells as the first line has (" + std::to_string(columns.size()) +
+                       "), not " + std::to_string(cells.size()));
       return {};
     }
     const std::string path = std::string(list) + "[" + std::to_string(row++) + "].";

@@ -19,6 +19,7 @@ class Problems {
   void add(const Origin& origin, std::string_view key, const std::string& value, std::string_view rule);
   void add(const Problem& problem) { all_.push_back(problem); }
 
+  [[nodiscard]] std::size_t count() const { return all_.size(); }
   [[nodiscard]] bool empty() const { return all_.empty(); }
   /// One line each, without repetitions, in the order of files and lines.
   [[nodiscard]] std::vector<std::string> lines() const;

@@ -25,7 +25,8 @@ struct Writer {
       if (spec.study_field != nullptr) line(spec.path, spelled(spec, spec.study_field(settings)));
       if (spec.field != nullptr) line(spec.path, spelled(spec, spec.field(scenario, index)));
       if (spec.path == "product.kind") {
-        line(spec.path, std::holds_alternative<NetworkParameters>(scenario.product) ? "\"network\"" : "\"lattice\"");
+        line(spec.path,
+             std::holds_alternative<NetworkParameters>(scenario.product) ? "\"network\"" : "\"lattice\"");
       }
     }
   }

@@ -33,8 +33,9 @@ Rule tangent_below_modulus(const Scenario& s, const StudySettings& /*settings*/)
 Rule loss_complete(const Scenario& s, const StudySettings& /*settings*/) {
   const auto* p = lattice_of(s);
   if (p == nullptr || p->loss_ratio.has_value() == p->at_frequency_Hz.has_value()) return std::nullopt;
-  return p->loss_ratio ? Broken{"product.at_frequency_Hz", "", "missing; loss_ratio needs it"}
-                       : Broken{"product.at_frequency_Hz", spelled(*p->at_frequency_Hz), "not used without loss_ratio"};
+  return p->loss_ratio
+             ? Broken{"product.at_frequency_Hz", "", "missing; loss_ratio needs it"}
+             : Broken{"product.at_frequency_Hz", spelled(*p->at_frequency_Hz), "not used without loss_ratio"};
 }
 
 Rule cells_fit(const Scenario& s, const StudySettings& /*settings*/) {
@@ -96,7 +97,8 @@ Rule place_below_lift(const Scenario& s, const StudySettings& /*settings*/) {
 
 Rule duration_known(const Scenario& s, const StudySettings& /*settings*/) {
   if (s.gripper) return std::nullopt;
-  if (!s.simulation.duration_s) return Broken{"simulation.duration_s", "", "missing; a study without [gripper] needs it"};
+  if (!s.simulation.duration_s)
+    return Broken{"simulation.duration_s", "", "missing; a study without [gripper] needs it"};
   if (*s.simulation.duration_s >= s.simulation.time_step_s) return std::nullopt;
   return Broken{"simulation.duration_s", spelled(*s.simulation.duration_s),
                 "must be >= simulation.time_step_s = " + spelled(s.simulation.time_step_s)};
@@ -124,7 +126,8 @@ void check_particles(const NetworkParameters& network, std::vector<Broken>& out)
     const NetworkParticle& p = network.particle[i];
     const bool wall = p.fixed[0] && p.fixed[1] && p.fixed[2];
     if (p.mass_kg > 0.0 || wall) continue;
-    out.push_back({path_of("particle", i, "mass_kg"), spelled(p.mass_kg), "must be > 0 unless all freedoms are fixed"});
+    out.push_back(
+        {path_of("particle", i, "mass_kg"), spelled(p.mass_kg), "must be > 0 unless all freedoms are fixed"});
   }
 }
 
@@ -156,8 +159,9 @@ void check_loads(const NetworkParameters& network, std::vector<Broken>& out) {
                      "there are " + std::to_string(count) + " particles, counted from 0"});
     }
     if (load.time_s.empty() || load.time_s.size() != load.force_N.size()) {
-      out.push_back({path_of("load", i, "force_N"), "",
-                     "must have as many entries as time_s (" + std::to_string(load.time_s.size()) + "), at least one"});
+      out.push_back(
+          {path_of("load", i, "force_N"), "",
+           "must have as many entries as time_s (" + std::to_string(load.time_s.size()) + "), at least one"});
     }
     if (!std::is_sorted(load.time_s.begin(), load.time_s.end())) {
       out.push_back({path_of("load", i, "time_s"), "", "must not decrease"});

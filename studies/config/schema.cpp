@@ -36,7 +36,8 @@ int edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= n; ++j) {
       const int change = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       row[j] = std::min({change, above[j] + 1, row[j - 1] + 1});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
     before.swap(above);
     above.swap(row);
@@ -252,7 +253,7 @@ KeyAddress find_key(std::string_view path) {
 }
 
 const Unit* unit_of(std::string_view path) {
-  while (path.ends_with("]")) path = path.substr(0, path.rfind('['));
+  while (path.ends_with("]") && path.find('[') != std::string_view::npos) path = path.substr(0, path.rfind('['));
   for (const Unit& unit : kUnits) {
     if (path.ends_with(unit.suffix)) return &unit;
   }
@@ -375,7 +376,8 @@ void assign_number(FieldRef field, double number, const std::vector<int>& elemen
 
 void assign(const KeySpec& spec, FieldRef field, const Value& value, const std::vector<int>& elements) {
   if (value.is_number()) {
-    if (auto* const* whole = std::get_if<std::uint64_t*>(&field); whole != nullptr && value.kind == Value::Kind::integer) {
+    if (auto* const* whole = std::get_if<std::uint64_t*>(&field);
+        whole != nullptr && value.kind == Value::Kind::integer) {
       **whole = static_cast<std::uint64_t>(value.integer);
     } else {
       assign_number(field, value.number, elements);
@@ -441,7 +443,9 @@ std::string spelled(const KeySpec& spec, FieldRef field) {
     std::string operator()(const std::vector<double>* x) const {
       return joined(*x, [](double v) { return spelled(v); });
     }
-    std::string operator()(const std::vector<std::array<double, 3>>* x) const { return joined(*x, spelled_vector); }
+    std::string operator()(const std::vector<std::array<double, 3>>* x) const {
+      return joined(*x, spelled_vector);
+    }
   };
   return std::visit(Speller{spec}, field);
 }
@@ -455,8 +459,9 @@ std::string nearest(const std::string& path, const std::vector<std::string>& can
   for (const std::string& candidate : candidates) {
     const std::string_view other = leaf_of(candidate);
     double distance = edit_distance(wanted, candidate);
-    // The right name in the wrong table, or with another unit, is near however long the table's name or the unit is.
-    distance = std::min(distance, edit_distance(leaf, other) + 0.75);
+    // The right name in the wrong table, or with another unit, is near however long the table's name or the unit
+    // is.
+    distance = std::min(distance, edit_distance(leaf, other) + 1.5);
     if (!stem.empty() && stem == without_unit(other)) distance = std::min(distance, 1.5);
     const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
     if (distance <= allowed && distance < best_distance) {

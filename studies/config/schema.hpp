@@ -59,9 +59,9 @@ struct IntegerSpan {
 };
 
 /// The field a key writes to.
-using FieldRef = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
-                              ChoiceRef, NumberSpan, IntegerSpan, std::array<bool, 3>*, std::vector<double>*,
-                              std::vector<std::array<double, 3>>*>;
+using FieldRef =
+    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*, ChoiceRef, NumberSpan,
+                 IntegerSpan, std::array<bool, 3>*, std::vector<double>*, std::vector<std::array<double, 3>>*>;
 
 enum class KeyType {
   number,
@@ -137,9 +137,9 @@ KeyAddress find_key(std::string_view path);
 std::string pattern_of(std::string_view path);
 
 struct Unit {
-  std::string_view suffix;    ///< of the key
-  std::string_view display;   ///< "m/s2"
-  std::string_view udunits;   ///< "m s-2"
+  std::string_view suffix;   ///< of the key
+  std::string_view display;  ///< "m/s2"
+  std::string_view udunits;  ///< "m s-2"
 };
 /// The unit a key's name ends in; nullptr when it has none.
 const Unit* unit_of(std::string_view path);

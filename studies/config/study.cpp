@@ -57,11 +57,11 @@ class Reader {
     sort_tables();
     sort_entries();
     if (other_kind_) return error();  // its keys are not known here
+    const std::size_t known = problems_.count();
     load_lists();
     find_variants();
-    // Without a readable plan or product the rest would only repeat what is known.
     data_.plan = plan_vary(vary_entries_, vary_tables_, place(1), problems_);
-    assemble_bases();
+    assemble_bases(known);
     if (problems_.empty()) check_rules();
     if (!problems_.empty()) return error();
     finish();
@@ -153,7 +153,8 @@ class Reader {
           problems_.add(entry.origin, entry.path, spelled(entry.value), "must be a string");
         }
       } else if (const std::string table = table_called(entry.path); !table.empty()) {
-        problems_.add(entry.origin, entry.path, spelled(entry.value), "must be a table; write " + table_header(table));
+        problems_.add(entry.origin, entry.path, spelled(entry.value),
+                      "must be a table; write " + table_header(table));
       } else {
         study_.push_back(entry);
         refuse_other_kinds(entry);
@@ -221,13 +222,15 @@ class Reader {
     return {use == nullptr ? std::vector<Entry>{} : library_.read(table, *use, problems_)};
   }
 
-  void assemble_bases() {
+  /// @param known problems found before any other file or any [[vary]] block was read
+  void assemble_bases(std::size_t known) {
     const auto products = library_lists("product");
     const auto grippers = library_lists("gripper");
     AssemblyInput input;
     input.fallback = place(1);
     input.tables = tables_;
     input.has_gripper = has_gripper_;
+    input.is_complete = problems_.count() == known;
     for (const VaryColumn& column : data_.plan.columns) {
       if (!column.is_use()) input.varied_keys.push_back(column.input.key);
       input.tables["vary " + column.input.key] = column.origin;

@@ -103,7 +103,8 @@ struct Planner {
 
   bool fill_values(VaryColumn& column, const VaryBlock& block) {
     const KeySpec& spec = *column.address.spec;
-    const bool is_text = spec.type == KeyType::text || spec.type == KeyType::choice || spec.type == KeyType::boolean;
+    const bool is_text =
+        spec.type == KeyType::text || spec.type == KeyType::choice || spec.type == KeyType::boolean;
     column.input.is_text = is_text;
     std::vector<Value> values = block.values.items;
     if (values.empty()) {
@@ -174,10 +175,10 @@ struct Planner {
     column.input.key = raw.block.key;
     column.address = find_key(raw.block.key);
     column.origin = raw.block.origin;
-    if (!variable(column.address, raw.block) || !fill_values(column, raw.block) || !fill_variants(column, raw)) return;
-    const bool twice = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const VaryColumn& other) {
-      return other.input.key == column.input.key;
-    });
+    if (!variable(column.address, raw.block) || !fill_values(column, raw.block) || !fill_variants(column, raw))
+      return;
+    const bool twice = std::any_of(plan.columns.begin(), plan.columns.end(),
+                                   [&](const VaryColumn& other) { return other.input.key == column.input.key; });
     if (twice) {
       problems.add(raw.block.origin, "vary.key", toml_string(raw.block.key), "is varied twice");
       return;

@@ -22,8 +22,8 @@ struct VaryColumn {
   KeyAddress address;
   std::vector<Value> words;  ///< of a text column
   std::size_t axis = 0;
-  /// product.use and gripper.use choose among whole tables: their entries, one list per value, when they are written
-  /// out in the block ([[vary.variant]]).
+  /// product.use and gripper.use choose among whole tables: their entries, one list per value, when they are
+  /// written out in the block ([[vary.variant]]).
   std::vector<std::vector<Entry>> variants;
   Origin origin;
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "studies/results/text.hpp"
+
 namespace unbruised::studies {
 namespace {
 
@@ -20,7 +22,7 @@ std::string short_number(double value) { return printed("%.4g", value); }
 
 std::string with_thousands(unsigned long long value) {
   std::string text = std::to_string(value);
-  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
   return text;
 }
 
@@ -31,10 +33,11 @@ std::string duration_text(double seconds) {
   const double minutes = seconds / 60.0;
   if (minutes < 59.5) {
     const double whole = std::floor(minutes);
-    return printed("%.0f min", whole) + printed(" %.0f s", std::floor(seconds - 60.0 * whole));
+    return joined({printed("%.0f min", whole), printed(" %.0f s", std::floor(seconds - 60.0 * whole))});
   }
   const double hours = std::floor(minutes / 60.0);
-  if (hours < 48.0) return printed("%.0f h", hours) + printed(" %.0f min", std::floor(minutes - 60.0 * hours));
+  if (hours < 48.0)
+    return joined({printed("%.0f h", hours), printed(" %.0f min", std::floor(minutes - 60.0 * hours))});
   return printed("%.1f days", minutes / 1440.0);
 }
 

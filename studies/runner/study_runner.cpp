@@ -31,8 +31,6 @@ std::string utc_now() {
   return {text, length};
 }
 
-bool is_set(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(); }
-
 /// Carries a failure of the journal out of the batch runner.
 struct JournalFailure {
   ResultsError error;

@@ -21,6 +21,7 @@ struct Bracket {
 /// `count` forces strictly between the ends, in equal ratios.
 std::vector<double> log_between(const Bracket& bracket, std::size_t count) {
   std::vector<double> forces;
+  forces.reserve(count);
   const double ratio = bracket.high_N / bracket.low_N;
   for (std::size_t i = 1; i <= count; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(count + 1);
@@ -69,10 +70,9 @@ class WindowSearch {
     for (std::size_t combination = 0; combination < combination_count(); ++combination) {
       const std::size_t lanes = lanes_for_each(members[settings_.factor_group[combination]]);
       const std::size_t count = std::clamp(lanes, kFirstRoundForces, kFirstRoundForcesMost);
-      std::vector<double> forces = log_between({settings_.from_N, settings_.to_N}, count - 2);
-      forces.insert(forces.begin(), settings_.from_N);
-      forces.push_back(settings_.to_N);
-      request(combination, forces, requests);
+      request(combination, {settings_.from_N}, requests);
+      request(combination, log_between({settings_.from_N, settings_.to_N}, count - 2), requests);
+      request(combination, {settings_.to_N}, requests);
     }
     return requests;
   }

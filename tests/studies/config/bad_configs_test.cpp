@@ -64,7 +64,8 @@ TEST(BadConfigs, AFileOverFourMebibytesIsRefusedBeforeParsing) {
 
 TEST(BadConfigs, EveryTruncationAndEveryChangedByteIsSurvived) {
   // A crash or an escaping exception fails the test; most of these texts are wrong, some are right.
-  const std::string text = gripped_block("sweep") + "[[vary]]\nkey = \"product.size_m[0]\"\nvalues = [0.05, 0.06]\n";
+  const std::string text =
+      gripped_block("sweep") + "[[vary]]\nkey = \"product.size_m[0]\"\nvalues = [0.05, 0.06]\n";
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     wrong += errors_of(text.substr(0, i)).empty() ? 0U : 1U;

@@ -33,11 +33,15 @@ std::vector<Arrival> lattice_arrivals() {
   const std::vector<std::string> lossy = {"product.loss_ratio=0.25", "product.at_frequency_Hz=12.5"};
   return {
       {"product.shape", "\"cylinder\"", [](S s) { return lattice(s).shape == Shape::cylinder; }},
-      {"product.size_m", "[0.5, 0.25, 0.75]", [](S s) { return lattice(s).size_m == A3{0.5, 0.25, 0.75}; }},
+      {"product.size_m", "[0.5, 0.25, 0.75]",
+       [](S s) {
+         return lattice(s).size_m == A3{0.5, 0.25, 0.75};
+       }},
       {"product.axis", "\"y\"", [](S s) { return lattice(s).axis == Axis::y; }, {"product.shape=cylinder"}},
       {"product.cell_size_m", "0.0125", [](S s) { return lattice(s).cell_size_m == 0.0125; }},
       {"product.mass_kg", "0.375", [](S s) { return lattice(s).mass_kg == 0.375 && !lattice(s).density_kg_m3; }},
-      {"product.density_kg_m3", "875.0", [](S s) { return lattice(s).density_kg_m3 == 875.0 && !lattice(s).mass_kg; }},
+      {"product.density_kg_m3", "875.0",
+       [](S s) { return lattice(s).density_kg_m3 == 875.0 && !lattice(s).mass_kg; }},
       {"product.youngs_modulus_Pa", "12345.0", [](S s) { return lattice(s).youngs_modulus_Pa == 12345.0; }},
       {"product.poisson_ratio", "0.375", [](S s) { return lattice(s).poisson_ratio == 0.375; }},
       {"product.yield_stress_Pa", "11.5", [](S s) { return lattice(s).yield_stress_Pa == 11.5; }, plastic},
@@ -47,10 +51,15 @@ std::vector<Arrival> lattice_arrivals() {
       {"product.at_frequency_Hz", "12.5", [](S s) { return lattice(s).at_frequency_Hz == 12.5; }, lossy},
       {"product.friction", "0.875", [](S s) { return lattice(s).friction == 0.875; }},
       {"product.initial_velocity_m_s", "[1.0, 2.0, 3.0]",
-       [](S s) { return lattice(s).initial_velocity_m_s == A3{1.0, 2.0, 3.0}; }},
+       [](S s) {
+         return lattice(s).initial_velocity_m_s == A3{1.0, 2.0, 3.0};
+       }},
       {"gripper.finger_mass_kg", "0.375", [](S s) { return s.gripper->finger_mass_kg == 0.375; }},
       {"gripper.stroke_m", "0.375", [](S s) { return s.gripper->stroke_m == 0.375; }},
-      {"gripper.pad_size_m", "[0.5, 0.25]", [](S s) { return s.gripper->pad_size_m == A2{0.5, 0.25}; }},
+      {"gripper.pad_size_m", "[0.5, 0.25]",
+       [](S s) {
+         return s.gripper->pad_size_m == A2{0.5, 0.25};
+       }},
       {"gripper.pad_thickness_m", "0.375", [](S s) { return s.gripper->pad_thickness_m == 0.375; }},
       {"gripper.pad_modulus_Pa", "375.0", [](S s) { return s.gripper->pad_modulus_Pa == 375.0; }},
       {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return s.gripper->pad_relaxation_time_s == 0.375; }},
@@ -58,8 +67,12 @@ std::vector<Arrival> lattice_arrivals() {
       {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return s.gripper->drive_viscous_N_s_m == 0.375; }},
       {"gripper.max_force_N", "375.0", [](S s) { return s.gripper->max_force_N == 375.0; }},
       {"gripper.max_speed_m_s", "3.75", [](S s) { return s.gripper->max_speed_m_s == 3.75; }},
-      {"gripper.coupling", "\"independent\"", [](S s) { return s.gripper->coupling == FingerCoupling::independent; }},
-      {"cell.gravity_m_s2", "[1.0, 2.0, 3.0]", [](S s) { return s.cell.gravity_m_s2 == A3{1.0, 2.0, 3.0}; }},
+      {"gripper.coupling", "\"independent\"",
+       [](S s) { return s.gripper->coupling == FingerCoupling::independent; }},
+      {"cell.gravity_m_s2", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return s.cell.gravity_m_s2 == A3{1.0, 2.0, 3.0};
+       }},
       {"cell.support", "false", [](S s) { return !s.cell.support; }},
       {"cell.support_friction", "0.375", [](S s) { return s.cell.support_friction == 0.375; }},
       {"cell.support_modulus_Pa", "375.0", [](S s) { return s.cell.support_modulus_Pa == 375.0; }},
@@ -68,7 +81,10 @@ std::vector<Arrival> lattice_arrivals() {
       {"cell.approach_gap_m", "0.0375", [](S s) { return s.cell.approach_gap_m == 0.0375; }},
       {"cell.grip_height_m", "-0.0375", [](S s) { return s.cell.grip_height_m == -0.0375; }},
       {"cell.lift_height_m", "0.375", [](S s) { return s.cell.lift_height_m == 0.375; }},
-      {"cell.transfer_m", "[0.5, 0.25]", [](S s) { return s.cell.transfer_m == A2{0.5, 0.25}; }},
+      {"cell.transfer_m", "[0.5, 0.25]",
+       [](S s) {
+         return s.cell.transfer_m == A2{0.5, 0.25};
+       }},
       {"cell.place_height_m", "-0.375", [](S s) { return s.cell.place_height_m == -0.375; }},
       {"strategy.approach_speed_m_s", "0.375", [](S s) { return s.strategy.approach_speed_m_s == 0.375; }},
       {"strategy.grip_force_N", "3.75", [](S s) { return s.strategy.grip_force_N == 3.75; }},
@@ -107,26 +123,42 @@ std::vector<Arrival> lattice_arrivals() {
 std::vector<Arrival> network_arrivals() {
   return {
       {"product.particle[1].position_m", "[1.0, 2.0, 3.0]",
-       [](S s) { return network(s).particle[1].position_m == A3{1.0, 2.0, 3.0}; }},
+       [](S s) {
+         return network(s).particle[1].position_m == A3{1.0, 2.0, 3.0};
+       }},
       {"product.particle[1].mass_kg", "0.375", [](S s) { return network(s).particle[1].mass_kg == 0.375; }},
       {"product.particle[1].fixed", "[\"z\", \"x\"]",
-       [](S s) { return network(s).particle[1].fixed == std::array<bool, 3>{true, false, true}; }},
+       [](S s) {
+         return network(s).particle[1].fixed == std::array<bool, 3>{true, false, true};
+       }},
       {"product.particle[1].initial_displacement_m", "[1.0, 2.0, 3.0]",
-       [](S s) { return network(s).particle[1].initial_displacement_m == A3{1.0, 2.0, 3.0}; }},
+       [](S s) {
+         return network(s).particle[1].initial_displacement_m == A3{1.0, 2.0, 3.0};
+       }},
       {"product.particle[1].initial_velocity_m_s", "[1.0, 2.0, 3.0]",
-       [](S s) { return network(s).particle[1].initial_velocity_m_s == A3{1.0, 2.0, 3.0}; }},
-      {"product.particle[1].contact_stiffness_N_m", "375.0",
-       [](S s) { return network(s).particle[1].contact_stiffness_N_m == 375.0; }, {"cell.support=true"}},
+       [](S s) {
+         return network(s).particle[1].initial_velocity_m_s == A3{1.0, 2.0, 3.0};
+       }},
+      {"product.particle[1].contact_stiffness_N_m",
+       "375.0",
+       [](S s) { return network(s).particle[1].contact_stiffness_N_m == 375.0; },
+       {"cell.support=true"}},
       {"product.spring[0].between", "[1, 0]",
-       [](S s) { return network(s).spring[0].between == std::array<int, 2>{1, 0}; }},
-      {"product.spring[0].stiffness_N_m", "375.0", [](S s) { return network(s).spring[0].stiffness_N_m == 375.0; }},
+       [](S s) {
+         return network(s).spring[0].between == std::array<int, 2>{1, 0};
+       }},
+      {"product.spring[0].stiffness_N_m", "375.0",
+       [](S s) { return network(s).spring[0].stiffness_N_m == 375.0; }},
       {"product.spring[0].damping_N_s_m", "3.75", [](S s) { return network(s).spring[0].damping_N_s_m == 3.75; }},
       {"product.spring[0].rest_length_m", "3.75", [](S s) { return network(s).spring[0].rest_length_m == 3.75; }},
       {"product.spring[0].yield_force_N", "3.75", [](S s) { return network(s).spring[0].yield_force_N == 3.75; }},
-      {"product.spring[0].hardening_ratio", "3.75", [](S s) { return network(s).spring[0].hardening_ratio == 3.75; }},
+      {"product.spring[0].hardening_ratio", "3.75",
+       [](S s) { return network(s).spring[0].hardening_ratio == 3.75; }},
       {"product.load[0].particle", "0", [](S s) { return network(s).load[0].particle == 0; }},
       {"product.load[0].time_s", "[0.5, 3.0]",
-       [](S s) { return network(s).load[0].time_s == std::vector<double>{0.5, 3.0}; }},
+       [](S s) {
+         return network(s).load[0].time_s == std::vector<double>{0.5, 3.0};
+       }},
       {"product.load[0].force_N", "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]",
        [](S s) {
          return network(s).load[0].force_N == std::vector<A3>{A3{1.0, 2.0, 3.0}, A3{4.0, 5.0, 6.0}};

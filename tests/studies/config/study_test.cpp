@@ -138,9 +138,10 @@ count = 100
 
 TEST(Set, OverridesTheStudyAndTheFilesItUses) {
   const std::string text = "[study]\nname = \"t\"\nkind = \"simulate\"\n[gripper]\n[product]\nfriction = 0.9\n";
-  const Study study = study_of(text, {"product.use=products/kiwi_ripe.toml", "product.size_m[1]=0.08", "study.seed=5",
-                                      "product.mass_kg = 0.11", "limits.plastic_strain=none", "study.name=123",
-                                      "gripper.use=\"grippers/parallel_jaw_firm.toml\"", "gripper.stroke_m=0.03"});
+  const Study study =
+      study_of(text, {"product.use=products/kiwi_ripe.toml", "product.size_m[1]=0.08", "study.seed=5",
+                      "product.mass_kg = 0.11", "limits.plastic_strain=none", "study.name=123",
+                      "gripper.use=\"grippers/parallel_jaw_firm.toml\"", "gripper.stroke_m=0.03"});
   const Scenario scenario = study.scenario(0);
   const auto& kiwi = std::get<LatticeParameters>(scenario.product);
   EXPECT_EQ(kiwi.size_m, (std::array<double, 3>{0.050, 0.08, 0.050}));
@@ -269,8 +270,9 @@ TEST(Configs, EveryFileThatShipsIsRead) {
       EXPECT_EQ(errors_of(head + "[gripper]\n[product]\nuse = \"" + path + "\"\n"), std::vector<std::string>{});
     } else if (path.starts_with("grippers/")) {
       ++grippers;
-      EXPECT_EQ(errors_of(head + "[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\nuse = \"" + path + "\"\n"),
-                std::vector<std::string>{});
+      EXPECT_EQ(
+          errors_of(head + "[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\nuse = \"" + path + "\"\n"),
+          std::vector<std::string>{});
     } else {
       ++studies;
       const auto read = read_study(file.path(), {}, config_root());

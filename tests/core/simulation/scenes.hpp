@@ -1,0 +1,154 @@
+#pragma once
+
+/// @file
+/// Small scenes and ways to run them, for the tests of the simulator's physics.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/simulation/simulation.hpp"
+
+namespace unbruised::testing {
+
+inline constexpr double kGravity = 9.80665;
+
+inline std::shared_ptr<const Model> build(const Scenario& scenario) {
+  for (const Violation& violation : validate(scenario)) {
+    ADD_FAILURE() << violation.field << ": " << violation.rule;
+  }
+  std::string error;
+  auto model = Model::build(scenario, error);
+  EXPECT_NE(model, nullptr) << error;
+  return model;
+}
+
+inline ScenarioResult run(const Scenario& scenario, Trace* trace = nullptr) {
+  return simulate(build(scenario), scenario, trace);
+}
+
+/// Runs scenarios of one factor key side by side; as many as there are lanes at most.
+inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>& scenarios) {
+  LaneSimulation simulation(build(scenarios.front()));
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    EXPECT_EQ(factor_key(scenarios[i]), factor_key(scenarios.front()));
+    simulation.load(static_cast<int>(i), scenarios[i]);
+  }
+  std::vector<ScenarioResult> results(scenarios.size());
+  while (simulation.busy_count() > 0) {
+    simulation.step();
+    for (const auto& finished : simulation.finished()) {
+      results[static_cast<std::size_t>(finished.lane)] = finished.result;
+    }
+  }
+  return results;
+}
+
+inline const TraceSignal& signal(const Trace& trace, const std::string& name) {
+  for (const TraceSignal& candidate : trace.signals) {
+    if (candidate.name == name) return candidate;
+  }
+  ADD_FAILURE() << "no signal " << name;
+  return trace.signals.front();
+}
+
+/// Values per row of a signal.
+inline std::size_t width(const TraceSignal& signal) {
+  std::size_t size = 1;
+  for (int extent : signal.extents) size *= static_cast<std::size_t>(extent);
+  return size;
+}
+
+/// One column of a signal over time.
+inline std::vector<double> column(const Trace& trace, const std::string& name, std::size_t at = 0) {
+  const TraceSignal& from = signal(trace, name);
+  std::vector<double> values;
+  for (std::size_t i = at; i < from.values.size(); i += width(from)) values.push_back(from.values[i]);
+  return values;
+}
+
+/// Displacement of one freedom (3 x particle + axis) over time.
+inline std::vector<double> freedom(const Trace& trace, const std::vector<double>& rows, std::size_t at) {
+  std::vector<double> values;
+  for (std::size_t i = at; i < rows.size(); i += 3 * static_cast<std::size_t>(trace.particle_count)) {
+    values.push_back(rows[i]);
+  }
+  return values;
+}
+
+inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Every metric, the outcome, its cause and its time, bit by bit.
+inline void expect_same_bits(const ScenarioResult& a, const ScenarioResult& b, const std::string& where) {
+  EXPECT_EQ(a.outcome, b.outcome) << where;
+  EXPECT_EQ(a.cause, b.cause) << where;
+  EXPECT_TRUE(same_bits(a.outcome_time_s, b.outcome_time_s)) << where;
+  for (const MetricInfo& info : kMetricTable) {
+    EXPECT_TRUE(same_bits(a.metrics[info.metric], b.metrics[info.metric]))
+        << where << ": " << info.name << " " << a.metrics[info.metric] << " and " << b.metrics[info.metric];
+  }
+}
+
+/// A soft cube of 2 cm and 8 g between two fingers; the whole cycle takes about 1.5 s.
+inline Scenario small_box() {
+  Scenario scenario;
+  LatticeParameters product;
+  product.shape = Shape::box;
+  product.size_m = {0.02, 0.02, 0.02};
+  product.cell_size_m = 0.01;
+  product.density_kg_m3 = 1000.0;
+  product.youngs_modulus_Pa = 1e5;
+  product.relaxation_time_s = 2e-3;
+  product.friction = 0.5;
+  scenario.product = product;
+  GripperParameters gripper;
+  gripper.pad_size_m = {0.03, 0.03};
+  scenario.gripper = gripper;
+  scenario.cell.approach_gap_m = 0.002;
+  scenario.cell.lift_height_m = 0.02;
+  scenario.cell.transfer_m = {0.0, 0.05};
+  scenario.strategy.approach_speed_m_s = 0.05;
+  scenario.strategy.grip_force_N = 0.3;
+  scenario.strategy.contact_force_N = 0.1;
+  scenario.strategy.grip_ramp_s = 0.05;
+  scenario.strategy.settle_s = 0.1;
+  scenario.strategy.recover_s = 0.1;
+  scenario.simulation.time_step_s = 1e-3;
+  return scenario;
+}
+
+inline LatticeParameters& lattice_of(Scenario& scenario) { return std::get<LatticeParameters>(scenario.product); }
+
+/// A single freedom along x: a particle on a spring to a wall.
+inline Scenario oscillator(double mass_kg, double stiffness_N_m, double time_step_s, int steps) {
+  Scenario scenario;
+  NetworkParameters network;
+  NetworkParticle wall;
+  wall.fixed = {true, true, true};
+  NetworkParticle particle;
+  particle.position_m = {1.0, 0.0, 0.0};
+  particle.mass_kg = mass_kg;
+  particle.fixed = {false, true, true};
+  NetworkSpring spring;
+  spring.between = {0, 1};
+  spring.stiffness_N_m = stiffness_N_m;
+  network.particle = {wall, particle};
+  network.spring = {spring};
+  scenario.product = network;
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+  scenario.cell.support = false;
+  scenario.simulation.time_step_s = time_step_s;
+  scenario.simulation.duration_s = steps * time_step_s;
+  return scenario;
+}
+
+inline NetworkParameters& network_of(Scenario& scenario) { return std::get<NetworkParameters>(scenario.product); }
+
+}  // namespace unbruised::testing

@@ -1,0 +1,74 @@
+#pragma once
+
+/// @file
+/// Calls the real program as a user does.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace unbruised::studies::testing {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, removed at its end.
+class ProgramTest : public ::testing::Test {
+ protected:
+  struct Answer {
+    int status = -1;
+    std::string out;
+    std::string err;
+  };
+
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ =
+        fs::temp_directory_path() / (std::string("unbruised_") + info->name() + "_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Answer call(const std::string& words) const {
+    return shell(quoted(UNBRUISED_PROGRAM) + " " + words);
+  }
+
+  /// Runs a shell line in the test's folder.
+  [[nodiscard]] Answer shell(const std::string& line) const {
+    const std::string command = "cd " + quoted(folder_.string()) + " && (" + line + ") >stdout.txt 2>stderr.txt";
+    const int status = std::system(command.c_str());
+    Answer answer;
+    answer.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    answer.out = text_of("stdout.txt");
+    answer.err = text_of("stderr.txt");
+    return answer;
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  [[nodiscard]] static std::string quoted(const std::string& word) { return "'" + word + "'"; }
+
+  /// The line of `text` that begins so, without that beginning; empty when there is none.
+  [[nodiscard]] static std::string line_after(const std::string& text, const std::string& begin) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(begin)) return line.substr(begin.size());
+    }
+    return {};
+  }
+
+  fs::path folder_;
+};
+
+}  // namespace unbruised::studies::testing

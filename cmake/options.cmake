@@ -11,7 +11,10 @@ target_compile_options(unbruised_options INTERFACE
   -Wno-uninitialized -Wno-maybe-uninitialized
   # ... and overlaps in "literal" + std::string (PR 105651).
   -Wno-restrict
-  -fno-math-errno -fno-trapping-math -fopenmp-simd)
+  -fno-math-errno -fno-trapping-math -fopenmp-simd
+  # In a * b + c * d the compiler may fuse either product, and does not choose alike in the two halves of a lane value:
+  # a scenario's bits would depend on its lane. Kernels of the plain form c += a * b switch it on again.
+  -ffp-contract=off)
 # 512-bit vectors where the machine has them: the lane kernels are written for them.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-mprefer-vector-width=512 UNBRUISED_HAS_VECTOR_WIDTH_FLAG)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/lanes/lane_matrix.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -299,18 +301,7 @@ Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
       const auto i = static_cast<std::size_t>(node);
       std::array<Lane, 3> d = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
       const double* row = model_.compliance.data() + 9 * i * m;
-      for (int other : active_node_) {
-        const auto j = static_cast<std::size_t>(other);
-        const double* block = row + 9 * j;
-        const double* f = node_force_.row(3 * j);
-        const Lane f0 = ::unbruised::load(f), f1 = ::unbruised::load(f + kLanes),
-                   f2 = ::unbruised::load(f + 2 * kLanes);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          d[axis] += Lane(block[3 * axis]) * f0;
-          d[axis] += Lane(block[3 * axis + 1]) * f1;
-          d[axis] += Lane(block[3 * axis + 2]) * f2;
-        }
-      }
+      add_blocks(row, active_node_, node_force_, d);
       const double* own = row + 9 * i;
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
         update_candidate(static_cast<std::size_t>(c), fingers, solving, d, own, largest_change, largest_force);

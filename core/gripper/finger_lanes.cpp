@@ -8,12 +8,13 @@ constexpr double kDirection[2] = {1.0, -1.0};
 
 }  // namespace
 
-void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper) {
+void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s) {
   const GripperParameters values = gripper.value_or(GripperParameters{});
   for (State& s : state_) {
     for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous})
       value->set(lane, 0.0);
   }
+  for (State& s : state_) s.speed.set(lane, gripper ? closing_speed_m_s : 0.0);
   mass_.set(lane, values.finger_mass_kg);
   viscous_.set(lane, values.drive_viscous_N_s_m);
   gain_.set(lane, values.drive_gain_N_s_m);

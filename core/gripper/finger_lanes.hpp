@@ -23,8 +23,8 @@ struct DriveCommand {
 
 class FingerLanes {
  public:
-  /// Puts a gripper at rest into a lane; none: pads far away that never touch.
-  void load(int lane, const std::optional<GripperParameters>& gripper);
+  /// Puts a gripper into a lane whose fingers close at `closing_speed_m_s`; none: pads that never touch.
+  void load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s);
 
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);

@@ -17,6 +17,15 @@ inline void add_block(const double* block, const double* x, Lane (&acc)[3]) {
 
 }  // namespace
 
+void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, std::array<Lane, 3>& sum) {
+  Lane acc[3] = {sum[0], sum[1], sum[2]};
+  for (int j : columns) {
+    const auto at = static_cast<std::size_t>(j);
+    add_block(row + 9 * at, x.row(3 * at), acc);
+  }
+  for (std::size_t i = 0; i < 3; ++i) sum[i] = acc[i];
+}
+
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {
   for (int row = 0; row < A.particle_count; ++row) {
     Lane acc[3] = {0.0, 0.0, 0.0};

@@ -159,7 +159,9 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   }
   now.support_height.set(lane, 0.0);
   for (Lane* sum : {&damping_power, &damped, &palm_work, &gravity_work, &positive_work}) sum->set(lane, 0.0);
-  fingers.load(lane, scenario.gripper);
+  // The approach begins in steady motion, but for a grip that is ramped up from rest.
+  fingers.load(lane, scenario.gripper,
+               scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s);
   contact.load(lane, scenario, parts.lattice ? parts.lattice->center_m : parts.center_of_mass_m);
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     cells->load(lane, *lattice);
@@ -184,6 +186,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   for (std::size_t i = 0; i < 3 * parts.particle_count; ++i) {
     kinetic += 0.5 * parts.mass_kg[i / 3] * v.at(i, lane) * v.at(i, lane);
   }
+  if (scenario.gripper) kinetic += fingers.kinetic_energy()[lane];
   positive_work.set(lane, kinetic);
 }
 

@@ -149,7 +149,7 @@ enum class ProfileKind { trapezoid, minimum_jerk };
 
 /// The decision variables.
 struct StrategyParameters {
-  /// > 0, per finger
+  /// > 0, per finger; the fingers start at this speed (at rest with ramp_from_start)
   double approach_speed_m_s = 0.05;
   /// > 0; drive force limit of each finger, so its normal force at rest
   double grip_force_N = 1.0;

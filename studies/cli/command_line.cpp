@@ -26,11 +26,17 @@ struct UsageError {
 
 bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
 
-/// `key=value` as a word of its own belongs to the --set before it; a study may have such a name, if it exists.
-bool is_set_word(const std::string& word) {
+bool is_file(const std::string& word) {
   std::error_code error;
-  return word.find('=') != std::string::npos && !std::filesystem::exists(word, error);
+  return std::filesystem::exists(word, error);
 }
+
+/// A word that says what a key is, where it stands free or after --set. A study may have such a name, if it
+/// exists.
+bool is_set_word(const std::string& word) { return word.find('=') != std::string::npos && !is_file(word); }
+
+/// --set takes all words that follow it; a study may be among them.
+bool is_study_word(const std::string& word) { return word.ends_with(".toml") || is_file(word); }
 
 /// The known word spelt most like this one.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
@@ -45,6 +51,7 @@ class CommandLine {
     app_.name("unbruised");
     app_.set_version_flag("--version", build_line());
     app_.allow_extras();
+    app_.require_subcommand(0, 1);  // a later word may be a folder named `run`
     app_.footer(
         "\nbegin with:\n  unbruised list\n  unbruised check configs/kiwi_sweep.toml\n"
         "  unbruised run configs/kiwi_sweep.toml\n"
@@ -83,8 +90,7 @@ class CommandLine {
     to.add_option("STUDY", words_, "the study's TOML file")->type_name("FILE")->expected(0, -1);
     to.add_option("--set", sets_, "key=value: give a key another value; may repeat and take several")
         ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->expected(1, -1);
   }
 
   void add_run() {
@@ -146,15 +152,17 @@ class CommandLine {
   /// Sorts the words into the study and the values of --set.
   void take_study(const std::string& name) {
     std::vector<std::string> studies;
-    for (const std::string& word : words_) (is_set_word(word) ? sets_ : studies).push_back(word);
-    for (const std::string& set : sets_) {
-      if (set.find('=') == std::string::npos) {
-        throw UsageError{joined({"--set ", set, ": must be key=value"}), name};
+    std::vector<std::string> sets;
+    for (const std::string& word : words_) (is_set_word(word) ? sets : studies).push_back(word);
+    for (const std::string& word : sets_) {
+      if (!is_set_word(word) && !is_study_word(word)) {
+        throw UsageError{joined({"--set ", word, ": must be key=value"}), name};
       }
+      (is_set_word(word) ? sets : studies).push_back(word);
     }
     words_ = studies;
     run_.study.study = one_word(name, "a study file (STUDY.toml)");
-    run_.study.sets = sets_;
+    run_.study.sets = sets;
   }
 
   std::string one_word(const std::string& name, const std::string& what) const {

@@ -133,23 +133,19 @@ TEST_F(LaneDeterminism, EveryNeighbourAlsoRunsAsItDoesAlone) {
       expect_same_bits(finished.result, single[k], "kind " + std::to_string(k) + " in the mix");
     }
   }
-  EXPECT_EQ(single[3].outcome, Outcome::diverged) << single[3].cause;
+  EXPECT_EQ(single[3].outcome, Outcome::out_of_range) << single[3].cause;
   EXPECT_EQ(single[4].outcome, Outcome::diverged) << single[4].cause;
 }
 
-TEST_F(LaneDeterminism, DebugPairs) {
-  const std::vector<Scenario> others = neighbours();
-  const ScenarioResult base = simulate(model, others[7], nullptr);
-  for (std::size_t k = 0; k < others.size(); ++k) {
+TEST_F(LaneDeterminism, BothHalvesOfALaneValueRoundAlike) {
+  // A compiler that fuses a * b + c * d one way in the first register and the other way in the second fails here.
+  const Scenario rough = neighbours().back();
+  const ScenarioResult first = simulate(model, rough, nullptr);
+  ASSERT_GT(first.metrics[Metric::slip_max_m], 0.0);
+  for (int lane = 1; lane < lane_count(); ++lane) {
     LaneSimulation simulation(model);
-    simulation.load(14, others[7]);
-    simulation.load(3, others[k]);
-    expect_same_bits(run_until_done(simulation, 14), base, "pair " + std::to_string(k));
-  }
-  for (int lane : {0, 6, 14}) {
-    LaneSimulation simulation(model);
-    simulation.load(lane, others[7]);
-    expect_same_bits(run_until_done(simulation, lane), base, "pos " + std::to_string(lane));
+    simulation.load(lane, rough);
+    expect_same_bits(run_until_done(simulation, lane), first, "lane " + std::to_string(lane));
   }
 }
 

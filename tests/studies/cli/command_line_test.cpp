@@ -85,6 +85,11 @@ TEST_F(CommandLine, RefusesBadNumbersOfOptions) {
   expect_refused("run", "needs a study file");
 }
 
+TEST_F(CommandLine, AFolderMayHaveTheNameOfACommand) {
+  std::filesystem::create_directories(folder_ / "run");
+  expect_refused("info run", "run is no run directory");
+}
+
 TEST_F(CommandLine, HelpAndVersionGoToStdout) {
   EXPECT_EQ(call("--help").status, 0);
   EXPECT_NE(call("--help").out.find("check"), std::string::npos);

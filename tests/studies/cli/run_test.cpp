@@ -96,8 +96,8 @@ TEST_F(RunProgram, ASingleSimulationKeepsItsTrace) {
 }
 
 TEST_F(RunProgram, AnInterruptedRunSaysHowToContinueAndEndsWithTheSameDigest) {
-  write_sweep("200.0", 4000);  // some seconds of work on one thread
-  const Answer stopped = shell("timeout --preserve-status -s INT 1 " + quoted(UNBRUISED_PROGRAM) +
+  write_sweep("200.0", 400);  // some seconds of work on one thread
+  const Answer stopped = shell("timeout --preserve-status -s INT 0.4 " + quoted(UNBRUISED_PROGRAM) +
                                " run study.toml --threads 1 --output run");
   ASSERT_EQ(stopped.status, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("run study.toml --output run --threads 1"), std::string::npos) << stopped.err;

@@ -76,7 +76,7 @@ void forward_supernode(const SupernodalFactor& F, const Supernode& s, double* x)
   for (int first = 0; first < s.column_count; first += kPanelRows) {
     const int height = std::min(kPanelRows, s.column_count - first);
     with_height(height, [&]<int H>() { ForwardPanel<P, H>::diagonal(L, columns, first); });
-    L += static_cast<std::size_t>(height) * s.column_count;
+    L += static_cast<std::size_t>(height) * (first + height);
   }
   L = F.value.data() + s.below_offset;
   const int* rows = F.row.data() + s.row_offset;
@@ -124,14 +124,12 @@ void backward_columns(const SupernodalFactor& F, const Supernode& s, int first, 
   const double* diagonal = F.value.data() + s.value_offset;
   for (int p = first + Width; p < s.column_count; p += kPanelRows) {
     with_height(std::min(kPanelRows, s.column_count - p), [&]<int H>() {
-      const double* L =
-          diagonal + static_cast<std::size_t>(p) * s.column_count + static_cast<std::size_t>(first) * H;
+      const double* L = diagonal + diagonal_panel_offset(p) + static_cast<std::size_t>(first) * H;
       BackwardColumns<P, Width>::template panel<H>(
           L, [&](int i) { return columns + static_cast<std::size_t>(p + i) * P::size; }, acc);
     });
   }
-  const double* T =
-      diagonal + static_cast<std::size_t>(first) * s.column_count + static_cast<std::size_t>(first) * Width;
+  const double* T = diagonal + diagonal_panel_offset(first) + static_cast<std::size_t>(first) * Width;
   for (int k = Width - 1; k >= 0; --k) {
     acc[k] = acc[k] * P(T[k * Width + k]);
     for (int c = 0; c < k; ++c) acc[c] -= P(T[c * Width + k]) * acc[k];

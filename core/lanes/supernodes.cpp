@@ -67,11 +67,14 @@ std::vector<Block> amalgamate(std::vector<Block> blocks) {
   return merged;
 }
 
-/// Writes one block's dense rows, given by `dense` (row-major [rows, columns]), as panels.
-void pack_panels(const std::vector<double>& dense, int rows, int columns, std::vector<double>& out) {
+/// Writes a block's dense rows, `dense` row-major [rows, columns], as panels; those of a triangle end at its
+/// diagonal.
+void pack_panels(const std::vector<double>& dense, int rows, int columns, bool triangle,
+                 std::vector<double>& out) {
   for (int first = 0; first < rows; first += kPanelRows) {
     const int height = std::min(kPanelRows, rows - first);
-    for (int column = 0; column < columns; ++column) {
+    const int width = triangle ? first + height : columns;
+    for (int column = 0; column < width; ++column) {
       for (int row = 0; row < height; ++row) {
         out.push_back(dense[static_cast<std::size_t>(first + row) * columns + column]);
       }
@@ -124,9 +127,9 @@ SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
       }
     }
     node.value_offset = packed.value.size();
-    pack_panels(diagonal, block.count, block.count, packed.value);
+    pack_panels(diagonal, block.count, block.count, true, packed.value);
     node.below_offset = packed.value.size();
-    pack_panels(below, node.row_count, block.count, packed.value);
+    pack_panels(below, node.row_count, block.count, false, packed.value);
     packed.supernode.push_back(node);
   }
   for (Supernode& s : packed.supernode) {

@@ -29,6 +29,12 @@ struct Supernode {
   int parent = -1;               ///< supernode that holds the first row below; -1: root
 };
 
+/// Where the panel whose first row is `first` (a multiple of kPanelRows) begins in a diagonal block.
+constexpr std::size_t diagonal_panel_offset(int first) {
+  const auto panels = static_cast<std::size_t>(first / kPanelRows);
+  return static_cast<std::size_t>(kPanelRows) * kPanelRows * panels * (panels + 1) / 2;
+}
+
 /// L of P A P' = L L', as supernodes in elimination order.
 struct SupernodalFactor {
   int size = 0;

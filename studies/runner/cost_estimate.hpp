@@ -10,9 +10,9 @@
 
 namespace unbruised::studies {
 
-/// Wall time of one step of one lane on one core per entry of the factor, all parts of the step included.
-/// Measured on a 512-particle block between two pads (AVX-512, 16 lanes); other machines differ by some factor.
-inline constexpr double kLaneStepSecondsPerFactorEntry = 6e-10;
+/// Core time of one step of one lane per estimated entry of the factor, all parts of the step included. Measured
+/// over 512 scenarios of a kiwi of 1,099 particles between two pads (AVX-512, 16 lanes); other machines differ.
+inline constexpr double kLaneStepSecondsPerFactorEntry = 1.5e-10;
 /// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).
 inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
 /// A contact that closes and opens again within fewer steps is not resolved (docs/theory.md, "Contact").

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/results/rows.hpp"
@@ -29,15 +30,17 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows);
 /// The largest |impulse_balance_error| and the largest energy_balance_error, with their scenarios; empty when
 /// no row has them.
 std::string balance_line(const std::vector<ScenarioRow>& rows);
-/// The window of each combination and the one common to all. @param most_lines of combinations.
+/// The window of each combination and the one common to all.
+/// @param most_lines of combinations; where there are more, those without a window come first.
 std::vector<std::string> window_lines(const WindowTable& window, std::size_t most_lines);
 /// The held row with the shortest cycle, then the largest friction margin, then the least id; nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
 std::string best_line(const StudyTables& tables);
 
-/// All of the above in order.
-std::vector<std::string> summary_lines(const StudyTables& tables);
-/// The first few rows that are not held, most serious first, each with its cause and the command that replays it.
+/// All of the above in order. @param study_kind "sweep" shows few combinations, a search all it can.
+std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind);
+/// The first row of each outcome that is not held, most serious first, with its cause and the command that replays
+/// it.
 /// @param replay_command without the id, e.g. "unbruised run study.toml --scenario".
 std::vector<std::string> replay_lines(const StudyTables& tables, const std::string& replay_command);
 

@@ -20,7 +20,7 @@ inline std::vector<TableRow> read_table(const std::string& name) {
   EXPECT_TRUE(file.good()) << name;
   const auto split = [](const std::string& line) {
     std::vector<std::string> fields;
-    std::stringstream stream(line);
+    std::stringstream stream(line.substr(0, line.find('\r')));
     for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
     return fields;
   };

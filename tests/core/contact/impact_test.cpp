@@ -1,0 +1,91 @@
+// A body that hits the support gains no energy, and its peak force is right from 20 steps per contact on.
+
+#include <gtest/gtest.h>
+
+#include "tests/core/contact/impact_scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+constexpr double kLayer_N_m = 2000.0;
+
+TEST(BarImpact, GainsNoEnergyThroughALayerAndPeaksRight) {
+  for (int masses : {20, 80}) {
+    const Impact fine = measure_impact(falling_bar(masses, kLayer_N_m, 2e-6, 0.5, 0.05));
+    EXPECT_NEAR(fine.most_energy, 1.0, 1e-3);
+    for (double steps : {20.0, 50.0}) {
+      const Impact impact = worst_bar_impact(masses, kLayer_N_m, fine.contact_s, steps);
+      // Collocation carries the contact's acceleration over a step: at 20 steps 2 % on the way, nothing afterwards.
+      EXPECT_LT(impact.most_energy, 1.02) << masses << " masses, " << steps << " steps";
+      EXPECT_LT(impact.last_energy, 1.001) << masses << " masses, " << steps << " steps";
+      EXPECT_NEAR(impact.peak_N, fine.peak_N, 0.03 * fine.peak_N) << masses << " masses, " << steps << " steps";
+      std::cout << "[ measured ] " << masses << " masses, " << steps << " steps: energy " << impact.most_energy << " / "
+                << impact.last_energy << ", peak " << impact.peak_N / Bar::rigid_peak_N() << " (converged "
+                << fine.peak_N / Bar::rigid_peak_N() << "), contact " << fine.contact_s << " s\n";
+    }
+  }
+}
+
+TEST(BarImpact, IsBoundedAgainstAnAllButRigidWall) {
+  for (int masses : {20, 80}) {
+    for (double steps : {2.5, 5.0, 20.0}) {
+      const Impact impact = worst_bar_impact(masses, 1e9, Bar::rigid_contact_s(), steps);
+      // Measured 2.4 times rho c A v and 2.3 times the energy at 2.5 steps (design study): bounded, and never growing.
+      EXPECT_LT(impact.peak_N, 3.0 * Bar::rigid_peak_N()) << masses << " masses, " << steps << " steps";
+      EXPECT_LT(impact.most_energy, 3.0) << masses << " masses, " << steps << " steps";
+      EXPECT_LT(impact.last_energy, 1.001) << masses << " masses, " << steps << " steps";
+    }
+  }
+}
+
+/// A ball of 6 cm falling onto the support without gravity.
+Scenario falling_ball(double time_step_s) {
+  Scenario scenario = small_box();
+  scenario.gripper.reset();
+  LatticeParameters& ball = lattice_of(scenario);
+  ball.shape = Shape::sphere;
+  ball.size_m = {0.06, 0.06, 0.06};
+  ball.cell_size_m = 0.01;
+  ball.youngs_modulus_Pa = 1e6;
+  ball.relaxation_time_s = 0.0;
+  ball.initial_velocity_m_s = {0.0, 0.0, -0.2};
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+  scenario.simulation.time_step_s = time_step_s;
+  scenario.simulation.duration_s = 0.06;
+  return scenario;
+}
+
+TEST(BallImpact, GainsNoEnergyAndPeaksRightFromTwentyStepsPerContactOn) {
+  const Impact fine = measure_impact(falling_ball(2e-5));
+  EXPECT_NEAR(fine.most_energy, 1.0, 1e-3);
+  for (double steps : {20.0, 40.0}) {
+    const Impact impact = measure_impact(falling_ball(fine.contact_s / steps));
+    EXPECT_LT(impact.most_energy, 1.02) << steps;
+    EXPECT_LT(impact.last_energy, 1.001) << steps;
+    EXPECT_NEAR(impact.peak_N, fine.peak_N, 0.03 * fine.peak_N) << steps;
+    std::cout << "[ measured ] ball, " << steps << " steps per contact of " << fine.contact_s << " s: energy "
+              << impact.most_energy << " / " << impact.last_energy << ", peak " << impact.peak_N << " (converged "
+              << fine.peak_N << ")\n";
+  }
+}
+
+TEST(BallImpact, ChangesItsMomentumByTheImpulseOfTheSupport) {
+  // A drop with gravity: thrown up from rest on the support, the ball comes back and bounces.
+  Scenario scenario = falling_ball(1e-3);
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, -kGravity};
+  lattice_of(scenario).initial_velocity_m_s = {0.0, 0.0, 0.3};
+  scenario.simulation.duration_s = 0.2;
+  Trace trace;
+  const ScenarioResult result = run(scenario, &trace);
+  ASSERT_GT(largest(column(trace, "support_force_N", 2)), 5.0);
+  // The forces are linear over a step, as the scheme takes them: their impulse is the change of momentum to rounding.
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
+  EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3);
+  std::cout << "[ measured ] impulse error " << result.metrics[Metric::impulse_balance_error] << ", energy error "
+            << result.metrics[Metric::energy_balance_error] << "\n";
+}
+
+}  // namespace
+}  // namespace unbruised

@@ -60,7 +60,8 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
       not_grasped_.at(cycle.lift_start_s(), "not both fingers touch at the end of the grip phase");
     }
   }
-  if (now.time_s < cycle.release_start_s()) {
+  // From the first step that looks past the start of the release on, an open contact is no drop.
+  if (now.register_time_s < cycle.release_start_s()) {
     if (!touching) dropped_.at(now.time_s, "no finger contact between lift and release");
     observe_carrying(now, cycle);
   }

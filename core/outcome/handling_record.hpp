@@ -25,7 +25,7 @@ struct FingerObservation {
 /// What one scenario looked like at the end of a step.
 struct StepObservation {
   double time_s = 0;
-  double step_s = 0;
+  double register_time_s = 0;  ///< t + theta dt, the time that the contacts' open / stick / slip belong to
   std::array<FingerObservation, 2> finger;
   std::array<double, 3> torque_N_m{};       ///< on the product about the palm centre
   std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass

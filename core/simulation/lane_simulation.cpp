@@ -496,7 +496,7 @@ StepObservation LaneSimulation::Impl::observation(int lane, double time_s) const
   const LaneRun& r = run[static_cast<std::size_t>(lane)];
   StepObservation now_seen;
   now_seen.time_s = time_s;
-  now_seen.step_s = w.dt;
+  now_seen.register_time_s = time_s + (w.theta - 1.0) * w.dt;
   for (std::size_t i = 0; i < 3; ++i) {
     now_seen.center_motion_m[i] = mass_u[i][lane] / parts.total_mass_kg;
     now_seen.center_acceleration_m_s2[i] = mass_a[i][lane] / parts.total_mass_kg;

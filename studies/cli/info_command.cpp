@@ -53,7 +53,7 @@ int info_command(const fs::path& path, const std::string& program) {
   if (!recorded) return report_error(recorded.error());
   print_line(state_line(*recorded));
   print_origin(*recorded);
-  for (const std::string& line : summary_lines(recorded->tables)) print_line(line);
+  for (const std::string& line : summary_lines(recorded->tables, recorded->meta.study_kind)) print_line(line);
   print_replay(*recorded, program);
   print_line(
       joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));

@@ -51,7 +51,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
                      count == 1 ? " scenario, " : " scenarios, ", with_thousands(report.run_now), " run now in ",
                      duration_text(report.seconds), " on ", std::to_string(threads),
                      threads == 1 ? " thread" : " threads"}));
-  for (const std::string& line : summary_lines(report.tables)) print_line(line);
+  for (const std::string& line : summary_lines(report.tables, study_kind_word(study.kind()))) print_line(line);
   RunArguments replay = arguments;
   replay.threads.reset();
   for (const std::string& line : replay_lines(report.tables, joined({command_of(replay), " --scenario"}))) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "studies/results/digest.hpp"
@@ -13,8 +14,8 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::size_t kCombinationLines = 60;
-constexpr std::size_t kReplayLines = 5;
+constexpr std::size_t kCombinationLinesOfSweep = 12;
+constexpr std::size_t kCombinationLinesOfSearch = 200;
 
 std::string input_text(const InputValue& value) {
   const auto* number = std::get_if<double>(&value);
@@ -138,8 +139,10 @@ int seriousness(Outcome outcome) {
       return 3;
     case Outcome::damaged:
       return 4;
-    default:
+    case Outcome::slipped:
       return 5;
+    default:
+      return 6;
   }
 }
 
@@ -203,11 +206,15 @@ std::string balance_line(const std::vector<ScenarioRow>& rows) {
 }
 
 std::vector<std::string> window_lines(const WindowTable& window, std::size_t most_lines) {
+  std::vector<const WindowRow*> order;
+  for (const WindowRow& row : window.rows) order.push_back(&row);
+  const bool all = order.size() <= most_lines;
+  if (!all) std::stable_partition(order.begin(), order.end(), [](const WindowRow* row) { return !row->exists; });
+  order.resize(std::min(order.size(), most_lines));
   std::vector<std::string> lines;
-  const std::size_t shown = std::min(window.rows.size(), most_lines);
-  for (std::size_t i = 0; i < shown; ++i) lines.push_back(combination_line(window, window.rows[i]));
-  if (shown < window.rows.size()) {
-    lines.push_back(joined({"... and ", std::to_string(window.rows.size() - shown), " more in /window"}));
+  for (const WindowRow* row : order) lines.push_back(combination_line(window, *row));
+  if (!all) {
+    lines.push_back(joined({"... and ", std::to_string(window.rows.size() - order.size()), " more in /window"}));
   }
   if (window.rows.size() > 1) {
     for (std::string& line : common_lines(window)) lines.push_back(std::move(line));
@@ -238,11 +245,12 @@ std::string best_line(const StudyTables& tables) {
   return text;
 }
 
-std::vector<std::string> summary_lines(const StudyTables& tables) {
+std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind) {
+  const std::size_t most = study_kind == "sweep" ? kCombinationLinesOfSweep : kCombinationLinesOfSearch;
   std::vector<std::string> lines = {outcome_line(tables.rows)};
   if (std::string balances = balance_line(tables.rows); !balances.empty()) lines.push_back(std::move(balances));
   if (tables.window) {
-    for (std::string& line : window_lines(*tables.window, kCombinationLines)) lines.push_back(std::move(line));
+    for (std::string& line : window_lines(*tables.window, most)) lines.push_back(std::move(line));
   }
   const bool has_cycles = std::any_of(tables.rows.begin(), tables.rows.end(), [](const ScenarioRow& row) {
     return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
@@ -262,8 +270,10 @@ std::vector<std::string> replay_lines(const StudyTables& tables, const std::stri
   std::vector<std::string> lines;
   if (not_held.empty()) return lines;
   lines.push_back(joined({"not held: ", with_thousands(not_held.size()), "; to look into one of them:"}));
-  for (std::size_t i = 0; i < std::min(not_held.size(), kReplayLines); ++i) {
-    const ScenarioRow& row = *not_held[i];
+  Outcome last_shown = Outcome::not_run;
+  for (const ScenarioRow* each : not_held) {
+    const ScenarioRow& row = *each;
+    if (row.result.outcome == std::exchange(last_shown, row.result.outcome)) continue;
     lines.push_back(
         joined({"  ", replay_command, " ", std::to_string(row.id), "   # ", outcome_word(row.result.outcome),
                 row.result.cause.empty() ? "" : ": ", row.result.cause}));

@@ -219,8 +219,8 @@ TEST(WilsonTheta, FreeFallIsExact) {
           << "t = " << t;
     }
   }
-  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-12);
-  EXPECT_LT(std::abs(result.metrics[Metric::energy_balance_error]), 1e-12);
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
+  EXPECT_LT(std::abs(result.metrics[Metric::energy_balance_error]), 1e-9);
 }
 
 /// One step of the undamped oscillator of omega = 1 from a state; acceleration only zero or consistent.

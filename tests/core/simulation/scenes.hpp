@@ -81,7 +81,11 @@ inline std::vector<double> freedom(const Trace& trace, const std::vector<double>
   return values;
 }
 
-inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+inline double largest(const std::vector<double>& values) {
+  double result = -HUGE_VAL;
+  for (double value : values) result = std::max(result, value);
+  return result;
+}
 
 inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(All, Outcomes,
                                            Expected{"not_grasped", missing, Outcome::not_grasped},
                                            Expected{"out_of_range", straining, Outcome::out_of_range},
                                            Expected{"diverged", diverging, Outcome::diverged}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Outcome, EveryLimitCanDecideDamage) {
   const ScenarioResult base = run(yielding());

@@ -14,7 +14,11 @@ void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper
     for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous})
       value->set(lane, 0.0);
   }
-  for (State& s : state_) s.speed.set(lane, gripper ? closing_speed_m_s : 0.0);
+  for (State& s : state_) {
+    s.speed.set(lane, gripper ? closing_speed_m_s : 0.0);
+    // At constant speed the drive overcomes the guide's friction.
+    s.drive.set(lane, values.drive_viscous_N_s_m * s.speed[lane]);
+  }
   mass_.set(lane, values.finger_mass_kg);
   viscous_.set(lane, values.drive_viscous_N_s_m);
   gain_.set(lane, values.drive_gain_N_s_m);

@@ -42,19 +42,18 @@ TEST(Finger, ReachesTheApproachSpeedThatTheDriveAllows) {
 }
 
 TEST(Finger, DriveNeverGivesMoreThanItsLimit) {
-  // Before the first contact the limit is contact_force_N: the finger speeds up no faster than F / m.
+  // Against a guide that brakes with 1 N at full speed a drive of 0.4 N sinks to the speed of balance, limit / friction.
   Scenario scenario = small_box();
-  scenario.cell.approach_gap_m = 0.02;
-  scenario.strategy.contact_force_N = 0.05;
-  scenario.strategy.approach_speed_m_s = 0.4;
-  scenario.gripper->drive_viscous_N_s_m = 0.0;
+  scenario.cell.approach_gap_m = 0.035;
+  scenario.gripper->drive_viscous_N_s_m = 20.0;
+  scenario.gripper->finger_mass_kg = 0.02;
+  scenario.strategy.approach_speed_m_s = 0.05;
+  scenario.strategy.contact_force_N = 0.4;
+  scenario.strategy.grip_force_N = 0.5;
   Trace trace;
   run(scenario, &trace);
   const auto speed = column(trace, "finger_speed_m_s", 0);
-  // Acceleration starts at zero and rises linearly over the first theta dt: half of that time is lost.
-  for (std::size_t k = 20; k < 200; ++k) {
-    EXPECT_NEAR(speed[k], 0.05 / 0.1 * (trace.time_s[k] - 0.7e-3), 0.05 / 0.1 * 1e-3) << k;
-  }
+  for (std::size_t k = 50; k < 500; ++k) EXPECT_NEAR(speed[k], 0.4 / 20.0, 1e-9) << k;
 }
 
 TEST(Finger, StrikesWithItsMomentum) {
@@ -98,10 +97,10 @@ TEST(Cycle, PhasesAreRealNumbersAndNotMultiplesOfTheStep) {
   const double lift = base.metrics[Metric::lift_time_s], contact = base.metrics[Metric::first_contact_time_s];
   EXPECT_NEAR(lift, contact + 0.05 + 0.1, 1e-12);
   EXPECT_GT(std::abs(contact / 1e-3 - std::round(contact / 1e-3)), 1e-3);
-  // The drive's force comes on over theta dt, which costs 0.7 dt; beyond that the contact is interpolated in the step.
+  // A smaller step moves the first contact by far less than a step: it is interpolated.
   Scenario fine = scenario;
   fine.simulation.time_step_s = 2.5e-4;
-  EXPECT_NEAR(run(fine).metrics[Metric::first_contact_time_s], contact - 0.7 * 0.75e-3, 2e-4);
+  EXPECT_NEAR(run(fine).metrics[Metric::first_contact_time_s], contact, 1e-5);
 }
 
 TEST(Cycle, TimeChangesByExactlyWhatTheStrategyChanges) {

@@ -29,6 +29,7 @@ Scenario light_box() {
   scenario.strategy.speed_m_s = 10.0;
   scenario.strategy.contact_force_N = 0.01;
   scenario.strategy.recover_s = 0.0;
+  scenario.strategy.settle_s = 0.4;  // until the grip force has settled to 1e-3
   scenario.limits.slip_m = 1e-4;
   return scenario;
 }
@@ -67,15 +68,16 @@ TEST(HoldLimit, OfALiftIsMassTimesGravityAndAccelerationOverTwiceTheFriction) {
 }
 
 TEST(HoldLimit, OfATransferAcrossTheGripAxisIsTheResultantOverTwiceTheFriction) {
-  const double acceleration = 8.0;
+  // Trapezoid profiles jump by 2 a half way; the ringing slips by (2 a / omega)^2 / (2 margin), micrometres at this a.
+  const double acceleration = 5.0;
   Scenario scenario = light_box();
-  scenario.cell.lift_height_m = 0.05;
-  scenario.cell.place_height_m = 0.045;
+  scenario.cell.lift_height_m = 0.02;
+  scenario.cell.place_height_m = 0.015;
   scenario.cell.transfer_m = {0.0, 0.3};
-  scenario.strategy.lift_acceleration_m_s2 = 1.0;  // needs less than the transfer
+  scenario.strategy.lift_acceleration_m_s2 = 0.3;  // needs less than the transfer
   scenario.strategy.transfer_acceleration_m_s2 = acceleration;
   const double wanted = kMass_kg * std::hypot(kGravity, acceleration) / (2.0 * kFriction);
-  ASSERT_LT(kMass_kg * (kGravity + 1.0) / (2.0 * kFriction), 0.9 * wanted);
+  ASSERT_LT(kMass_kg * (kGravity + 0.3) / (2.0 * kFriction), 0.95 * wanted);
   const double found = least_force(scenario, 0.8 * wanted, 1.2 * wanted);
   EXPECT_NEAR(found, wanted, 0.02 * wanted);
   std::cout << "[ measured ] transfer at " << acceleration << " m/s2: " << found / wanted

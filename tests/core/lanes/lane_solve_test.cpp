@@ -137,20 +137,22 @@ TEST_P(LaneSolve, SupernodesHoldEveryEntryOfTheFactorOnce) {
     const int height = s.column_count + s.row_count;
     std::vector<std::vector<double>> block(static_cast<std::size_t>(height),
                                            std::vector<double>(static_cast<std::size_t>(s.column_count), 0.0));
-    const auto unpack = [&](std::size_t offset, int first_row, int rows) {
+    // Panels of the diagonal block are as wide as their own last row.
+    const auto unpack = [&](std::size_t offset, int first_row, int rows, bool triangle) {
       const double* from = made.factor.value.data() + offset;
       for (int first = 0; first < rows; first += kPanelRows) {
         const int panel = std::min(kPanelRows, rows - first);
-        for (int c = 0; c < s.column_count; ++c) {
+        const int width = triangle ? first + panel : s.column_count;
+        for (int c = 0; c < width; ++c) {
           for (int r = 0; r < panel; ++r) {
             block[static_cast<std::size_t>(first_row + first + r)][static_cast<std::size_t>(c)] = from[c * panel + r];
           }
         }
-        from += static_cast<std::ptrdiff_t>(panel) * s.column_count;
+        from += static_cast<std::ptrdiff_t>(panel) * width;
       }
     };
-    unpack(s.value_offset, 0, s.column_count);
-    unpack(s.below_offset, s.column_count, s.row_count);
+    unpack(s.value_offset, 0, s.column_count, true);
+    unpack(s.below_offset, s.column_count, s.row_count, false);
     for (int c = 0; c < s.column_count; ++c) {
       const auto column = static_cast<std::size_t>(s.first_column + c);
       std::map<int, double> expected;

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_rows.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 
 namespace unbruised::studies {
 namespace {

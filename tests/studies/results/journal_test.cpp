@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sample_rows.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/digest.hpp"
 
 namespace unbruised::studies {

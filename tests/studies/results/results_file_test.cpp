@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "sample_rows.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
 

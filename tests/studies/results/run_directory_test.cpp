@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sample_rows.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/results_file.hpp"
 

@@ -1,6 +1,7 @@
 #include "core/contact/contact_lanes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/lanes/lane_matrix.hpp"
 
@@ -112,6 +113,13 @@ Lane ContactLanes::layer_stiffness(std::size_t c) const {
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
   return stiffness_[candidate.surface] * Lane(candidate.area_m2) * share_.get(c);
+}
+
+Lane ContactLanes::normal_stiffness(std::size_t c) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
+  return Lane(candidate.area_m2) * share_.get(c) /
+         (Lane(1.0) / stiffness_[candidate.surface] + Lane(candidate.cell_compliance_m_Pa));
 }
 
 Lane ContactLanes::surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const {
@@ -234,7 +242,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   const auto t2 = static_cast<std::size_t>(tangents[1]);
   const auto at = 3 * static_cast<std::size_t>(candidate.contact_node);
   const Lane sign(normal_sign(surface));
-  const Lane layer = layer_stiffness(c);
+  const Lane layer = normal_stiffness(c);
 
   // Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
   Lane compliance(own[4 * axis]);
@@ -261,7 +269,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   node_force_.put(at + axis, node_force_.get(at + axis) + sign * change);
 
   // Tangential: a spring to the anchor, held inside the friction cone.
-  const Lane shear = layer * Lane(1.0 / 3.0);
+  const Lane shear = layer_stiffness(c) * Lane(1.0 / 3.0);
   const Lane shear_compliance(std::max(own[4 * t1], own[4 * t2]));
   const Lane inverse = Lane(1.0) / (Lane(1.0) + shear * shear_compliance);
   const Lane r1 = d[t1] - (surface < 2 ? theta_places_.palm[t1] : Lane(0.0));
@@ -452,15 +460,16 @@ Lane ContactLanes::stored_energy() const {
     const Mask closed = normal_theta_.get(c) > Lane(0.0);
     if (none(closed)) continue;
     const Lane layer = layer_stiffness(c);
+    const Lane press = normal_stiffness(c);
     const Lane n = normal_.get(c), t1 = tangent1_.get(c), t2 = tangent2_.get(c);
-    Lane stored = Lane(0.5) * n * n / max(layer, Lane(1e-300));
+    Lane stored = Lane(0.5) * n * n / max(press, Lane(1e-300));
     if (!candidate.flat) {
       Lane squares(0.0);
       for (const double relief : candidate.relief_m) {
         const Lane depth = positive(penetration_.get(c) - Lane(relief));
         squares += depth * depth;
       }
-      stored = layer * squares * Lane(0.5 / kReliefPlaces);
+      stored = press * squares * Lane(0.5 / kReliefPlaces);
     }
     stored += Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer, Lane(1e-300));
     energy += select(closed, stored, Lane(0.0));
@@ -468,9 +477,8 @@ Lane ContactLanes::stored_energy() const {
   return energy;
 }
 
-Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
+Lane ContactLanes::lattice_patch_area(int pad) const {
   const SurfaceTally& t = tally_[pad];
-  const PatchForm& form = model_.patch_form[pad];
   const Lane force = max(t.normal, Lane(1e-9));
   const Lane y = t.first[0] / force, z = t.first[1] / force;
   // The moments of one loaded particle vanish; its force still spreads over its tributary rectangle.
@@ -479,9 +487,37 @@ Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
   const Lane yy = max(t.second[0] / force - y * y, least_y);
   const Lane zz = max(t.second[1] / force - z * z, least_z);
   const Lane yz = t.second[2] / force - y * z;
-  const Lane area = Lane(form.area_factor) * sqrt(max(yy * zz - yz * yz, least_y * least_z));
-  return select(t.normal > Lane(1e-9),
-                t.normal / (max(area, Lane(1e-30)) * Lane(form.yield_factor) * yield_stress), Lane(0.0));
+  return Lane(model_.patch_form[pad].area_factor) * sqrt(max(yy * zz - yz * yz, least_y * least_z));
+}
+
+Lane ContactLanes::patch_area(int pad) const {
+  const PatchForm& form = model_.patch_form[pad];
+  const Lane lattice = lattice_patch_area(pad);
+  if (form.hertz_area_m2_N23 == 0.0) return lattice;
+  // A patch about as large as a cell is not resolved by the lattice: elasticity gives its area at the measured
+  // force. Where it reaches past the pad the lattice takes over, in proportion: by then it spans the pad's many
+  // cells.
+  const Lane force = max(tally_[pad].normal, Lane(1e-9));
+  Lane hertz(0.0);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const double root = std::cbrt(force[lane]);
+    hertz.set(lane, form.hertz_area_m2_N23 * root * root);
+  }
+  const Lane elastic = sqrt(hertz * hertz + Lane(form.layer_area_m) * force / stiffness_[pad]);
+  Lane under_pad(1.0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Lane half = Lane(form.semi_axis[i]) * sqrt(elastic);
+    const Lane place = Lane(form.pole_m[i]) - pad_center_[i];
+    const Lane pad_half = Lane(0.5) * pad_size_[i];
+    under_pad *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) / (Lane(2.0) * half);
+  }
+  return under_pad * elastic + (Lane(1.0) - under_pad) * lattice;
+}
+
+Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
+  const Lane& force = tally_[pad].normal;
+  const Lane strength = Lane(model_.patch_form[pad].yield_factor) * yield_stress;
+  return select(force > Lane(1e-9), force / (max(patch_area(pad), Lane(1e-30)) * strength), Lane(0.0));
 }
 
 std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {

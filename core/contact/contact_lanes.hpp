@@ -58,7 +58,8 @@ class ContactLanes {
   /// Did begin_step find anything near a surface?
   [[nodiscard]] bool idle() const { return active_node_.empty(); }
 
-  /// The displacement without contact forces has changed in `lanes` (plastic iteration); solve again from the present forces.
+  /// The displacement without contact forces has changed in `lanes` (plastic iteration); solve again from the
+  /// present forces.
   void rebase(const LaneArray& base, const Mask& lanes);
 
   /// Projected Gauss-Seidel to convergence in every lane of `solving`; lanes stop one by one.
@@ -101,6 +102,9 @@ class ContactLanes {
   void choose_active(const Mask& running);
   [[nodiscard]] Lane surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const;
   [[nodiscard]] Lane layer_stiffness(std::size_t candidate) const;
+  [[nodiscard]] Lane normal_stiffness(std::size_t candidate) const;
+  [[nodiscard]] Lane lattice_patch_area(int pad) const;
+  [[nodiscard]] Lane patch_area(int pad) const;
   void tally_moments(std::size_t candidate, const Lane& normal, SurfaceTally& tally) const;
   void update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving, std::array<Lane, 3>& d,
                         const double* own, Lane& largest_change, Lane& largest_force);

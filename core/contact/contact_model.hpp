@@ -45,7 +45,17 @@ struct ContactCandidate {
   bool flat = true;                              ///< no relief: the whole rectangle touches at once
   std::array<double, kReliefPlaces> relief_m{};  ///< how far the true surface lies behind the one at the particle
   double least_relief_m = 0;
+  /// Compliance per pressure in series with a surface's layer where the true surface is curved: a layer much
+  /// stiffer than the cell would touch the highest place of a rectangle only, and the cell cannot flatten within
+  /// itself.
+  double cell_compliance_m_Pa = 0;
 };
+
+/// Normal stiffness of a layer over the whole rectangle of a curved or flat contact, A / (1 / k + c) [N/m].
+/// @param layer_stiffness_N_m3 of the surface's layer, per area
+inline double normal_stiffness_N_m(const ContactCandidate& candidate, double layer_stiffness_N_m3) {
+  return candidate.area_m2 / (1.0 / layer_stiffness_N_m3 + candidate.cell_compliance_m_Pa);
+}
 
 /// How a patch pressed against a flat pad is shaped, and where it yields first (docs/theory.md, "First yield").
 struct PatchForm {
@@ -53,6 +63,13 @@ struct PatchForm {
   double area_factor = 5.0 * 3.14159265358979323846;
   /// Mean pressure at first yield / yield stress.
   double yield_factor = 1.07;
+  /// Area a doubly curved elastic body makes on a rigid plane, A = hertz_area x F^(2/3); 0: no such pole.
+  double hertz_area_m2_N23 = 0.0;
+  /// What a layer of stiffness k per area adds to it: A^2 = A_Hertz^2 + layer_area x F / k.
+  double layer_area_m = 0.0;
+  /// Semi-axes along y and z / sqrt(A), and the pole they are centred on.
+  std::array<double, 2> semi_axis{0.0, 0.0};
+  std::array<double, 2> pole_m{0.0, 0.0};
 };
 
 /// One entry of a row of the pressure patches.
@@ -85,6 +102,11 @@ inline constexpr double kCandidateDepth = 0.15;
 constexpr std::array<double, 2> relief_offset(int q) {
   return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};
 }
+
+/// The patch of an elastic ellipsoid of the given principal radii pressed against a plane (Johnson 1985, 4.2).
+/// @param radius_m radii of curvature at the pole along y and z
+/// @param plane_strain_modulus_Pa E / (1 - nu^2)
+PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa);
 
 /// Candidates of a lattice body against both pads and the support.
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice, double pressure_patch_m);

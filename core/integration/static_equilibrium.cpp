@@ -104,7 +104,7 @@ LayerSecant layer_at(const ContactCandidate& candidate, double layer_stiffness_N
     sum += relief;
   }
   if (secant.touching == 0) return secant;
-  secant.stiffness = layer_stiffness_N_m3 * candidate.area_m2 * secant.touching / kReliefPlaces;
+  secant.stiffness = normal_stiffness_N_m(candidate, layer_stiffness_N_m3) * secant.touching / kReliefPlaces;
   secant.relief = sum / secant.touching;
   return secant;
 }

@@ -16,8 +16,9 @@ constexpr double kRigid_N_m = 1e9;
 constexpr double kLayer_N_m = 2000.0;
 
 TEST(ContactTable, IsPrinted) {
-  std::printf("\n| steps per contact | rigid wall, 20 masses | rigid wall, 80 masses | layer of 2 kN/m, 20 masses | "
-              "layer of 2 kN/m, 80 masses |\n|---|---|---|---|---|\n");
+  std::printf(
+      "\n| steps per contact | rigid wall, 20 masses | rigid wall, 80 masses | layer of 2 kN/m, 20 masses | "
+      "layer of 2 kN/m, 80 masses |\n|---|---|---|---|---|\n");
   std::array<double, 2> layer_contact_s{};
   for (std::size_t i = 0; i < 2; ++i) {
     layer_contact_s[i] = measure_impact(falling_bar(i == 0 ? 20 : 80, kLayer_N_m, 2e-6, 0.5, 0.05)).contact_s;
@@ -27,7 +28,8 @@ TEST(ContactTable, IsPrinted) {
     for (bool rigid : {true, false}) {
       for (std::size_t i = 0; i < 2; ++i) {
         const double contact_s = rigid ? Bar::rigid_contact_s() : layer_contact_s[i];
-        const Impact impact = worst_bar_impact(i == 0 ? 20 : 80, rigid ? kRigid_N_m : kLayer_N_m, contact_s, steps);
+        const Impact impact =
+            worst_bar_impact(i == 0 ? 20 : 80, rigid ? kRigid_N_m : kLayer_N_m, contact_s, steps);
         std::printf(" %.2f, %.3f / %.3f |", impact.peak_N / Bar::rigid_peak_N(), impact.most_energy,
                     impact.last_energy);
         // Measured once and written into docs/contact.md; from 20 steps on no energy is gained.

@@ -49,7 +49,8 @@ void expect_inside_the_cone(const Trace& trace, double friction) {
 }
 
 TEST(Friction, StopsASlidingBlockWhereCoulombSays) {
-  for (const std::array<double, 2> direction : {std::array<double, 2>{1.0, 0.0}, std::array<double, 2>{0.6, 0.8}}) {
+  for (const std::array<double, 2> direction :
+       {std::array<double, 2>{1.0, 0.0}, std::array<double, 2>{0.6, 0.8}}) {
     const double speed = 0.6;
     const double stop_s = speed / (kFriction * kGravity);
     const double stop_m = 0.5 * speed * stop_s;
@@ -69,13 +70,14 @@ TEST(Friction, StopsASlidingBlockWhereCoulombSays) {
     EXPECT_NEAR(trace.time_s[first_at_rest], stop_s, 0.015 * stop_s);
     EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-6);
     EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3);
-    std::cout << "[ measured ] way " << way.back() << " m of " << stop_m << ", time " << trace.time_s[first_at_rest]
-              << " s of " << stop_s << ", energy error " << result.metrics[Metric::energy_balance_error] << "\n";
+    std::cout << "[ measured ] way " << way.back() << " m of " << stop_m << ", time "
+              << trace.time_s[first_at_rest] << " s of " << stop_s << ", energy error "
+              << result.metrics[Metric::energy_balance_error] << "\n";
   }
 }
 
-/// Ways down a slope of `tangent` at 0, 0.02, 0.11 and 0.2 s. The weight along the slope comes on at once; until the
-/// layer is sheared far enough to hold it, some milliseconds, the block gains 1-2 mm/s.
+/// Ways down a slope of `tangent` at 0, 0.02, 0.11 and 0.2 s. The weight along the slope comes on at once; until
+/// the layer is sheared far enough to hold it, some milliseconds, the block gains 1-2 mm/s.
 std::array<double, 4> ways_on_slope(double tangent) {
   const double angle = std::atan(tangent);
   Scenario scenario = block();
@@ -91,9 +93,10 @@ std::array<double, 4> ways_on_slope(double tangent) {
 TEST(Friction, ABlockOnASlopeSlidesExactlyWhenTheSlopeExceedsTheCoefficient) {
   for (double tangent : {0.3, 0.45, 0.49}) {
     const auto way = ways_on_slope(tangent);
-    EXPECT_LT(way[3], 1e-4) << tangent;                         // the start
+    EXPECT_LT(way[3], 1e-4) << tangent;                     // the start
     EXPECT_LT(std::abs(way[3] - way[2]), 1e-7) << tangent;  // at rest, elastic ringing aside
-    std::cout << "[ measured ] tan " << tangent << ": " << way[3] << " m, last 0.09 s " << way[3] - way[2] << " m\n";
+    std::cout << "[ measured ] tan " << tangent << ": " << way[3] << " m, last 0.09 s " << way[3] - way[2]
+              << " m\n";
   }
   for (double tangent : {0.51, 0.6, 0.8}) {
     const auto way = ways_on_slope(tangent);

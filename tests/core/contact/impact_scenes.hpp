@@ -33,7 +33,8 @@ inline Scenario falling_bar(int masses, double layer_N_m, double time_step_s, do
     particle.initial_velocity_m_s = {0.0, 0.0, -Bar::kSpeed_m_s};
     if (i == 0) particle.contact_stiffness_N_m = layer_N_m;
     network.particle.push_back(particle);
-    if (i > 0) network.spring.push_back({{i - 1, i}, Bar::kModulus_Pa * Bar::kArea_m2 / spacing, 0.0, {}, {}, 0.0});
+    if (i > 0)
+      network.spring.push_back({{i - 1, i}, Bar::kModulus_Pa * Bar::kArea_m2 / spacing, 0.0, {}, {}, 0.0});
   }
   Scenario scenario;
   scenario.product = network;
@@ -45,9 +46,9 @@ inline Scenario falling_bar(int masses, double layer_N_m, double time_step_s, do
 
 struct Impact {
   double peak_N = 0;
-  double most_energy = 0;   ///< largest on the way / before
-  double last_energy = 0;   ///< after the rebound / before
-  double contact_s = 0;     ///< from the first to the last contact force
+  double most_energy = 0;  ///< largest on the way / before
+  double last_energy = 0;  ///< after the rebound / before
+  double contact_s = 0;    ///< from the first to the last contact force
 };
 
 inline Impact measure_impact(const Scenario& scenario) {

@@ -23,9 +23,10 @@ TEST(BarImpact, GainsNoEnergyThroughALayerAndPeaksRight) {
       // The method lengthens periods and damps: measured 3.4 % too low at 20 steps, 1.3 % at 50.
       const double allowed = steps < 30.0 ? 0.04 : 0.02;
       EXPECT_NEAR(impact.peak_N, fine.peak_N, allowed * fine.peak_N) << masses << " masses, " << steps << " steps";
-      std::cout << "[ measured ] " << masses << " masses, " << steps << " steps: energy " << impact.most_energy << " / "
-                << impact.last_energy << ", peak " << impact.peak_N / Bar::rigid_peak_N() << " (converged "
-                << fine.peak_N / Bar::rigid_peak_N() << "), contact " << fine.contact_s << " s\n";
+      std::cout << "[ measured ] " << masses << " masses, " << steps << " steps: energy " << impact.most_energy
+                << " / " << impact.last_energy << ", peak " << impact.peak_N / Bar::rigid_peak_N()
+                << " (converged " << fine.peak_N / Bar::rigid_peak_N() << "), contact " << fine.contact_s
+                << " s\n";
     }
   }
 }
@@ -34,7 +35,8 @@ TEST(BarImpact, IsBoundedAgainstAnAllButRigidWall) {
   for (int masses : {20, 80}) {
     for (double steps : {2.5, 5.0, 20.0}) {
       const Impact impact = worst_bar_impact(masses, 1e9, Bar::rigid_contact_s(), steps);
-      // Measured 2.4 times rho c A v and 2.3 times the energy at 2.5 steps (design study): bounded, and never growing.
+      // Measured 2.4 times rho c A v and 2.3 times the energy at 2.5 steps (design study): bounded, and never
+      // growing.
       EXPECT_LT(impact.peak_N, 3.0 * Bar::rigid_peak_N()) << masses << " masses, " << steps << " steps";
       EXPECT_LT(impact.most_energy, 3.0) << masses << " masses, " << steps << " steps";
       EXPECT_LT(impact.last_energy, 1.001) << masses << " masses, " << steps << " steps";
@@ -92,7 +94,8 @@ TEST(BallImpact, ChangesItsMomentumByTheImpulseOfTheSupport) {
   Trace trace;
   const ScenarioResult result = run(scenario, &trace);
   ASSERT_GT(largest(column(trace, "support_force_N", 2)), 5.0);
-  // The forces are linear over a step, as the scheme takes them: their impulse is the change of momentum to rounding.
+  // The forces are linear over a step, as the scheme takes them: their impulse is the change of momentum to
+  // rounding.
   EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
   EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3);
   std::cout << "[ measured ] impulse error " << result.metrics[Metric::impulse_balance_error] << ", energy error "

@@ -42,7 +42,8 @@ TEST(Finger, ReachesTheApproachSpeedThatTheDriveAllows) {
 }
 
 TEST(Finger, DriveNeverGivesMoreThanItsLimit) {
-  // Against a guide that brakes with 1 N at full speed a drive of 0.4 N sinks to the speed of balance, limit / friction.
+  // Against a guide that brakes with 1 N at full speed a drive of 0.4 N sinks to the speed of balance, limit /
+  // friction.
   Scenario scenario = small_box();
   scenario.cell.approach_gap_m = 0.035;
   scenario.gripper->drive_viscous_N_s_m = 20.0;

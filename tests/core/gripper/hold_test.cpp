@@ -17,7 +17,8 @@ constexpr double kFriction = 0.5;
 /// A box of 8 g that slips as soon as it moves by a tenth of a millimetre.
 Scenario light_box() {
   Scenario scenario = small_box();
-  // Stiff enough that the jumps of a trapezoid profile, which ring at the body's own frequency, slip by micrometres.
+  // Stiff enough that the jumps of a trapezoid profile, which ring at the body's own frequency, slip by
+  // micrometres.
   lattice_of(scenario).youngs_modulus_Pa = 1e6;
   scenario.cell.lift_height_m = 0.3;
   // Set down just below: braking while lowering needs m (g + a) as well, after a jump of 2 a.
@@ -63,12 +64,14 @@ TEST(HoldLimit, OfALiftIsMassTimesGravityAndAccelerationOverTwiceTheFriction) {
     const double wanted = kMass_kg * (kGravity + acceleration) / (2.0 * kFriction);
     const double found = least_force(scenario, 0.8 * wanted, 1.2 * wanted);
     EXPECT_NEAR(found, wanted, 0.02 * wanted);
-    std::cout << "[ measured ] lift at " << acceleration << " m/s2: " << found / wanted << " of m (g + a) / (2 mu)\n";
+    std::cout << "[ measured ] lift at " << acceleration << " m/s2: " << found / wanted
+              << " of m (g + a) / (2 mu)\n";
   }
 }
 
 TEST(HoldLimit, OfATransferAcrossTheGripAxisIsTheResultantOverTwiceTheFriction) {
-  // Trapezoid profiles jump by 2 a half way; the ringing slips by (2 a / omega)^2 / (2 margin), micrometres at this a.
+  // Trapezoid profiles jump by 2 a half way; the ringing slips by (2 a / omega)^2 / (2 margin), micrometres at
+  // this a.
   const double acceleration = 5.0;
   Scenario scenario = light_box();
   scenario.cell.lift_height_m = 0.02;
@@ -116,7 +119,8 @@ TEST(Grip, AlongItsAxisTheTwoFingerForcesDifferByMassTimesAcceleration) {
     mean /= rows;
     EXPECT_GT(least, 0.0);
     EXPECT_NEAR(difference, kMass_kg * a, 0.02 * kMass_kg * a);
-    // Rack and pinion: the drive holds the mean of the two. Alone, each finger adds its own inertia to the same side.
+    // Rack and pinion: the drive holds the mean of the two. Alone, each finger adds its own inertia to the same
+    // side.
     if (coupling == FingerCoupling::centric) {
       EXPECT_NEAR(mean, force, 0.01 * force);
     }

@@ -88,9 +88,10 @@ TEST(SparseCholesky, HandsOutItsFactorAndOrdering) {
   const Eigen::MatrixXd product = full * full.transpose();
   for (int i = 0; i < 40; ++i) {
     for (int j = 0; j < 40; ++j) {
-      EXPECT_NEAR(product(i, j),
-                  made.dense(L.permutation[static_cast<std::size_t>(i)], L.permutation[static_cast<std::size_t>(j)]),
-                  1e-13 * made.dense.cwiseAbs().maxCoeff());
+      EXPECT_NEAR(
+          product(i, j),
+          made.dense(L.permutation[static_cast<std::size_t>(i)], L.permutation[static_cast<std::size_t>(j)]),
+          1e-13 * made.dense.cwiseAbs().maxCoeff());
     }
   }
 }

@@ -32,8 +32,8 @@ Body body(Shape shape, int cells, double shift) {
   p.poisson_ratio = 0.4;
   const Lattice lattice = build_lattice(p);
   Body result;
-  result.K = assemble_stiffness(lattice,
-                                cell_stiffness(p.youngs_modulus_Pa, p.poisson_ratio, lattice.cell_extent_m));
+  result.K =
+      assemble_stiffness(lattice, cell_stiffness(p.youngs_modulus_Pa, p.poisson_ratio, lattice.cell_extent_m));
   std::vector<int> freedom(3 * lattice.position_m.size());
   std::iota(freedom.begin(), freedom.end(), 0);
   result.matrix = symmetric_from_entries(static_cast<int>(freedom.size()),
@@ -74,7 +74,8 @@ TEST_P(LaneSolve, EqualsTheSparseCholeskySolveInEveryLane) {
     double scale = 0.0, worst = 0.0;
     for (double value : expected) scale = std::max(scale, std::abs(value));
     for (std::size_t k = 0; k < size; ++k) {
-      worst = std::max(worst, std::abs(x.at(k, lane) - expected[static_cast<std::size_t>(made.factor.permutation[k])]));
+      worst = std::max(worst,
+                       std::abs(x.at(k, lane) - expected[static_cast<std::size_t>(made.factor.permutation[k])]));
     }
     // Two backward stable solves differ by a small multiple of the condition number (up to 1e4 here) times 1e-16.
     EXPECT_LT(worst / scale, 1e-11) << "lane " << lane;
@@ -87,7 +88,8 @@ TEST_P(LaneSolve, GivesEqualLanesEqualBits) {
   solve_forward(made.factor, x.data());
   solve_backward(made.factor, x.data());
   for (std::size_t i = 0; i < size; ++i) {
-    for (int lane = 1; lane < kLanes; ++lane) ASSERT_EQ(x.at(i, lane), x.at(i, 0)) << "row " << i << " lane " << lane;
+    for (int lane = 1; lane < kLanes; ++lane)
+      ASSERT_EQ(x.at(i, lane), x.at(i, 0)) << "row " << i << " lane " << lane;
   }
 }
 
@@ -106,7 +108,8 @@ TEST_P(LaneSolve, OnAReachEqualsTheFullSolveThere) {
   solve_forward(made.factor, full.data());
   solve_forward(made.factor, nodes, part.data());
   for (std::size_t k = 0; k < size; ++k) {
-    for (int lane = 0; lane < kLanes; ++lane) ASSERT_EQ(part.at(k, lane), full.at(k, lane)) << "forward, row " << k;
+    for (int lane = 0; lane < kLanes; ++lane)
+      ASSERT_EQ(part.at(k, lane), full.at(k, lane)) << "forward, row " << k;
   }
   solve_backward(made.factor, full.data());
   solve_backward(made.factor, nodes, part.data());
@@ -145,7 +148,8 @@ TEST_P(LaneSolve, SupernodesHoldEveryEntryOfTheFactorOnce) {
         const int width = triangle ? first + panel : s.column_count;
         for (int c = 0; c < width; ++c) {
           for (int r = 0; r < panel; ++r) {
-            block[static_cast<std::size_t>(first_row + first + r)][static_cast<std::size_t>(c)] = from[c * panel + r];
+            block[static_cast<std::size_t>(first_row + first + r)][static_cast<std::size_t>(c)] =
+                from[c * panel + r];
           }
         }
         from += static_cast<std::ptrdiff_t>(panel) * width;
@@ -178,7 +182,8 @@ TEST_P(LaneSolve, SupernodesHoldEveryEntryOfTheFactorOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Bodies, LaneSolve,
                          ::testing::Values(std::tuple(Shape::box, 2, 1e3), std::tuple(Shape::box, 5, 1e5),
-                                           std::tuple(Shape::sphere, 6, 1e4), std::tuple(Shape::cylinder, 4, 1e6)));
+                                           std::tuple(Shape::sphere, 6, 1e4),
+                                           std::tuple(Shape::cylinder, 4, 1e6)));
 
 TEST(LaneMatrix, ProductsEqualTheScalarOnesInEveryLane) {
   const Body made = body(Shape::sphere, 4, 1.0);

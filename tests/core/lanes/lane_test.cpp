@@ -45,7 +45,7 @@ TEST(Lane, EveryOperationIsTheScalarOneInEveryLane) {
     const Lane a = x[i], b = x[i + 1];
     const Lane sum = a + b, difference = a - b, product = a * b, quotient = a / b, negative = -a, size = abs(a);
     const Lane root = sqrt(abs(a));
-    const Mask less = a < b, more = a > b, at_most = a <= b, at_least = a >= b, equal = a == b;
+    const Mask less = a<b, more = a> b, at_most = a <= b, at_least = a >= b, equal = a == b;
     const Lane chosen = select(less, a, b);
     Lane in_place = a;
     in_place += b;

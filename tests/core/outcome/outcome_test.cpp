@@ -31,7 +31,7 @@ Scenario slipping() {
 Scenario dropping() {
   Scenario scenario = small_box();
   scenario.strategy.contact_force_N = 0.03;
-  scenario.strategy.grip_force_N = 0.04;  // less than m g / (2 mu) = 0.078 N
+  scenario.strategy.grip_force_N = 0.04;        // less than m g / (2 mu) = 0.078 N
   scenario.strategy.approach_speed_m_s = 0.01;  // the fingers must not bounce off for long
   scenario.strategy.settle_s = 0.5;
   scenario.cell.lift_height_m = 0.1;
@@ -73,10 +73,7 @@ struct Expected {
 class Outcomes : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(Outcomes, WordComesOutWithItsCauseAndTime) {
-  // Fine steps: the fingers of 100 g on this box of 8 g start and stop within some milliseconds, and what the energy
-  // balance misses there shrinks with the step (1.6e-3 at 1 ms for the first of these).
-  Scenario scenario = GetParam().scenario();
-  scenario.simulation.time_step_s = 2.5e-4;
+  const Scenario scenario = GetParam().scenario();
   const ScenarioResult result = run(scenario);
   EXPECT_EQ(outcome_word(result.outcome), outcome_word(GetParam().outcome)) << result.cause;
   EXPECT_EQ(result.cause.empty(), result.outcome == Outcome::held);

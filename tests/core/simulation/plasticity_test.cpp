@@ -95,8 +95,8 @@ TEST(CellPlasticity, ABarFollowsTheElasticPlasticLineAndKeepsTheRest) {
             << tangent / kTangent_Pa << ", residual " << strain.back() / residual << ", set "
             << result.metrics[Metric::permanent_set_max_m] / corner << ", work "
             << result.metrics[Metric::absorbed_energy_J] / work << " (all over the closed form); rounds per step "
-            << result.metrics[Metric::plasticity_iterations] / result.metrics[Metric::step_count] << ", energy error "
-            << result.metrics[Metric::energy_balance_error] << "\n";
+            << result.metrics[Metric::plasticity_iterations] / result.metrics[Metric::step_count]
+            << ", energy error " << result.metrics[Metric::energy_balance_error] << "\n";
 }
 
 TEST(CellPlasticity, BelowYieldNothingStays) {
@@ -114,8 +114,8 @@ TEST(CellPlasticity, SoftHardeningStillConvergesWithinItsSteps) {
   EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
   const double residual = 0.3 * kYield_Pa * (1.0 / 1e5 - 1.0 / kE_Pa);
   EXPECT_NEAR(result.metrics[Metric::plastic_strain_max], residual, 0.03 * residual);
-  std::cout << "[ measured ] E_t / E = 0.1: plastic strain " << result.metrics[Metric::plastic_strain_max] / residual
-            << " of the closed form, rounds per step "
+  std::cout << "[ measured ] E_t / E = 0.1: plastic strain "
+            << result.metrics[Metric::plastic_strain_max] / residual << " of the closed form, rounds per step "
             << result.metrics[Metric::plasticity_iterations] / result.metrics[Metric::step_count] << "\n";
 }
 

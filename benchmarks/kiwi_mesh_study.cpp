@@ -64,7 +64,7 @@ Scenario slow_grip(Scenario scenario) {
   return scenario;
 }
 
-/// The kiwi's flesh as a sphere that floats between plates sixty times as stiff as itself.
+/// The kiwi's flesh as a sphere that floats between plates more than fifty times as stiff as itself.
 Scenario sphere_between_plates(double cell_size_m) {
   Scenario scenario = slow_grip(kiwi(cell_size_m));
   std::get<LatticeParameters>(scenario.product).size_m[1] = 2 * kRadius_m;
@@ -226,7 +226,7 @@ void print_rows(bool sphere, int finest) {
   std::printf("%s\n", sphere ? "sphere, R = 25 mm, between plates of 5 MPa / 3 mm"
                              : "kiwi, 50 x 71 x 50 mm, between pads of 0.4 MPa / 3 mm");
   std::printf("%4s %8s %9s %9s %9s %9s %9s %9s %10s %7s\n", "n", "cell mm", "pole y,z", "ratio N", "moments N",
-              "1st cell", "1%% strain", "F/Hz .5mm", "F/Hz 1 mm", "time s");
+              "1st cell", "1 % strain", "F/Hz .5mm", "F/Hz 1 mm", "time s");
   for (int n = 8; n <= finest; ++n) {
     const auto start = std::chrono::steady_clock::now();
     const Scenario scenario =

@@ -15,24 +15,44 @@ constexpr double kNearShare = 0.005;
 constexpr double kTolerance = 1e-8;
 /// Forces below this are numerical dust of a contact that has opened [N].
 constexpr double kDust = 1e-12;
-constexpr int kMaxSweeps = 200;
+/// Twenty suffice at steps that resolve the contact; long steps with light fingers need some hundred.
+constexpr int kMaxSweeps = 1000;
+/// After this many sweeps a lane that is still moving is solved carefully.
+constexpr int kNewtonSweeps = 40;
+/// Relative change in the last sweep above which forces must not be used.
+constexpr double kUnsolved = 1e-4;
 
 /// Pads meet the product from -x and +x: closing moves the left one up, the right one down.
 constexpr double kClosing[2] = {1.0, -1.0};
 
 Lane positive(const Lane& x) { return max(x, Lane(0.0)); }
 
-/// Share of the tributary places that touch at penetration p, and their mean depth times that share:
-/// (1/Q) sum_q [p > relief_q] and (1/Q) sum_q max(0, p - relief_q).
-void touch_relief(const ContactCandidate& candidate, const Lane& p, Lane& touching, Lane& pressed) {
-  Lane count(0.0), depth(0.0);
-  for (const double relief : candidate.relief_m) {
-    const Lane d = p - Lane(relief);
-    depth += positive(d);
-    count += select(d > Lane(0.0), Lane(1.0), Lane(0.0));
+/// A layer over its tributary places, per unit of stiffness: force and its slope over the penetration p.
+/// With depths d_q = p - relief_q and rate = tau p', force = (1/Q) sum_q [d_q > 0] (d_q + clamp(rate, -d_q, d_q)):
+/// the viscous part is never larger than the elastic one, so that the force is continuous where a place touches
+/// and never pulls. @param rate_slope d rate / d p
+struct LayerLaw {
+  Lane force{0.0}, slope{0.0};
+
+  void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope) {
+    const Lane d = positive(depth);
+    const Lane viscous = max(-d, min(d, rate));
+    const Lane viscous_slope = select(rate >= d, Lane(1.0), select(rate <= -d, Lane(-1.0), rate_slope));
+    force += d + viscous;
+    slope += select(depth > Lane(0.0), Lane(1.0) + viscous_slope, Lane(0.0));
   }
-  touching = count * Lane(1.0 / kReliefPlaces);
-  pressed = depth * Lane(1.0 / kReliefPlaces);
+};
+
+LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate, const Lane& rate_slope) {
+  LayerLaw law;
+  if (candidate.flat) {
+    law.add_place(p, rate, rate_slope);
+    return law;
+  }
+  for (const double relief : candidate.relief_m) law.add_place(p - Lane(relief), rate, rate_slope);
+  law.force *= Lane(1.0 / kReliefPlaces);
+  law.slope *= Lane(1.0 / kReliefPlaces);
+  return law;
 }
 
 }  // namespace
@@ -229,7 +249,7 @@ void ContactLanes::rebase(const LaneArray& base, const Mask& lanes) {
   for (std::size_t pad = 0; pad < 2; ++pad) pad_force_[pad] = select(lanes, pad_force[pad], pad_force_[pad]);
 }
 
-void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving,
+void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving, bool careful,
                                     std::array<Lane, 3>& d, const double* own, Lane& largest_change,
                                     Lane& largest_force) {
   const ContactCandidate& candidate = model_.candidate[c];
@@ -254,13 +274,12 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   const Lane gap = sign * (Lane(candidate.surface_m) + d[axis] - surface_place(surface, theta_places_, way));
   const Lane penetration = -gap;
   penetration_theta_.put(c, select(active, penetration, penetration_theta_.get(c)));
-  Lane touching(1.0), pressed = penetration;
-  if (!candidate.flat) touch_relief(candidate, penetration, touching, pressed);
-  const Lane rate_part = (a1_tau_factor_[surface] - Lane(1.0)) * penetration - offset_.get(c);
-  const Lane stiffness = layer * touching * a1_tau_factor_[surface];
+  const Lane rate_slope = a1_tau_factor_[surface] - Lane(1.0);
+  const LayerLaw law = layer_law(candidate, penetration, rate_slope * penetration - offset_.get(c), rate_slope);
   const Lane old_normal = normal_theta_.get(c);
-  const Lane law = layer * (pressed + touching * rate_part);
-  const Lane wanted = old_normal + (law - old_normal) / (Lane(1.0) + stiffness * compliance);
+  // Newton on the layer's law; where its kinks make that go round in circles, the steepest slope cannot overshoot.
+  const Lane slope = careful ? max(Lane(2.0), a1_tau_factor_[surface]) : law.slope;
+  const Lane wanted = old_normal + (layer * law.force - old_normal) / (Lane(1.0) + layer * slope * compliance);
   const Lane normal = select(active, positive(wanted), old_normal);
   const Lane change = normal - old_normal;
   normal_theta_.put(c, normal);
@@ -300,6 +319,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
 
 Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
   Lane sweeps(0.0);
+  unsolved_ = Mask(false);
   // A lane with nothing near takes no sweep, whatever its neighbours do.
   Mask solving = lanes & has_near_;
   const std::size_t m = model_.node_count();
@@ -312,10 +332,12 @@ Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
       add_blocks(row, active_node_, node_force_, d);
       const double* own = row + 9 * i;
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
-        update_candidate(static_cast<std::size_t>(c), fingers, solving, d, own, largest_change, largest_force);
+        update_candidate(static_cast<std::size_t>(c), fingers, solving, sweep >= kNewtonSweeps, d, own,
+                         largest_change, largest_force);
       }
     }
     sweeps += select(solving, Lane(1.0), Lane(0.0));
+    unsolved_ = solving & (largest_change > Lane(kUnsolved) * max(largest_force, Lane(1e-6)));
     solving = solving & (largest_change > Lane(kTolerance) * max(largest_force, Lane(1e-6)));
   }
   return sweeps;

@@ -4,7 +4,7 @@
 /// The contact state register and the contact solve, all lanes at once (docs/theory.md, "Contact").
 ///
 /// Every contact has a compliant layer. At t + theta dt, with penetration p and relative place r in the plane:
-///   normal     N = max(0, sum_q k_q (p - relief_q + tau p'))  over the places that touch; the layer can only push
+///   normal     N = sum_q k_q (d_q + clamp(tau p', -d_q, d_q)), d_q = p - relief_q > 0: the layer can only push
 ///   tangential T = -k_t (r - anchor), |T| <= mu N       the anchor is set where the contact closes and moves only
 ///   when it slips
 /// and u = u_free + W J' (N, T). The register's closed contacts decide the equations; the factor never changes.
@@ -66,6 +66,9 @@ class ContactLanes {
   /// @return sweeps taken per lane
   Lane solve(const FingerLanes& fingers, const Mask& solving);
 
+  /// Lanes in which the last `solve` ended without contact forces that can be used.
+  [[nodiscard]] const Mask& unsolved() const { return unsolved_; }
+
   /// Contact forces at t + theta dt on the freedoms of the contact nodes, rows 3 x contact node + axis.
   [[nodiscard]] const LaneArray& node_force() const { return node_force_; }
   [[nodiscard]] const std::vector<int>& active_nodes() const { return active_node_; }
@@ -106,8 +109,8 @@ class ContactLanes {
   [[nodiscard]] Lane lattice_patch_area(int pad) const;
   [[nodiscard]] Lane patch_area(int pad) const;
   void tally_moments(std::size_t candidate, const Lane& normal, SurfaceTally& tally) const;
-  void update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving, std::array<Lane, 3>& d,
-                        const double* own, Lane& largest_change, Lane& largest_force);
+  void update_candidate(std::size_t c, const FingerLanes& fingers, const Mask& solving, bool careful,
+                        std::array<Lane, 3>& d, const double* own, Lane& largest_change, Lane& largest_force);
 
   const ContactModel& model_;
   Lane near_margin_;
@@ -131,6 +134,7 @@ class ContactLanes {
   Mask has_near_{false};  ///< some candidate is near
   std::vector<int> active_node_;
   std::vector<int> live_candidate_;  ///< near or carrying force in any lane
+  Mask unsolved_{false};
   std::array<Lane, 2> pad_force_{Lane(0.0), Lane(0.0)};
   SurfacePlaces theta_places_;
   Lane a1_tau_factor_[kSurfaceCount] = {1.0, 1.0, 1.0};  ///< 1 + tau a1

@@ -65,7 +65,6 @@ PalmState HandlingCycle::palm(double time_s) const {
 
 double HandlingCycle::force_limit_N(double time_s) const {
   const StrategyParameters& s = scenario_.strategy;
-  if (time_s >= release_start_s_) return scenario_.gripper->max_force_N;
   if (time_s < ramp_start_s_) return s.contact_force_N;
   const double share = s.grip_ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / s.grip_ramp_s) : 1.0;
   return s.contact_force_N + share * (s.grip_force_N - s.contact_force_N);

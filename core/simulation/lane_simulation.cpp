@@ -60,6 +60,7 @@ struct LaneSimulation::Impl {
   void add_network_loads();
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
+  void abort_lanes(const Mask& lanes, const char* cause);
   void advance_state();
   void observe_lanes();
 
@@ -353,11 +354,15 @@ void LaneSimulation::Impl::solve_step() {
     if (none(pending)) return;
     rounds += select(pending, Lane(1.0), Lane(0.0));
   }
+  abort_lanes(pending, "plastic flow did not converge within a step");
+}
+
+void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
+  if (none(lanes)) return;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (!pending[lane]) continue;
+    if (!lanes[lane]) continue;
     LaneRun& r = run[static_cast<std::size_t>(lane)];
-    r.record.abort(Outcome::diverged, "plastic flow did not converge within a step",
-                   static_cast<double>(r.step) * w.dt);
+    r.record.abort(Outcome::diverged, cause, static_cast<double>(r.step) * w.dt);
   }
 }
 
@@ -392,6 +397,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     }
     if (!contact.idle()) {
       sweeps += contact.solve(fingers, lanes);
+      abort_lanes(contact.unsolved(), "the contact forces did not converge within a step");
       timer.lap(times.contact_s);
       for (int s : touch.reach) {
         const Supernode& node = parts.factor.supernode[s];
@@ -570,7 +576,7 @@ void LaneSimulation::Impl::observe_lanes() {
     bool goes_on = r.record.observe(seen, r.cycle);
     const double size =
         mass_u[0][lane] + mass_u[1][lane] + mass_u[2][lane] + mass_a[0][lane] + mass_a[1][lane] + mass_a[2][lane];
-    if (!std::isfinite(size)) {
+    if (!std::isfinite(size) || (cells && !std::isfinite(cells->largest_strain()[lane]))) {
       r.record.abort(Outcome::diverged, "the motion is not finite", time);
     } else if (cells && cells->largest_strain()[lane] > r.scenario.simulation.max_strain) {
       r.record.abort(Outcome::out_of_range, "a cell's strain > simulation.max_strain", time);

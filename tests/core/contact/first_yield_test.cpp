@@ -24,10 +24,8 @@ TEST(HertzPatch, IsTheCircleOfASphere) {
 }
 
 TEST(HertzPatch, IsTheEllipseOfTwoRadii) {
-  // Crossed cylinders at an angle, tabulated: cos(tau) = (B - A)/(A + B) = 0.5, i.e. radii 3 : 1, has
-  // a = 1.4856 c, b = 0.7171 c with c^3 = 3 F / (4 E* (A + B)) x ... in Hertz's normalisation
-  // m = 1.486, n = 0.717 (Timoshenko and Goodier, 60 degrees), a = m cbrt(3 F / (4 E* (A + B))), A + B = (1/R' +
-  // 1/R'')/2.
+  // Radii 3 : 1 are cos(tau) = (B - A)/(B + A) = 1/2 in the tables of Hertz's solution (Timoshenko and Goodier, 60
+  // degrees): a = 1.486 c, b = 0.717 c with c^3 = 3 F / (4 E* (A + B)), A + B = (1/R' + 1/R'')/2.
   const double flat = 0.03, sharp = 0.01, force = 2.0;
   const PatchForm form = hertz_patch({flat, sharp}, kPlane_Pa);
   const double unit = std::cbrt(0.75 * force / (kPlane_Pa * 0.5 * (1.0 / flat + 1.0 / sharp)));

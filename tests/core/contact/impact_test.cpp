@@ -9,25 +9,29 @@ namespace {
 
 using namespace testing;
 
-constexpr double kLayer_N_m = 2000.0;
+/// Energy and peak of a bar on a layer, for one step length given as steps in `contact_s`.
+void expect_sound_impact(int masses, double layer_N_m, double contact_s, double steps) {
+  const Impact fine = measure_impact(falling_bar(masses, layer_N_m, 2e-6, 0.5, 0.08));
+  EXPECT_NEAR(fine.most_energy, 1.0, 1e-3);
+  const Impact impact = worst_bar_impact(masses, layer_N_m, contact_s, steps);
+  // Collocation carries the contact's acceleration over a step: bounds of the design, measured 0.4 % and less.
+  EXPECT_LT(impact.most_energy, 1.02) << masses << " masses, " << layer_N_m << " N/m, " << steps << " steps";
+  EXPECT_LT(impact.last_energy, 1.001) << masses << " masses, " << layer_N_m << " N/m, " << steps << " steps";
+  EXPECT_NEAR(impact.peak_N, fine.peak_N, 0.03 * fine.peak_N) << masses << " masses, " << layer_N_m << " N/m";
+  std::cout << "[ measured ] " << masses << " masses, " << layer_N_m << " N/m, " << steps << " steps: energy "
+            << impact.most_energy << " / " << impact.last_energy << ", peak "
+            << impact.peak_N / Bar::rigid_peak_N() << " (converged " << fine.peak_N / Bar::rigid_peak_N()
+            << "), contact " << fine.contact_s << " s\n";
+}
 
 TEST(BarImpact, GainsNoEnergyThroughALayerAndPeaksRight) {
+  // Steps are counted in the time 2 L / c in which the wave runs up and down the bar, as the design's table does.
+  // docs/contact.md has the other count, and the soft layer of 1 kN/m, behind which 0.2 % of energy is left over.
   for (int masses : {20, 80}) {
-    const Impact fine = measure_impact(falling_bar(masses, kLayer_N_m, 2e-6, 0.5, 0.05));
-    EXPECT_NEAR(fine.most_energy, 1.0, 1e-3);
-    for (double steps : {20.0, 50.0}) {
-      const Impact impact = worst_bar_impact(masses, kLayer_N_m, fine.contact_s, steps);
-      // Collocation carries the contact's acceleration over a step: bounds of the design, measured 0.4 % and less.
-      EXPECT_LT(impact.most_energy, 1.02) << masses << " masses, " << steps << " steps";
-      EXPECT_LT(impact.last_energy, 1.001) << masses << " masses, " << steps << " steps";
-      // The method lengthens periods and damps: measured 3.4 % too low at 20 steps, 1.3 % at 50.
-      const double allowed = steps < 30.0 ? 0.04 : 0.02;
-      EXPECT_NEAR(impact.peak_N, fine.peak_N, allowed * fine.peak_N) << masses << " masses, " << steps << " steps";
-      std::cout << "[ measured ] " << masses << " masses, " << steps << " steps: energy " << impact.most_energy
-                << " / " << impact.last_energy << ", peak " << impact.peak_N / Bar::rigid_peak_N()
-                << " (converged " << fine.peak_N / Bar::rigid_peak_N() << "), contact " << fine.contact_s
-                << " s\n";
+    for (double layer_N_m : {2000.0, 4000.0}) {
+      expect_sound_impact(masses, layer_N_m, Bar::rigid_contact_s(), 20.0);
     }
+    expect_sound_impact(masses, 2000.0, Bar::rigid_contact_s(), 50.0);
   }
 }
 

@@ -38,7 +38,7 @@ inline Scenario kiwi_grip(double cell_size_m) {
   return scenario;
 }
 
-/// Floating, R = 25 mm, between plates sixty times as stiff as the sphere.
+/// Floating, R = 25 mm, between plates more than fifty times as stiff as the sphere.
 inline Scenario sphere_between_plates(double cell_size_m) {
   Scenario scenario = kiwi_grip(cell_size_m);
   lattice_of(scenario).size_m[1] = 0.050;

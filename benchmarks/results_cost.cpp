@@ -1,7 +1,7 @@
 /// @file
-/// What keeping results costs a sweep: the shipped kiwi sweep is simulated once, and its rows are then taken through
-/// a run directory (journal with group commits, results.h5 with checksums) as `unbruised run` does it.
-/// And how long `unbruised check` would need to read, validate and group a sweep of 100,000 scenarios.
+/// What keeping results costs a sweep: the shipped kiwi sweep is simulated once, and its rows are then taken
+/// through a run directory (journal with group commits, results.h5 with checksums) as `unbruised run` does it. And
+/// how long `unbruised check` would need to read, validate and group a sweep of 100,000 scenarios.
 
 #include <cstdio>
 #include <filesystem>
@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
   const StudyOrError read = read_study(root + "/kiwi_sweep.toml", {}, root);
   const auto* study = std::get_if<Study>(&read);
   if (study == nullptr) {
-    std::fprintf(stderr, "usage: benchmark_results_cost [CONFIG_ROOT]; %s/kiwi_sweep.toml cannot be read\n", root.c_str());
+    std::fprintf(stderr, "usage: benchmark_results_cost [CONFIG_ROOT]; %s/kiwi_sweep.toml cannot be read\n",
+                 root.c_str());
     return 2;
   }
   std::map<std::uint64_t, ScenarioResult> results;
@@ -81,13 +82,15 @@ int main(int argc, char** argv) {
     }
   }
   std::filesystem::remove_all(directory);
-  std::printf("kiwi_sweep as shipped: %zu scenarios simulated in %.1f s on %d threads, %.2f scenarios/s per core\n",
-              results.size(), simulating_s, kThreads, static_cast<double>(results.size()) / simulating_s / kThreads);
-  std::printf("journal + results.h5 of its rows: best %.4f s, median %.4f s = %.3f %% of the sweep\n", writing.best_s(),
-              writing.median_s(), 100.0 * writing.median_s() / simulating_s);
+  std::printf(
+      "kiwi_sweep as shipped: %zu scenarios simulated in %.1f s on %d threads, %.2f scenarios/s per core\n",
+      results.size(), simulating_s, kThreads, static_cast<double>(results.size()) / simulating_s / kThreads);
+  std::printf("journal + results.h5 of its rows: best %.4f s, median %.4f s = %.3f %% of the sweep\n",
+              writing.best_s(), writing.median_s(), 100.0 * writing.median_s() / simulating_s);
   const std::string large =
       "[study]\nname = \"large\"\nkind = \"sweep\"\n[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\n"
-      "use = \"grippers/parallel_jaw.toml\"\n[[vary]]\nkey = \"strategy.grip_force_N\"\nfrom = 0.6\nto = 6.0\ncount = 100\n"
+      "use = \"grippers/parallel_jaw.toml\"\n[[vary]]\nkey = \"strategy.grip_force_N\"\nfrom = 0.6\nto = "
+      "6.0\ncount = 100\n"
       "[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nfrom = 0.02\nto = 0.25\ncount = 100\n"
       "[[vary]]\nkey = \"product.youngs_modulus_Pa\"\nfrom = 2e5\nto = 4e5\ncount = 10\n";
   std::size_t count = 0;

@@ -1,4 +1,5 @@
-// The upper end of the kiwi's grip window does not depend on the cell size.
+// The upper end of the kiwi's grip window does not depend on the cell size: its patch area comes from elasticity,
+// its force from the simulation, so this guards the force and the metric, not the area (docs/validation.md).
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/digest.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 
 namespace unbruised::studies {
 namespace {

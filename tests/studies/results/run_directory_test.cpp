@@ -8,9 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/studies/results/sample_rows.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/results_file.hpp"
+#include "tests/studies/results/sample_rows.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -1,6 +1,7 @@
 /// @file
-/// The shipped kiwi sweep gives the same bits whatever the threads, the order and the company of a scenario, and its
-/// balances hold. The quick tests run every seventh scenario of it on coarse cells, the heavy ones all of it as shipped.
+/// The shipped kiwi sweep gives the same bits whatever the threads, the order and the company of a scenario, and
+/// its balances hold. The quick tests run every seventh scenario of it on coarse cells, the heavy ones all of it
+/// as shipped.
 
 #include <algorithm>
 #include <atomic>
@@ -58,7 +59,8 @@ void expect_same_bits(const Study& study, const std::vector<std::uint64_t>& ids,
   ASSERT_EQ(once.size(), ids.size());
   const std::string digest = digest_of(once);
   EXPECT_EQ(digest_of(run_ids(study, ids, 2)), digest) << "two threads";
-  for (const auto& order : other_orders(ids)) EXPECT_EQ(digest_of(run_ids(study, order, 2)), digest) << "another order";
+  for (const auto& order : other_orders(ids))
+    EXPECT_EQ(digest_of(run_ids(study, order, 2)), digest) << "another order";
   for (std::size_t i = 0; i < ids.size(); i += alone_stride) {
     const auto alone = run_alone(core_simulator(), study.scenario(ids[i]), nullptr, nullptr);
     ASSERT_TRUE(alone.has_value());
@@ -72,8 +74,8 @@ void expect_balances(const Results& results) {
     impulse = std::max(impulse, result.metrics[Metric::impulse_balance_error]);
     energy = std::max(energy, result.metrics[Metric::energy_balance_error]);
     EXPECT_LT(result.metrics[Metric::impulse_balance_error], 5e-3) << "scenario " << id;
-    // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20 steps
-    // per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
+    // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20
+    // steps per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
     EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3) << "scenario " << id;
   }
   std::printf("largest impulse balance error %.3g, largest energy balance error %.3g\n", impulse, energy);
@@ -105,7 +107,8 @@ TEST(HeavySameBits, KiwiSweepKeepsItsBalancesAndItsClosedFormHoldLimit) {
   for (const auto& [id, result] : results) {
     const Scenario scenario = study.scenario(id);
     const auto& product = std::get<LatticeParameters>(scenario.product);
-    const double needed = *product.mass_kg * (9.80665 + scenario.strategy.lift_acceleration_m_s2) / (2.0 * product.friction);
+    const double needed =
+        *product.mass_kg * (9.80665 + scenario.strategy.lift_acceleration_m_s2) / (2.0 * product.friction);
     // Well off the closed form the answer must be plain, where the fingers close gently enough not to bounce off.
     if (scenario.strategy.approach_speed_m_s > 0.1) continue;
     if (scenario.strategy.grip_force_N < 0.85 * needed) {

@@ -41,7 +41,9 @@ WindowTable window_of(const Study& study) {
 }
 
 double product_mass(const Study& study) { return *std::get<LatticeParameters>(study.scenario(0).product).mass_kg; }
-double product_friction(const Study& study) { return std::get<LatticeParameters>(study.scenario(0).product).friction; }
+double product_friction(const Study& study) {
+  return std::get<LatticeParameters>(study.scenario(0).product).friction;
+}
 
 TEST(WindowPhysics, HoldForceOfALiftIsTheClosedForm) {
   const Study study = study_of("hold_limit.toml");
@@ -57,7 +59,8 @@ TEST(WindowPhysics, HoldForceOfALiftIsTheClosedForm) {
 
 TEST(WindowPhysics, HoldForceOfAHorizontalTransferIsTheClosedForm) {
   // The transfer needs more than the lift of 1 m/s2: m sqrt(g^2 + a^2) against m (g + 1).
-  const Study study = study_of("hold_limit.toml", {"strategy.transfer_acceleration_m_s2=8.0", "cell.transfer_m=[0.0,0.6]"});
+  const Study study =
+      study_of("hold_limit.toml", {"strategy.transfer_acceleration_m_s2=8.0", "cell.transfer_m=[0.0,0.6]"});
   const WindowTable table = window_of(study);
   const double exact = product_mass(study) * std::hypot(kGravity, 8.0) / (2.0 * product_friction(study));
   EXPECT_NEAR(table.rows[0].hold_force_N, exact, 0.02 * exact);
@@ -75,12 +78,13 @@ TEST(WindowPhysics, TofuHasNoWindow) {
 
 TEST(WindowPhysics, RipeKiwiIsHeldFromTheClosedFormOn) {
   // Coarse cells: the lower end does not depend on them.
-  const Study study = study_of("kiwi_window.toml", {"product.cell_size_m=0.0085", "window.from_N=0.5", "window.to_N=6.0",
-                                                    "window.tolerance=0.01"});
+  const Study study = study_of("kiwi_window.toml", {"product.cell_size_m=0.0085", "window.from_N=0.5",
+                                                    "window.to_N=6.0", "window.tolerance=0.01"});
   const WindowTable table = window_of(study);
   const double exact = product_mass(study) * (kGravity + 2.0) / (2.0 * product_friction(study));
   for (const WindowRow& row : table.rows) {
-    // The slip limit of 2 mm forgives a moment of sliding at the peak of a minimum-jerk profile: a few per cent low.
+    // The slip limit of 2 mm forgives a moment of sliding at the peak of a minimum-jerk profile: a few per cent
+    // low.
     EXPECT_NEAR(row.hold_force_N, exact, 0.04 * exact);
     EXPECT_TRUE(row.exists);
   }

@@ -60,10 +60,11 @@ LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane&
 ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
     : model_(model), near_margin_(kNearShare * smallest_extent_m) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal_,         &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_,
-                          &tangent2_theta_, &anchor1_,  &anchor2_,  &penetration_,  &penetration_theta_,
-                          &travel1_,        &travel2_,  &share_,    &near_,         &offset_,
-                          &gap_now_,        &gap_free_, &previous_, &sliding_,      &was_sliding_}) {
+  for (LaneArray* rows : {&normal_,         &tangent1_, &tangent2_,     &normal_theta_, &tangent1_theta_,
+                          &tangent2_theta_, &anchor1_,  &anchor2_,      &penetration_,  &penetration_theta_,
+                          &travel1_,        &travel2_,  &share_,        &near_,         &offset_,
+                          &gap_now_,        &gap_free_, &previous_,     &sliding_,      &was_sliding_,
+                          &layer_,          &shear_,    &shear_relaxed_}) {
     *rows = LaneArray(n);
   }
   base_ = LaneArray(3 * model.node_count());
@@ -178,7 +179,8 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
                            now.palm[static_cast<std::size_t>(tangents[t])] - pad_center_[t];
         const Lane half(0.5 * candidate.extent_m[t]);
         const Lane pad_half = Lane(0.5) * pad_size_[t];
-        share *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) / (Lane(2.0) * half);
+        share *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) *
+                 Lane(1.0 / candidate.extent_m[t]);
       }
       const Lane kept = select(carrying & (share > Lane(0.0)), share_.get(c), share);
       share_.put(c, kept);
@@ -203,6 +205,15 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     normal_theta_.put(c, select(near, held, Lane(0.0)));
     tangent1_theta_.put(c, select(near, tangent1_theta_.get(c), Lane(0.0)));
     tangent2_theta_.put(c, select(near, tangent2_theta_.get(c), Lane(0.0)));
+    if (none(near)) continue;
+    // What the solve needs again and again.
+    const double* own = model_.compliance.data() + 9 * candidate.contact_node * (model_.node_count() + 1);
+    const auto tangents = tangent_axes(surface);
+    const Lane shear = layer_stiffness(c) * Lane(1.0 / 3.0);
+    layer_.put(c, normal_stiffness(c));
+    shear_.put(c, shear);
+    shear_relaxed_.put(
+        c, Lane(1.0) / (Lane(1.0) + shear * Lane(std::max(own[4 * tangents[0]], own[4 * tangents[1]]))));
   }
   choose_active(running);
   rebase(base, running);
@@ -262,7 +273,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   const auto t2 = static_cast<std::size_t>(tangents[1]);
   const auto at = 3 * static_cast<std::size_t>(candidate.contact_node);
   const Lane sign(normal_sign(surface));
-  const Lane layer = normal_stiffness(c);
+  const Lane layer = layer_.get(c);
 
   // Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
   Lane compliance(own[4 * axis]);
@@ -288,9 +299,8 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   node_force_.put(at + axis, node_force_.get(at + axis) + sign * change);
 
   // Tangential: a spring to the anchor, held inside the friction cone.
-  const Lane shear = layer_stiffness(c) * Lane(1.0 / 3.0);
-  const Lane shear_compliance(std::max(own[4 * t1], own[4 * t2]));
-  const Lane inverse = Lane(1.0) / (Lane(1.0) + shear * shear_compliance);
+  const Lane shear = shear_.get(c);
+  const Lane inverse = shear_relaxed_.get(c);
   const Lane r1 = d[t1] - (surface < 2 ? theta_places_.palm[t1] : Lane(0.0));
   const Lane r2 = d[t2] - (surface < 2 ? theta_places_.palm[t2] : Lane(0.0));
   const Lane old1 = tangent1_theta_.get(c);

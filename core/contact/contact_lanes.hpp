@@ -129,6 +129,7 @@ class ContactLanes {
   LaneArray share_;  ///< of the tributary area under the pad
   // Per candidate, of the present step.
   LaneArray near_, offset_, gap_now_, gap_free_, previous_, sliding_, was_sliding_;
+  LaneArray layer_, shear_, shear_relaxed_;  ///< stiffnesses of the near ones; 1 / (1 + shear x compliance)
   // Of the present step.
   LaneArray base_, node_force_;
   Mask has_near_{false};  ///< some candidate is near

@@ -9,9 +9,6 @@
 namespace unbruised {
 namespace {
 
-/// The shift is (2 pi 0.16 Hz)^2 = 1 1/s2: a thousandth or less of any elastic mode of a graspable product, yet it
-/// holds the rigid motions, so that the factorisation exists.
-constexpr double kShift = 1.0;
 /// Each refinement shrinks the shift's influence on elastic modes by shift / omega^2 < 1e-3.
 constexpr int kRefinements = 4;
 /// Passes over the touching places of the support; a few suffice.
@@ -19,8 +16,8 @@ constexpr int kMaxPasses = 100;
 
 }  // namespace
 
-std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, std::span<const double> mass_kg,
-                                         double mass_factor, std::span<const int> freedom) {
+std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, std::span<const double> mass_kg, double mass_factor,
+                                         std::span<const int> freedom) {
   std::vector<MatrixEntry> entries;
   entries.reserve(K.value.size() / 2 + 3 * mass_kg.size());
   for (int i = 0; i < K.particle_count; ++i) {
@@ -30,7 +27,7 @@ std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, 
           const int row = freedom[3 * static_cast<std::size_t>(i) + r];
           const int column = freedom[3 * static_cast<std::size_t>(K.column[p]) + c];
           if (row < 0 || column < 0 || row < column) continue;
-          double value = k_factor * K.value[9 * static_cast<std::size_t>(p) + 3 * r + c];
+          double value = K.value[9 * static_cast<std::size_t>(p) + 3 * r + c];
           if (row == column) value += mass_factor * mass_kg[i];
           entries.push_back({row, column, value});
         }
@@ -41,15 +38,16 @@ std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, 
 }
 
 std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vector<double> mass_kg,
+                                                  std::vector<int> freedom, double shift_1_s2,
                                                   const ContactModel& contact, std::string& error) {
   std::unique_ptr<StaticSolver> self(new StaticSolver());
   self->mass_kg_ = std::move(mass_kg);
-  self->shift_ = kShift;
-  const std::size_t size = 3 * self->mass_kg_.size();
-  std::vector<int> freedom(size);
-  for (std::size_t i = 0; i < size; ++i) freedom[i] = static_cast<int>(i);
-  const SymmetricMatrix matrix = symmetric_from_entries(
-      static_cast<int>(size), shifted_entries(K, 1.0, self->mass_kg_, self->shift_, freedom));
+  self->freedom_ = std::move(freedom);
+  self->shift_ = shift_1_s2;
+  const std::size_t size = self->freedom_.size();
+  const auto free = static_cast<int>(size) - static_cast<int>(std::ranges::count(self->freedom_, -1));
+  const SymmetricMatrix matrix =
+      symmetric_from_entries(free, shifted_entries(K, self->mass_kg_, self->shift_, self->freedom_));
   self->factor_ = SparseCholesky::factor(matrix, error);
   if (!self->factor_) return nullptr;
   for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
@@ -63,7 +61,7 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
   for (std::size_t j = 0; j < k; ++j) {
     const auto at = 3 * static_cast<std::size_t>(contact.candidate[self->support_candidate_[j]].node) + 2;
     unit[at] = 1.0;
-    const std::vector<double> column = self->factor_->solve(unit);
+    const std::vector<double> column = self->shifted_solve(unit);
     unit[at] = 0.0;
     for (std::size_t i = 0; i < k; ++i) {
       self->support_compliance_[i * k + j] =
@@ -74,7 +72,16 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
 }
 
 std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
-  return factor_->solve(force_N);
+  std::vector<double> free;
+  for (std::size_t i = 0; i < force_N.size(); ++i) {
+    if (freedom_[i] >= 0) free.push_back(force_N[i]);
+  }
+  const std::vector<double> solution = factor_->solve(free);
+  std::vector<double> displacement(force_N.size(), 0.0);
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    if (freedom_[i] >= 0) displacement[i] = solution[static_cast<std::size_t>(freedom_[i])];
+  }
+  return displacement;
 }
 
 std::vector<double> StaticSolver::free_shape(std::span<const double> force_N) const {
@@ -138,7 +145,7 @@ StaticRest StaticSolver::rest_on_support(const ContactModel& contact, double gra
       load[i] = shift_ * mass_kg_[i / 3] * rest.displacement_m[i];
       if (i % 3 == 2) load[i] -= mass_kg_[i / 3] * gravity_m_s2;
     }
-    const std::vector<double> free = factor_->solve(load);
+    const std::vector<double> free = shifted_solve(load);
     for (int pass = 0; pass < kMaxPasses; ++pass) {
       std::vector<std::size_t> active;
       for (std::size_t i = 0; i < k; ++i) {
@@ -175,7 +182,7 @@ StaticRest StaticSolver::rest_on_support(const ContactModel& contact, double gra
       if (!changed) break;
     }
     for (std::size_t i = 0; i < k; ++i) load[freedom(i)] += std::max(0.0, force[i]);
-    rest.displacement_m = factor_->solve(load);
+    rest.displacement_m = shifted_solve(load);
   }
   for (std::size_t i = 0; i < k; ++i) {
     const auto at = static_cast<std::size_t>(support_candidate_[i]);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Static shapes of a free lattice product: at rest on its support, and what plastic strain alone leaves.
+/// Static shapes of a product: at rest on its support, and what plastic strain alone leaves.
 
 #include <array>
 #include <memory>
@@ -22,15 +22,20 @@ struct StaticRest {
   std::vector<double> penetration_m;   ///< of the particle into the layer of the support, per contact candidate
 };
 
-/// Solves K u = f for a body that nothing holds. K alone is singular (rigid motions), so K + s M is factored with
-/// a shift s far below every elastic mode, and the shift's own force is taken out again by iterative refinement.
+/// Solves K u = f where nothing or not everything is held. K alone may be singular (rigid motions, mechanisms), so
+/// K + s M is factored with a shift s far below every elastic mode, and the shift's own force is taken out again
+/// by iterative refinement.
 class StaticSolver {
  public:
-  /// @param mass_kg per particle; no freedom may be fixed
+  /// @param mass_kg per particle
+  /// @param freedom number of each freedom (3 per particle), -1 where it is fixed
+  /// @param shift_1_s2 square of an angular frequency far below the slowest elastic mode
   static std::unique_ptr<StaticSolver> build(const BlockMatrix& K, std::vector<double> mass_kg,
+                                             std::vector<int> freedom, double shift_1_s2,
                                              const ContactModel& contact, std::string& error);
 
-  /// The shape that self-equilibrated forces leave (rigid motion arbitrary), f and result of shape [3n].
+  /// The shape that forces leave, zero at fixed freedoms; on a body that nothing holds they must be in balance,
+  /// and the rigid motion is arbitrary. f and result of shape [3n].
   [[nodiscard]] std::vector<double> free_shape(std::span<const double> force_N) const;
 
   /// Equilibrium under gravity along -z on a frictionless support with a compliant layer.
@@ -45,14 +50,14 @@ class StaticSolver {
 
   std::unique_ptr<SparseCholesky> factor_;
   std::vector<double> mass_kg_;
+  std::vector<int> freedom_;
   double shift_ = 0;
   std::vector<int> support_candidate_;      ///< candidates on the support
   std::vector<double> support_compliance_;  ///< of the shifted matrix, normal freedoms, [k, k]
 };
 
-/// Entries of K + mass_factor M (+ damping_factor C), fixed freedoms left out through `freedom` (3 per particle,
-/// -1).
-std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, double k_factor, std::span<const double> mass_kg,
-                                         double mass_factor, std::span<const int> freedom);
+/// Lower entries of K + mass_factor M; `freedom` numbers the free freedoms (3 per particle, -1: left out).
+std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, std::span<const double> mass_kg, double mass_factor,
+                                         std::span<const int> freedom);
 
 }  // namespace unbruised

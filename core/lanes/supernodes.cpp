@@ -31,10 +31,8 @@ std::vector<Block> fundamental_blocks(const CholeskyFactor& L) {
                            L.row[L.column_start[column - 1] + 1] == column;
     if (!continues) blocks.push_back({column, 0, {}, 0});
     ++blocks.back().count;
-    if (column + 1 == L.size || true) {
-      blocks.back().below.assign(L.row.begin() + L.column_start[column] + 1,
-                                 L.row.begin() + L.column_start[column + 1]);
-    }
+    blocks.back().below.assign(L.row.begin() + L.column_start[column] + 1,
+                               L.row.begin() + L.column_start[column + 1]);
   }
   return blocks;
 }

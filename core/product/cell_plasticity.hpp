@@ -47,7 +47,6 @@ class CellPlasticity {
   /// Energy of the plastic strains themselves, 1/2 V e_p D e_p summed over the cells of one lane: with it the
   /// elastic energy is 1/2 u K u - u f_p + this.
   [[nodiscard]] double self_energy(int lane) const;
-  [[nodiscard]] bool has_flowed(int lane) const { return largest_plastic_[lane] > 0.0; }
   /// Volume of the cells with more accumulated plastic strain than `threshold`.
   [[nodiscard]] double volume_above(int lane, double threshold) const;
   /// The load of the present plastic strain of one lane, [3n].

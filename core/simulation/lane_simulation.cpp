@@ -70,6 +70,7 @@ struct LaneSimulation::Impl {
   [[nodiscard]] double stored_energy(int lane) const;
   [[nodiscard]] double rotation(int lane) const;
   void finish(int lane, double time_s);
+  [[nodiscard]] bool is_anchored() const;
   void measure_permanent_set(int lane, Metrics& metrics) const;
   void measure_balances(int lane, double time_s, Metrics& metrics) const;
   void record(int lane);
@@ -610,15 +611,21 @@ double LaneSimulation::Impl::stored_energy(int lane) const {
          (run[static_cast<std::size_t>(lane)].scenario.gripper ? fingers.kinetic_energy()[lane] : 0.0);
 }
 
+bool LaneSimulation::Impl::is_anchored() const {
+  return std::any_of(parts.fixed.begin(), parts.fixed.end(), [](const auto& f) { return f[0] || f[1] || f[2]; });
+}
+
 void LaneSimulation::Impl::measure_permanent_set(int lane, Metrics& metrics) const {
   metrics[Metric::permanent_set_max_m] = metrics[Metric::permanent_set_rms_m] = 0.0;
-  if (!cells) return;
-  const auto& scenario = run[static_cast<std::size_t>(lane)].scenario;
-  metrics[Metric::bruised_volume_m3] =
-      cells->volume_above(lane, scenario.limits.plastic_strain.value_or(kBruisedStrain));
-  if (!cells->has_flowed(lane)) return;
-  std::vector<double> shape = parts.statics->free_shape(cells->plastic_load_N(lane));
-  remove_rigid_motion(parts.position_m, shape);
+  if (cells) {
+    const auto& limits = run[static_cast<std::size_t>(lane)].scenario.limits;
+    metrics[Metric::bruised_volume_m3] = cells->volume_above(lane, limits.plastic_strain.value_or(kBruisedStrain));
+  }
+  const Lane& plastic = cells ? cells->largest_plastic_strain() : springs->largest_plastic_strain();
+  if (!(plastic[lane] > 0.0)) return;
+  std::vector<double> shape =
+      parts.statics->free_shape(cells ? cells->plastic_load_N(lane) : springs->plastic_load_N(lane));
+  if (!is_anchored()) remove_rigid_motion(parts.position_m, shape);
   double largest = 0.0, sum = 0.0;
   for (std::size_t p = 0; p < parts.particle_count; ++p) {
     const double square =
@@ -632,8 +639,6 @@ void LaneSimulation::Impl::measure_permanent_set(int lane, Metrics& metrics) con
 
 void LaneSimulation::Impl::measure_balances(int lane, double time_s, Metrics& metrics) const {
   const LaneRun& r = run[static_cast<std::size_t>(lane)];
-  const bool anchored =
-      std::any_of(parts.fixed.begin(), parts.fixed.end(), [](const auto& f) { return f[0] || f[1] || f[2]; });
   double gravity_size = 0.0, mismatch = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     double momentum = 0.0;
@@ -642,7 +647,7 @@ void LaneSimulation::Impl::measure_balances(int lane, double time_s, Metrics& me
     mismatch += error * error;
     gravity_size += gravity[i][lane] * gravity[i][lane];
   }
-  if (!anchored && gravity_size > 0.0 && parts.lattice) {
+  if (!is_anchored() && gravity_size > 0.0 && parts.lattice) {
     metrics[Metric::impulse_balance_error] =
         std::sqrt(mismatch) / (parts.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }

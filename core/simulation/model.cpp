@@ -98,9 +98,21 @@ double frequency_bound(const Model::Parts& parts, const std::vector<int>& freedo
   return std::sqrt(largest) / (2.0 * std::numbers::pi);
 }
 
+/// Does a network have springs with a yield force?
+bool can_yield(const Model::Parts& parts) {
+  return std::any_of(parts.springs.begin(), parts.springs.end(),
+                     [](const SpringGeometry& spring) { return std::isfinite(spring.yield_force); });
+}
+
+/// A thirty-thousandth of the fastest frequency: below every elastic mode, a thousandth of the slowest of a
+/// graspable product, and yet its square holds rigid motions well above round-off.
+double static_shift(const Model::Parts& parts) {
+  const double omega = 2.0 * std::numbers::pi * parts.max_frequency_Hz;
+  return 1e-9 * omega * omega;
+}
+
 /// K + a0 M + a1 C, factored and packed.
-bool factor_effective_stiffness(Model::Parts& parts, std::string& error) {
-  std::vector<int> freedom;
+bool factor_effective_stiffness(Model::Parts& parts, std::vector<int>& freedom, std::string& error) {
   const int count = number_freedoms(parts, freedom);
   if (count == 0) {
     error = "the product has no freedom that can move";
@@ -112,7 +124,7 @@ bool factor_effective_stiffness(Model::Parts& parts, std::string& error) {
     const double damping = parts.C.value.empty() ? parts.relaxation_time_s * parts.K.value[p] : parts.C.value[p];
     effective.value[p] += w.a1 * damping;
   }
-  const auto entries = shifted_entries(effective, 1.0, parts.mass_kg, w.a0, freedom);
+  const auto entries = shifted_entries(effective, parts.mass_kg, w.a0, freedom);
   const auto factor = SparseCholesky::factor(symmetric_from_entries(count, entries), error);
   if (!factor) return false;
   parts.factor = pack_supernodes(factor->extract());
@@ -147,10 +159,12 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   parts.particle_count = parts.position_m.size();
   parts.wilson.emplace(scenario.simulation.time_step_s, scenario.simulation.theta);
   add_inertia(parts);
-  if (!factor_effective_stiffness(parts, error)) return nullptr;
+  std::vector<int> freedom;
+  if (!factor_effective_stiffness(parts, freedom, error)) return nullptr;
   fill_compliance(parts.factor, parts.slot, parts.contact);
-  if (parts.lattice) {
-    parts.statics = StaticSolver::build(parts.K, parts.mass_kg, parts.contact, error);
+  if (parts.lattice || can_yield(parts)) {
+    parts.statics =
+        StaticSolver::build(parts.K, parts.mass_kg, std::move(freedom), static_shift(parts), parts.contact, error);
     if (!parts.statics) return nullptr;
   }
   return model;

@@ -33,7 +33,7 @@ struct Model::Parts {
 
   BlockMatrix K;
   BlockMatrix C;                   ///< empty for lattices: C = relaxation_time_s K
-  double relaxation_time_s = 0.0;  ///< lattices
+  double relaxation_time_s = 0.0;  ///< lattices, and networks that can yield
 
   std::optional<Lattice> lattice;
   std::optional<CellStiffness> cell;
@@ -44,7 +44,7 @@ struct Model::Parts {
   SupernodalFactor factor;
   std::vector<int> slot;  ///< freedom (3 per particle) -> elimination position, -1: fixed
   ContactModel contact;
-  std::unique_ptr<StaticSolver> statics;  ///< lattices
+  std::unique_ptr<StaticSolver> statics;  ///< lattices, and networks that can yield
   double max_frequency_Hz = 0;
 };
 

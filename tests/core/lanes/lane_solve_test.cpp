@@ -37,7 +37,7 @@ Body body(Shape shape, int cells, double shift) {
   std::vector<int> freedom(3 * lattice.position_m.size());
   std::iota(freedom.begin(), freedom.end(), 0);
   result.matrix = symmetric_from_entries(static_cast<int>(freedom.size()),
-                                         shifted_entries(result.K, 1.0, lattice.mass_kg, shift, freedom));
+                                         shifted_entries(result.K, lattice.mass_kg, shift, freedom));
   std::string error;
   result.cholesky = SparseCholesky::factor(result.matrix, error);
   EXPECT_NE(result.cholesky, nullptr) << error;

@@ -168,6 +168,7 @@ TEST(SpringPlasticity, ASpringKeepsTheSetOfItsClosedForm) {
     const double set = (most - yield) / (h * k);
     EXPECT_NEAR(sign * u[3950], most / k + set, 1e-3 * set);  // under load, t = 7.9 s
     EXPECT_NEAR(sign * u.back(), set, 1e-3 * set);
+    EXPECT_NEAR(result.metrics[Metric::permanent_set_max_m], set, 1e-3 * set);
     EXPECT_NEAR(result.metrics[Metric::plastic_strain_max], set / 1.0, 1e-3 * set);
     const double work = 0.5 * (yield + most) * set;
     EXPECT_NEAR(result.metrics[Metric::absorbed_energy_J], work, 2e-3 * work);

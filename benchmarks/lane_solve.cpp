@@ -56,13 +56,13 @@ struct Problem {
 /// The matrix that core factors for this product (core/simulation/model.cpp).
 SymmetricMatrix effective_stiffness(const LatticeParameters& product, const Lattice& lattice,
                                     const WilsonTheta& w) {
-  const BlockMatrix K = assemble_stiffness(
+  BlockMatrix K = assemble_stiffness(
       lattice, cell_stiffness(product.youngs_modulus_Pa, product.poisson_ratio, lattice.cell_extent_m));
   std::vector<int> freedom(3 * lattice.position_m.size());
   for (std::size_t i = 0; i < freedom.size(); ++i) freedom[i] = static_cast<int>(i);
-  const double k_factor = 1.0 + w.a1 * product.relaxation_time_s.value();
+  for (double& value : K.value) value *= 1.0 + w.a1 * product.relaxation_time_s.value();
   return symmetric_from_entries(static_cast<int>(freedom.size()),
-                                shifted_entries(K, k_factor, lattice.mass_kg, w.a0, freedom));
+                                shifted_entries(K, lattice.mass_kg, w.a0, freedom));
 }
 
 std::optional<Problem> make_problem(std::string name, const LatticeParameters& product) {

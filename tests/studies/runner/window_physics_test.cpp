@@ -82,7 +82,13 @@ TEST(WindowPhysics, RipeKiwiIsHeldFromTheClosedFormOn) {
                                                     "window.to_N=6.0", "window.tolerance=0.01"});
   const WindowTable table = window_of(study);
   const double exact = product_mass(study) * (kGravity + 2.0) / (2.0 * product_friction(study));
+  ASSERT_EQ(table.rows.size(), 4U);
   for (const WindowRow& row : table.rows) {
+    const double approach_speed_m_s = std::get<double>(row.inputs[0]);
+    if (approach_speed_m_s > 0.25) {
+      EXPECT_FALSE(row.exists) << "the impact alone damages at 0.3 m/s";
+      continue;
+    }
     // The slip limit of 2 mm forgives a moment of sliding at the peak of a minimum-jerk profile: a few per cent
     // low.
     EXPECT_NEAR(row.hold_force_N, exact, 0.04 * exact);

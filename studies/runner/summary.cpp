@@ -149,6 +149,8 @@ int seriousness(Outcome outcome) {
 }  // namespace
 
 std::string key_leaf(const std::string& key) {
+  // `use` says nothing without its table.
+  if (key.ends_with(".use")) return key;
   const std::size_t dot = key.rfind('.');
   return dot == std::string::npos ? key : key.substr(dot + 1);
 }

@@ -49,6 +49,8 @@ class HandlingRecord {
   /// The run cannot go on: `outcome` is diverged or out_of_range.
   void abort(Outcome outcome, std::string cause, double time_s);
   [[nodiscard]] bool aborted() const { return aborted_; }
+  /// Aborted without a state that still says something.
+  [[nodiscard]] bool diverged() const { return aborted_ && abort_outcome_ == Outcome::diverged; }
 
   /// Metrics that are known at the end only are in `metrics` already; limits on them are checked here.
   [[nodiscard]] ScenarioResult finish(const HandlingCycle& cycle, double end_time_s) const;

@@ -672,10 +672,8 @@ void LaneSimulation::Impl::finish(int lane, double time_s) {
   metrics[Metric::step_count] = static_cast<double>(r.step);
   metrics[Metric::contact_iterations] = r.contact_sweeps;
   metrics[Metric::plasticity_iterations] = r.plastic_rounds;
-  if (!r.record.aborted()) {
-    measure_permanent_set(lane, metrics);
-    measure_balances(lane, time_s, metrics);
-  }
+  if (!r.record.aborted()) measure_permanent_set(lane, metrics);
+  if (!r.record.diverged()) measure_balances(lane, time_s, metrics);
   finished.push_back({lane, r.record.finish(r.cycle, time_s)});
   r.busy = false;
   r.trace = nullptr;

@@ -78,7 +78,6 @@ struct LaneSimulation::Impl {
   std::shared_ptr<const Model> model;
   const Model::Parts& parts;
   const WilsonTheta& w;
-  double smallest_extent_m;
 
   std::array<LaneRun, kLanes> run;
   Mask running{false};
@@ -103,7 +102,8 @@ struct LaneSimulation::Impl {
                                  Lane(0.0)};  ///< of both pads on the product, at the start of the step
   Lane damping_power{0.0}, damped{0.0}, palm_work{0.0}, gravity_work{0.0}, positive_work{0.0};
   Lane sweeps{0.0}, rounds{0.0};
-  StaticRest rest;  ///< of the last gravity and support asked for
+  Lane yield_stress{1.0};  ///< of the product; 1 where it has none and the ratio is not asked for
+  StaticRest rest;         ///< of the last gravity and support asked for
   std::array<double, 2> rest_key{-1.0, -1.0};
 
   bool timing = false;
@@ -132,8 +132,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
     : model(std::move(shared)),
       parts(model->parts()),
       w(*parts.wilson),
-      smallest_extent_m(smallest_extent(parts)),
-      contact(parts.contact, smallest_extent_m) {
+      contact(parts.contact, smallest_extent(parts)) {
   const std::size_t freedoms = 3 * parts.particle_count;
   for (LaneArray* array : {&u, &v, &a, &u_theta, &viscous, &c_viscous, &c_v}) *array = LaneArray(freedoms);
   for (LaneArray* array : {&rhs, &x, &x_reach}) *array = LaneArray(static_cast<std::size_t>(parts.factor.size));
@@ -167,6 +166,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   contact.load(lane, scenario, parts.lattice ? parts.lattice->center_m : parts.center_of_mass_m);
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     cells->load(lane, *lattice);
+    yield_stress.set(lane, lattice->yield_stress_Pa.value_or(1.0));
     start_at_rest(lane, scenario);
   } else {
     springs->load(lane);
@@ -535,14 +535,6 @@ StepObservation LaneSimulation::Impl::observation(int lane, double time_s) const
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  Lane yield_stress(1.0);
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const LaneRun& r = run[static_cast<std::size_t>(lane)];
-    if (!r.busy) continue;
-    if (const auto* lattice = std::get_if<LatticeParameters>(&r.scenario.product)) {
-      yield_stress.set(lane, lattice->yield_stress_Pa.value_or(1.0));
-    }
-  }
   const std::array<Lane, 2> yield_ratio = {contact.yield_ratio(0, yield_stress),
                                            contact.yield_ratio(1, yield_stress)};
   ++times.steps;

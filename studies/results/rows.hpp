@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -54,6 +55,22 @@ struct WindowTable {
   std::vector<WindowRow> rows;
 };
 
+/// One column of a result table: numbers (NaN where there is none) or texts.
+struct ResultColumn {
+  std::string name;
+  std::string units;      ///< UDUNITS spelling; may stay empty
+  std::string long_name;  ///< may stay empty
+  std::variant<std::vector<double>, std::vector<std::string>> values;
+};
+
+/// What a study kind found beside its scenarios, e.g. its best strategy or its Pareto front: /<name>/<column>.
+struct ResultTable {
+  std::string name;                   ///< "best", "searches", "evaluations", "pareto", ... (docs/results.md)
+  std::string row;                    ///< what a row is: the name of the dimension, e.g. "search"
+  std::vector<ResultColumn> columns;  ///< equally long
+  std::vector<std::pair<std::string, std::variant<double, std::string>>> attributes;
+};
+
 /// What the root attributes of results.h5 say about the study.
 struct ResultsMeta {
   std::string unbruised_version;
@@ -72,6 +89,7 @@ struct ResultsContent {
   ResultsMeta meta;
   std::vector<ColumnInfo> inputs;
   std::vector<ScenarioRow> rows;
+  std::vector<ResultTable> tables;      ///< one group each
   const WindowTable* window = nullptr;  ///< no /window group when null
   const Trace* trace = nullptr;         ///< no /trace and /contact_events when null
 };

@@ -1,0 +1,50 @@
+#pragma once
+
+/// @file
+/// Distributions of product properties, sampled by their quantile function alone, so that one number in (0, 1) gives
+/// one value and the same numbers give common random products.
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace unbruised::studies {
+
+enum class DistributionKind { uniform, normal, lognormal, triangular };
+
+/// One distribution; which fields it needs depends on its kind.
+struct Distribution {
+  DistributionKind kind = DistributionKind::uniform;
+  /// normal, lognormal: of the variable itself, not of its logarithm. lognormal: mean > 0
+  double mean = 0.0;
+  /// >= 0; normal, lognormal: of the variable itself
+  double standard_deviation = 0.0;
+  /// uniform, triangular: from < to, from <= mode <= to
+  double from = 0.0;
+  double to = 1.0;
+  double mode = 0.5;
+  /// at_least < at_most; cut off beyond, and scaled up to one again
+  double at_least = -std::numeric_limits<double>::infinity();
+  double at_most = std::numeric_limits<double>::infinity();
+};
+
+/// The broken rule ("standard_deviation must be >= 0"); nothing when the distribution is sound.
+std::optional<std::string> broken_rule(const Distribution& distribution);
+
+/// The value below which the part `u` of the truncated distribution lies; 0 < u < 1. Monotone in u. Finite.
+double quantile(const Distribution& distribution, double u);
+/// The part of the truncated distribution at or below `value`.
+double cumulative(const Distribution& distribution, double value);
+
+/// "normal(mean 0.095, sd 0.01), 0.08 to 0.12"
+std::string distribution_text(const Distribution& distribution);
+
+/// Mean and standard deviation (n - 1) of measured values; at least two.
+struct MeanAndSpread {
+  double mean = 0.0;
+  double standard_deviation = 0.0;
+};
+MeanAndSpread mean_and_spread(std::span<const double> values);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,54 @@
+#pragma once
+
+/// @file
+/// Morris screening and Sobol' indices as designs in the unit cube and as estimates from the answers; no simulator here.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "studies/statistics/design.hpp"
+#include "studies/statistics/intervals.hpp"
+
+namespace unbruised::studies {
+
+/// Morris (1991): `trajectories` paths of `dimensions` + 1 points on a grid of `levels` levels, step
+/// levels / (2 (levels - 1)). Grid values are moved to the middle of their cell, (k + 0.5) / levels, so that no
+/// quantile is taken at 0 or 1. @param levels even, >= 4
+UnitDesign morris_design(std::size_t trajectories, std::size_t dimensions, std::size_t levels, std::uint64_t seed);
+
+/// Elementary effects per unit of the variable's probability (0..1), of one variable.
+struct MorrisEffect {
+  double mean = 0.0;           ///< mu
+  double mean_absolute = 0.0;  ///< mu*, Campolongo et al. 2007
+  double standard_deviation = 0.0;
+  Interval mean_absolute_interval;  ///< bootstrap over trajectories
+};
+struct MorrisResult {
+  std::vector<MorrisEffect> effects;  ///< one per dimension
+  std::size_t used = 0;               ///< trajectories without a NaN
+};
+/// @param answers one per point of the design; a trajectory with a NaN in it is left out.
+MorrisResult morris_effects(const UnitDesign& design, std::span<const double> answers, double confidence,
+                            std::uint64_t seed);
+
+/// Saltelli (2010): the base matrices A and B and, per dimension, A with that column from B; blocks of
+/// dimensions + 2 points per base sample, in the order A, B, AB_1 ... AB_k.
+UnitDesign sobol_index_design(std::size_t base_samples, std::size_t dimensions, DesignKind kind, std::uint64_t seed);
+
+struct SobolIndex {
+  double first = 0.0;  ///< Saltelli 2010
+  double total = 0.0;  ///< Jansen 1999
+  Interval first_interval;  ///< bootstrap over base samples
+  Interval total_interval;
+};
+struct SobolResult {
+  std::vector<SobolIndex> indices;  ///< one per dimension
+  double variance = 0.0;
+  std::size_t used = 0;  ///< base samples without a NaN
+};
+SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answers, std::size_t replicates,
+                          double confidence, std::uint64_t seed);
+
+}  // namespace unbruised::studies

@@ -1,8 +1,7 @@
 #pragma once
 
 /// @file
-/// Evaluates many scenarios: grouped by factor key, in lanes, over threads. A scenario's result depends on
-/// the scenario alone; only the order in which results arrive depends on the schedule.
+/// Evaluates a fixed set of scenarios: grouped by factor key, in lanes, over threads (lane_scheduler.hpp).
 
 #include <atomic>
 #include <cstddef>
@@ -14,6 +13,7 @@
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/simulation/scenario.hpp"
+#include "studies/runner/lane_scheduler.hpp"
 #include "studies/runner/simulator.hpp"
 
 namespace unbruised::studies {
@@ -32,16 +32,14 @@ struct BatchOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Takes each result once; calls are serialised. An exception ends the batch and comes out of `run_batch`.
-using ResultSink = std::function<void(std::uint64_t id, const ScenarioResult& result)>;
-
 struct BatchReport {
   std::size_t group_count = 0;
   std::size_t delivered = 0;
   bool stopped = false;  ///< some scenarios were not run
+  LaneUse lane_use;
 };
 
-/// Runs a batch. A model that cannot be built and an exception inside the simulator become `diverged` rows
+/// Runs a batch; an exception of the sink comes out of it. A model that cannot be built and an exception inside the simulator become `diverged` rows
 /// with the cause; the other scenarios go on.
 BatchReport run_batch(const Simulator& simulator, const Batch& batch, const BatchOptions& options,
                       const ResultSink& sink);

@@ -43,8 +43,11 @@ std::span<const AlgorithmInfo> algorithm_table();
 const AlgorithmInfo& info_of(Algorithm algorithm);
 std::optional<Algorithm> algorithm_named(std::string_view name);
 
+/// What MLSL and AUGLAG run inside when nothing else is asked for: BOBYQA, with one variable SBPLX.
+Algorithm default_local(std::size_t variable_count);
+
 /// Why a problem of this kind cannot be given to the algorithm, and which ones can take it; empty: it can.
-/// @param local the algorithm inside MLSL or AUGLAG.
+/// @param local the algorithm inside MLSL or AUGLAG; none: default_local
 std::string why_unsuitable(Algorithm algorithm, std::optional<Algorithm> local, std::size_t variable_count,
                            std::size_t constraint_count);
 

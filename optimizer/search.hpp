@@ -18,7 +18,7 @@ namespace unbruised::optimizer {
 
 struct SearchOptions {
   Algorithm algorithm = Algorithm::cobyla;
-  /// Inside MLSL and AUGLAG; none: COBYLA for AUGLAG without..., see algorithm.cpp
+  /// Inside MLSL and AUGLAG; none: default_local (algorithm.hpp)
   std::optional<Algorithm> local;
   /// In the variables' own units; empty: the middle of the box.
   std::vector<double> start;
@@ -36,11 +36,11 @@ struct SearchOptions {
 };
 
 enum class Termination {
-  converged,    ///< steps or improvements fell below the tolerance
-  budget_spent, ///< evaluations_most
-  stopped,      ///< the evaluator said so
-  stalled,      ///< round-off, or failures in most of the last evaluations
-  refused,      ///< the algorithm cannot take the problem
+  converged,     ///< steps or improvements fell below the tolerance
+  budget_spent,  ///< evaluations_most
+  stopped,       ///< the evaluator said so
+  stalled,       ///< round-off, or failures in most of the last evaluations
+  refused,       ///< the algorithm cannot take the problem
 };
 
 struct SearchResult {
@@ -54,6 +54,9 @@ struct SearchResult {
   std::size_t generations = 0;
 };
 
+/// Searches on the unit cube of the problem's space. What an algorithm is told is always finite: an objective that is not
+/// becomes one worse than any seen before, a constraint that is not becomes broken by a fixed amount. An exception of the
+/// evaluator comes out unchanged.
 SearchResult search(const Problem& problem, const SearchOptions& options);
 
 }  // namespace unbruised::optimizer

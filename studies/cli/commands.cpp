@@ -99,8 +99,9 @@ int list_command() {
     if (kind != entry.kind) {
       kind = entry.kind;
       print_line(entry.kind == LibraryEntry::Kind::product   ? "\nproducts"
-                 : entry.kind == LibraryEntry::Kind::gripper ? "\ngrippers"
-                                                             : "\nstudies");
+                 : entry.kind == LibraryEntry::Kind::gripper  ? "\ngrippers"
+                 : entry.kind == LibraryEntry::Kind::strategy ? "\nstrategies"
+                                                              : "\nstudies");
     }
     const std::string padding(width - entry.path.size() + 2, ' ');
     print_line(joined({"  ", entry.path, entry.description.empty() ? "" : padding, entry.description}));

@@ -212,7 +212,7 @@ struct Assembler {
   void report_missing() {
     const auto* network = std::get_if<NetworkParameters>(&out.scenario.product);
     for (const KeySpec& spec : key_table()) {
-      if (!spec.required || spec.path.starts_with("vary[]")) continue;
+      if (!spec.required || spec.path.starts_with("vary[]") || is_of_block(spec.path)) continue;
       if (!used(spec)) continue;
       const std::size_t open = spec.path.find("[]");
       if (open == std::string_view::npos) {

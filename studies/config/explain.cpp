@@ -36,6 +36,8 @@ std::string type_words(const KeySpec& spec) {
       return "numbers";
     case KeyType::vector_series:
       return "[x, y, z] each";
+    case KeyType::texts:
+      return "strings";
     case KeyType::any_array:
       return "numbers, strings or booleans";
   }
@@ -66,6 +68,10 @@ std::string default_words(const KeySpec& spec) {
   } else if (spec.study_field != nullptr) {
     StudySettings settings;
     words = spelled(spec, spec.study_field(settings));
+  } else if (spec.block_field != nullptr) {
+    StudyBlocks blocks{{VariableBlock{}}, {RandomBlock{}}, {CandidateBlock{}}};
+    words = spelled(spec, spec.block_field(blocks, 0));
+    if (words == "[]") words.clear();
   } else if (spec.path == "vary[].scale") {
     words = "\"linear\"";
   }
@@ -107,6 +113,20 @@ std::string_view where_used(Use use) {
       return "networks on a support";
     case Use::window:
       return "window studies";
+    case Use::search:
+      return "optimize, robust and pareto studies";
+    case Use::one_objective:
+      return "optimize and robust studies";
+    case Use::pareto:
+      return "pareto studies";
+    case Use::sampling:
+      return "sample, robust and compare studies";
+    case Use::random:
+      return "sample, robust, compare and sensitivity studies";
+    case Use::compare:
+      return "compare studies";
+    case Use::sensitivity:
+      return "sensitivity studies";
   }
   return "";
 }
@@ -141,8 +161,9 @@ std::optional<LibraryEntry> library_entry(const std::filesystem::path& file, con
   const bool is_study = std::any_of(document.tables.begin(), document.tables.end(),
                                     [](const Entry& table) { return table.path == "study"; });
   if (!is_study) {
-    const bool is_gripper = entry.path.starts_with("grippers/");
-    entry.kind = is_gripper ? LibraryEntry::Kind::gripper : LibraryEntry::Kind::product;
+    entry.kind = entry.path.starts_with("grippers/")     ? LibraryEntry::Kind::gripper
+                 : entry.path.starts_with("strategies/") ? LibraryEntry::Kind::strategy
+                                                         : LibraryEntry::Kind::product;
   }
   for (const Entry& item : document.entries) {
     const std::string prefix = is_study ? "study." : "";

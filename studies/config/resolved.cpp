@@ -86,6 +86,38 @@ struct Writer {
     }
     if (data.plan.columns[i].is_use()) variants(data.plan.columns[i]);
   }
+
+  /// [[variable]], [[random]] and [[candidate]].
+  void search_blocks() {
+    StudyBlocks blocks;
+    for (const SearchVariable& v : data.variables) {
+      blocks.variable.push_back({.key = v.key,
+                                 .from = v.from,
+                                 .to = v.to,
+                                 .scale = v.scale == optimizer::Scale::log ? VaryScale::log : VaryScale::linear,
+                                 .start = v.start,
+                                 .origin = {}});
+    }
+    blocks.random = data.random_blocks;
+    for (const StrategyCandidate& c : data.candidates) blocks.candidate.push_back({c.name, "", {}});
+    block_list("variable", blocks, blocks.variable.size());
+    block_list("random", blocks, blocks.random.size());
+    block_list("candidate", blocks, blocks.candidate.size());
+  }
+
+  void block_list(const std::string& list, StudyBlocks& blocks, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      header("[[" + list + "]]");
+      for (const KeySpec& spec : key_table()) {
+        if (!spec.path.starts_with(list + "[].")) continue;
+        const std::string value = spelled(spec, spec.block_field(blocks, static_cast<int>(i)));
+        if (value != "[]") line(spec.path, value);
+      }
+      if (list != "candidate") continue;
+      Scenario scenario = data.candidates[i].scenario;
+      keys("strategy", scenario, 0);
+    }
+  }
 };
 
 }  // namespace
@@ -101,7 +133,12 @@ std::string resolved_text(const StudyData& data) {
   }
   Scenario base = data.bases.front();
   writer.table("study", base);
-  if (data.settings.kind == StudyKind::window) writer.table("window", base);
+  const StudyKind kind = data.settings.kind;
+  if (kind == StudyKind::window) writer.table("window", base);
+  if (is_search(kind)) writer.table("search", base);
+  if (is_random(kind)) writer.table("sampling", base);
+  if (kind == StudyKind::compare) writer.table("compare", base);
+  if (kind == StudyKind::sensitivity) writer.table("sensitivity", base);
   if (!product_varies) {
     writer.header("[product]");
     writer.product("product", base);
@@ -112,6 +149,7 @@ std::string resolved_text(const StudyData& data) {
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);
   for (std::size_t i = 0; i < data.plan.blocks.size(); ++i) writer.block(i);
+  writer.search_blocks();
   return writer.out;
 }
 

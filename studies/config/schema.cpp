@@ -82,6 +82,8 @@ std::string type_rule(const KeySpec& spec) {
       return "must be an array of numbers" + in;
     case KeyType::vector_series:
       return "must be an array of [x, y, z]" + in;
+    case KeyType::texts:
+      return "must be an array of strings";
     case KeyType::any_array:
       return "must be a non-empty array of numbers, of strings or of booleans";
   }
@@ -260,6 +262,33 @@ const Unit* unit_of(std::string_view path) {
   return path.ends_with(kMetre.suffix) ? &kMetre : nullptr;
 }
 
+bool is_of_block(std::string_view path) {
+  return path.starts_with("variable[") || path.starts_with("random[") || path.starts_with("candidate[");
+}
+
+bool kind_uses(Use use, StudyKind kind) {
+  switch (use) {
+    case Use::window:
+      return kind == StudyKind::window;
+    case Use::search:
+      return is_search(kind);
+    case Use::one_objective:
+      return kind == StudyKind::optimize || kind == StudyKind::robust;
+    case Use::pareto:
+      return kind == StudyKind::pareto;
+    case Use::sampling:
+      return is_random(kind) && kind != StudyKind::sensitivity;
+    case Use::random:
+      return is_random(kind);
+    case Use::compare:
+      return kind == StudyKind::compare;
+    case Use::sensitivity:
+      return kind == StudyKind::sensitivity;
+    default:
+      return true;
+  }
+}
+
 bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
              const std::vector<std::string>& varied_keys) {
   const auto varied = [&](std::string_view key) {
@@ -288,10 +317,9 @@ bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
       return support && lattice != nullptr;
     case Use::network_support:
       return support && lattice == nullptr;
-    case Use::window:
-      return kind == StudyKind::window;
+    default:
+      return kind_uses(spec.use, kind);
   }
-  return true;
 }
 
 std::string_view why_unused(Use use, const Scenario& scenario) {
@@ -319,6 +347,20 @@ std::string_view why_unused(Use use, const Scenario& scenario) {
       return "not used: only networks with cell.support = true have it";
     case Use::window:
       return "not used: only studies of kind = \"window\" have it";
+    case Use::search:
+      return "not used: only studies of kind = \"optimize\", \"robust\" or \"pareto\" have it";
+    case Use::one_objective:
+      return "not used: only studies of kind = \"optimize\" or \"robust\" have it";
+    case Use::pareto:
+      return "not used: only studies of kind = \"pareto\" have it";
+    case Use::sampling:
+      return "not used: only studies of kind = \"sample\", \"robust\" or \"compare\" have it";
+    case Use::random:
+      return "not used: only studies of kind = \"sample\", \"robust\", \"compare\" or \"sensitivity\" have it";
+    case Use::compare:
+      return "not used: only studies of kind = \"compare\" have it";
+    case Use::sensitivity:
+      return "not used: only studies of kind = \"sensitivity\" have it";
   }
   return "";
 }
@@ -349,6 +391,12 @@ std::optional<std::string> check_value(const KeySpec& spec, const Value& value, 
         if (check_items(spec, item, 3)) return type_rule(spec);
       }
       return std::nullopt;
+    case KeyType::texts: {
+      const bool all = value.kind == Value::Kind::array &&
+                       std::all_of(value.items.begin(), value.items.end(),
+                                   [](const Value& item) { return item.kind == Value::Kind::text; });
+      return all ? Rule{} : type_rule(spec);
+    }
     case KeyType::any_array: {
       if (value.kind != Value::Kind::array || value.items.empty()) return type_rule(spec);
       const Value& first = value.items.front();
@@ -393,6 +441,9 @@ void assign(const KeySpec& spec, FieldRef field, const Value& value, const std::
     choice->set(choice->object, static_cast<int>(word - spec.choices.begin()));
   } else if (auto* const* fixed = std::get_if<std::array<bool, 3>*>(&field)) {
     assign_axes(**fixed, value);
+  } else if (auto* const* texts = std::get_if<std::vector<std::string>*>(&field)) {
+    (*texts)->clear();
+    for (const Value& item : value.items) (*texts)->push_back(item.text);
   } else if (auto* const* vectors = std::get_if<std::vector<std::array<double, 3>>*>(&field)) {
     (*vectors)->clear();
     for (const Value& item : value.items) (*vectors)->push_back(vector_of(item));
@@ -445,6 +496,9 @@ std::string spelled(const KeySpec& spec, FieldRef field) {
     }
     std::string operator()(const std::vector<std::array<double, 3>>* x) const {
       return joined(*x, spelled_vector);
+    }
+    std::string operator()(const std::vector<std::string>* x) const {
+      return joined(*x, [](const std::string& text) { return toml_string(text); });
     }
   };
   return std::visit(Speller{spec}, field);

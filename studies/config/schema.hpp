@@ -20,6 +20,38 @@
 
 namespace unbruised::studies {
 
+/// [search] as written; goals are parsed from it (searching.hpp).
+struct SearchTable {
+  std::string objective;
+  std::vector<std::string> objectives;
+  std::vector<std::string> constraints;
+  optimizer::Algorithm algorithm = optimizer::Algorithm::cobyla;
+  std::string local_algorithm;
+  std::uint64_t starts = 16;
+  std::uint64_t budget = 640;
+  double tolerance = 1e-3;
+  double initial_step = 0.2;
+  ParetoMethod method = ParetoMethod::epsilon_constraint;
+  std::uint64_t points = 8;
+};
+
+/// [compare] as written.
+struct CompareTable {
+  std::string metric = "cycle_time_s";
+  std::vector<std::string> metrics;
+  double tie = 0.0;
+};
+
+/// [sensitivity] as written.
+struct SensitivityTable {
+  SensitivityMethod method = SensitivityMethod::sobol;
+  std::vector<std::string> metrics;
+  std::uint64_t samples = 256;
+  std::uint64_t levels = 4;
+  std::uint64_t bootstrap = 500;
+  double confidence = 0.95;
+};
+
 /// What a study says about itself, beside its scenarios.
 struct StudySettings {
   std::string name;
@@ -27,6 +59,10 @@ struct StudySettings {
   std::uint64_t seed = 1;
   std::string description;
   WindowSettings window;
+  SearchTable search;
+  SamplingSettings sampling;
+  CompareTable compare;
+  SensitivityTable sensitivity;
 };
 
 enum class VaryScale { linear, log };
@@ -41,6 +77,46 @@ struct VaryBlock {
   std::string zip;
   Value values;  ///< an array when given
   Origin origin;
+};
+
+/// One [[variable]] block as written.
+struct VariableBlock {
+  std::string key;
+  std::optional<double> from;
+  std::optional<double> to;
+  VaryScale scale = VaryScale::linear;
+  std::optional<double> start;
+  Origin origin;
+};
+
+/// One [[random]] block as written.
+struct RandomBlock {
+  std::string key;
+  DistributionKind distribution = DistributionKind::uniform;
+  std::optional<double> mean;
+  std::optional<double> standard_deviation;
+  std::optional<double> relative_deviation;
+  std::vector<double> data;
+  std::optional<double> from;
+  std::optional<double> to;
+  std::optional<double> mode;
+  std::optional<double> at_least;
+  std::optional<double> at_most;
+  Origin origin;
+};
+
+/// One [[candidate]] block as written, without the keys of its strategy.
+struct CandidateBlock {
+  std::string name;
+  std::string use;
+  Origin origin;
+};
+
+/// The arrays of tables that steer a search or a sample.
+struct StudyBlocks {
+  std::vector<VariableBlock> variable;
+  std::vector<RandomBlock> random;
+  std::vector<CandidateBlock> candidate;
 };
 
 /// An enumeration seen through its words.
@@ -61,7 +137,8 @@ struct IntegerSpan {
 /// The field a key writes to.
 using FieldRef =
     std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*, ChoiceRef, NumberSpan,
-                 IntegerSpan, std::array<bool, 3>*, std::vector<double>*, std::vector<std::array<double, 3>>*>;
+                 IntegerSpan, std::array<bool, 3>*, std::vector<double>*, std::vector<std::array<double, 3>>*,
+                 std::vector<std::string>*>;
 
 enum class KeyType {
   number,
@@ -75,6 +152,7 @@ enum class KeyType {
   axes,           ///< any of "x", "y", "z"
   series,         ///< array of numbers
   vector_series,  ///< array of [x, y, z]
+  texts,          ///< array of strings
   any_array,      ///< [[vary]] values
 };
 
@@ -91,6 +169,13 @@ enum class Use {
   lattice_support,
   network_support,
   window,
+  search,         ///< optimize, robust, pareto
+  one_objective,  ///< optimize, robust
+  pareto,
+  sampling,       ///< sample, robust, compare
+  random,         ///< those and sensitivity
+  compare,
+  sensitivity,
 };
 
 struct Range {
@@ -118,6 +203,7 @@ struct KeySpec {
   FieldRef (*field)(Scenario&, int index) = nullptr;
   FieldRef (*study_field)(StudySettings&) = nullptr;
   FieldRef (*vary_field)(VaryBlock&) = nullptr;
+  FieldRef (*block_field)(StudyBlocks&, int index) = nullptr;
 };
 
 /// All keys, in the order of the reference.
@@ -143,6 +229,12 @@ struct Unit {
 };
 /// The unit a key's name ends in; nullptr when it has none.
 const Unit* unit_of(std::string_view path);
+
+/// Is it a table or key of [[variable]], [[random]] or [[candidate]]?
+bool is_of_block(std::string_view path);
+
+/// Does a study of this kind look at the keys of this use at all?
+bool kind_uses(Use use, StudyKind kind);
 
 /// Is the key looked at in this scenario? @param varied answers for a key that takes several values.
 bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "optimizer/algorithm.hpp"
 #include "studies/config/schema.hpp"
 
 namespace unbruised::studies {
@@ -82,9 +83,25 @@ template <auto member>
 FieldRef window(StudySettings& settings) {
   return field_ref(settings.window.*member);
 }
+template <auto table, auto member>
+FieldRef study_table(StudySettings& settings) {
+  return field_ref(settings.*table.*member);
+}
 template <auto member>
 FieldRef vary(VaryBlock& block) {
   return field_ref(block.*member);
+}
+template <auto member>
+FieldRef variable(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.variable.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef random(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.random.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef candidate(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.candidate.at(static_cast<std::size_t>(index)).*member);
 }
 
 // -- The tables. -------------------------------------------------------------------------------------------
@@ -102,9 +119,10 @@ Table study_keys() {
        .study_field = study<&StudySettings::name>},
       {.path = "study.kind",
        .type = choice,
-       .meaning = "What is done: one run with its trace, all points of the [[vary]] blocks, or a search for the "
-                  "grip window.",
-       .choices = {"simulate", "sweep", "window"},
+       .meaning = "What is done: one run with its trace; all points of the [[vary]] blocks; a search for the grip "
+                  "window; random products; a search for the best strategy, for one that holds up when products vary, "
+                  "or for a front of them; strategies compared on the same products; what matters most.",
+       .choices = {"simulate", "sweep", "window", "sample", "optimize", "robust", "pareto", "compare", "sensitivity"},
        .required = true,
        .study_field = study<&StudySettings::kind>},
       {.path = "study.seed",
@@ -138,6 +156,194 @@ Table study_keys() {
        .range = {0.0, true, 1.0, true},
        .use = Use::window,
        .study_field = window<&WindowSettings::tolerance>},
+  };
+}
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const optimizer::AlgorithmInfo& info : optimizer::algorithm_table()) names.push_back(info.name);
+  return names;
+}
+
+Table search_keys() {
+  using S = SearchTable;
+  constexpr auto at = &StudySettings::search;
+  return {
+      {.path = "search.objective",
+       .type = text,
+       .meaning = "What is to be least: a metric or a weighted sum, \"cycle_time_s + 0.5 * peak_finger_force_N\"; of a "
+                  "robust study statistics over the products: mean(m), quantile(m, 0.95), worst(m).",
+       .use = Use::one_objective,
+       .note = "cycle_time_s, of a robust study mean(cycle_time_s), unless given",
+       .study_field = study_table<at, &S::objective>},
+      {.path = "search.objectives",
+       .type = texts,
+       .meaning = "The two or three objectives of a Pareto front.",
+       .use = Use::pareto,
+       .required = true,
+       .study_field = study_table<at, &S::objectives>},
+      {.path = "search.constraints",
+       .type = texts,
+       .meaning = "What has to hold: outcomes (\"held\", \"not damaged\"), metrics (\"friction_margin_min >= 0.2\"), of a "
+                  "robust study \"P(held) >= 0.99\" or \"worst(permanent_set_max_m) <= 1e-4\".",
+       .use = Use::search,
+       .note = "[\"held\"], of a robust study [\"P(held) >= 0.99\"], unless given",
+       .study_field = study_table<at, &S::constraints>},
+      {.path = "search.algorithm",
+       .type = choice,
+       .meaning = "NLopt algorithm of each search.",
+       .choices = algorithm_names(),
+       .use = Use::search,
+       .note = "one that takes the study's constraints",
+       .study_field = study_table<at, &S::algorithm>},
+      {.path = "search.local_algorithm",
+       .type = text,
+       .meaning = "The algorithm inside MLSL and AUGLAG.",
+       .use = Use::search,
+       .note = "with MLSL and AUGLAG only",
+       .study_field = study_table<at, &S::local_algorithm>},
+      {.path = "search.starts",
+       .type = integer,
+       .meaning = "Searches that start from different points of the box, of a pareto study: for each of its points.",
+       .range = {1.0, false, 4096.0, false},
+       .use = Use::search,
+       .note = "robust: 4, pareto: 2 unless given",
+       .study_field = study_table<at, &S::starts>},
+      {.path = "search.budget",
+       .type = integer,
+       .meaning = "Strategies that all searches together may evaluate.",
+       .range = {1.0, false, 10'000'000.0, false},
+       .use = Use::search,
+       .note = ">= starts; robust: 100, pareto: 40 for each search unless given",
+       .study_field = study_table<at, &S::budget>},
+      {.path = "search.tolerance",
+       .type = number,
+       .meaning = "A search ends when its steps fall below this part of each variable's range.",
+       .range = {0.0, true, 1.0, true},
+       .use = Use::search,
+       .study_field = study_table<at, &S::tolerance>},
+      {.path = "search.initial_step",
+       .type = number,
+       .meaning = "First step of a search, as part of each variable's range.",
+       .range = {0.0, true, 1.0, false},
+       .use = Use::search,
+       .study_field = study_table<at, &S::initial_step>},
+      {.path = "search.method",
+       .type = choice,
+       .meaning = "How points of the front are found.",
+       .choices = {"epsilon_constraint", "chebyshev"},
+       .use = Use::pareto,
+       .study_field = study_table<at, &S::method>},
+      {.path = "search.points",
+       .type = integer,
+       .meaning = "Points looked for between the ends of the front.",
+       .range = {1.0, false, 1000.0, false},
+       .use = Use::pareto,
+       .study_field = study_table<at, &S::points>},
+  };
+}
+
+Table sampling_keys() {
+  using S = SamplingSettings;
+  constexpr auto at = &StudySettings::sampling;
+  const Use use = Use::sampling;
+  return {
+      {.path = "sampling.design",
+       .type = choice,
+       .meaning = "How products are drawn.",
+       .choices = {"sobol", "latin_hypercube", "random"},
+       .use = Use::random,
+       .study_field = study_table<at, &S::design>},
+      {.path = "sampling.count",
+       .type = integer,
+       .meaning = "Random products.",
+       .range = {2.0, false, 1'000'000.0, false},
+       .use = use,
+       .note = "of a robust study <= 65,536 / points asked at once",
+       .study_field = study_table<at, &S::count>},
+      {.path = "sampling.factor_groups",
+       .type = integer,
+       .meaning = "Random keys that change the factored matrix (stiffness, size, mass) take this many joint values, so "
+                  "that lanes are full; 0: every product its own.",
+       .range = {0.0, false, 1'000'000.0, false},
+       .use = use,
+       .study_field = study_table<at, &S::factor_groups>},
+      {.path = "sampling.confidence",
+       .type = number,
+       .meaning = "Of all intervals.",
+       .range = {0.5, false, 0.9999, false},
+       .use = use,
+       .study_field = study_table<at, &S::confidence>},
+  };
+}
+
+Table compare_keys() {
+  using S = CompareTable;
+  constexpr auto at = &StudySettings::compare;
+  const Use use = Use::compare;
+  return {
+      {.path = "compare.metric",
+       .type = text,
+       .meaning = "The metric that decides; less is better, and a product that is not held loses.",
+       .use = use,
+       .study_field = study_table<at, &S::metric>},
+      {.path = "compare.metrics",
+       .type = texts,
+       .meaning = "Metrics whose differences are shown beside it.",
+       .use = use,
+       .study_field = study_table<at, &S::metrics>},
+      {.path = "compare.tie",
+       .type = number,
+       .meaning = "Differences of the metric up to this, in its unit, count as ties.",
+       .range = kNotNegative,
+       .use = use,
+       .study_field = study_table<at, &S::tie>},
+  };
+}
+
+Table sensitivity_keys() {
+  using S = SensitivityTable;
+  constexpr auto at = &StudySettings::sensitivity;
+  const Use use = Use::sensitivity;
+  return {
+      {.path = "sensitivity.method",
+       .type = choice,
+       .meaning = "Sobol' indices (parts of the variance), or Morris screening (elementary effects; fewer runs).",
+       .choices = {"sobol", "morris"},
+       .use = use,
+       .study_field = study_table<at, &S::method>},
+      {.path = "sensitivity.metrics",
+       .type = texts,
+       .meaning = "The metrics that are looked at.",
+       .use = use,
+       .required = true,
+       .study_field = study_table<at, &S::metrics>},
+      {.path = "sensitivity.samples",
+       .type = integer,
+       .meaning = "sobol: base samples, runs are samples x (keys + 2); morris: trajectories, runs are samples x (keys + "
+                  "1).",
+       .range = {2.0, false, 1'000'000.0, false},
+       .use = use,
+       .study_field = study_table<at, &S::samples>},
+      {.path = "sensitivity.levels",
+       .type = integer,
+       .meaning = "Levels of Morris' grid; keys that change the factored matrix take this many values in either method.",
+       .range = {4.0, false, 64.0, false},
+       .use = use,
+       .note = "even",
+       .study_field = study_table<at, &S::levels>},
+      {.path = "sensitivity.bootstrap",
+       .type = integer,
+       .meaning = "Replicates of the bootstrap intervals.",
+       .range = {10.0, false, 100'000.0, false},
+       .use = use,
+       .study_field = study_table<at, &S::bootstrap>},
+      {.path = "sensitivity.confidence",
+       .type = number,
+       .meaning = "Of the intervals.",
+       .range = {0.5, false, 0.9999, false},
+       .use = use,
+       .study_field = study_table<at, &S::confidence>},
   };
 }
 
@@ -780,14 +986,149 @@ Table vary_keys() {
   };
 }
 
+Table variable_keys() {
+  using B = VariableBlock;
+  const Use use = Use::search;
+  return {
+      {.path = "variable[].key",
+       .type = text,
+       .meaning = "The numeric key that is searched.",
+       .use = use,
+       .required = true,
+       .block_field = variable<&B::key>},
+      {.path = "variable[].from",
+       .type = optional_number,
+       .meaning = "Least value, in the key's unit.",
+       .use = use,
+       .required = true,
+       .note = "< to",
+       .block_field = variable<&B::from>},
+      {.path = "variable[].to",
+       .type = optional_number,
+       .meaning = "Largest value, in the key's unit.",
+       .use = use,
+       .required = true,
+       .block_field = variable<&B::to>},
+      {.path = "variable[].scale",
+       .type = choice,
+       .meaning = "Searched evenly, or evenly in the logarithm.",
+       .choices = {"linear", "log"},
+       .use = use,
+       .note = "log needs from > 0",
+       .block_field = variable<&B::scale>},
+      {.path = "variable[].start",
+       .type = optional_number,
+       .meaning = "Where the first search starts.",
+       .use = use,
+       .note = "from <= start <= to; the middle unless given",
+       .block_field = variable<&B::start>},
+  };
+}
+
+Table random_keys() {
+  using B = RandomBlock;
+  const Use use = Use::random;
+  return {
+      {.path = "random[].key",
+       .type = text,
+       .meaning = "The numeric key that is drawn.",
+       .use = use,
+       .required = true,
+       .block_field = random<&B::key>},
+      {.path = "random[].distribution",
+       .type = choice,
+       .meaning = "Its distribution.",
+       .choices = {"uniform", "normal", "lognormal", "triangular"},
+       .use = use,
+       .required = true,
+       .block_field = random<&B::distribution>},
+      {.path = "random[].mean",
+       .type = optional_number,
+       .meaning = "Mean of the key itself (also of a lognormal).",
+       .use = use,
+       .note = "normal, lognormal",
+       .block_field = random<&B::mean>},
+      {.path = "random[].standard_deviation",
+       .type = optional_number,
+       .meaning = "Standard deviation of the key itself.",
+       .range = kNotNegative,
+       .use = use,
+       .note = "normal, lognormal; this or relative_deviation",
+       .block_field = random<&B::standard_deviation>},
+      {.path = "random[].relative_deviation",
+       .type = optional_number,
+       .meaning = "Standard deviation over mean.",
+       .range = kNotNegative,
+       .use = use,
+       .note = "normal, lognormal",
+       .block_field = random<&B::relative_deviation>},
+      {.path = "random[].data",
+       .type = series,
+       .meaning = "Measured values that give mean and standard deviation.",
+       .use = use,
+       .note = "normal, lognormal; at least 3; instead of mean and deviation",
+       .block_field = random<&B::data>},
+      {.path = "random[].from",
+       .type = optional_number,
+       .meaning = "Least value.",
+       .use = use,
+       .note = "uniform, triangular; < to",
+       .block_field = random<&B::from>},
+      {.path = "random[].to",
+       .type = optional_number,
+       .meaning = "Largest value.",
+       .use = use,
+       .note = "uniform, triangular",
+       .block_field = random<&B::to>},
+      {.path = "random[].mode",
+       .type = optional_number,
+       .meaning = "Likeliest value.",
+       .use = use,
+       .note = "triangular; from <= mode <= to",
+       .block_field = random<&B::mode>},
+      {.path = "random[].at_least",
+       .type = optional_number,
+       .meaning = "Smaller values are cut off.",
+       .use = use,
+       .note = "< at_most",
+       .block_field = random<&B::at_least>},
+      {.path = "random[].at_most",
+       .type = optional_number,
+       .meaning = "Larger values are cut off.",
+       .use = use,
+       .block_field = random<&B::at_most>},
+  };
+}
+
+Table candidate_keys() {
+  using B = CandidateBlock;
+  const Use use = Use::compare;
+  return {
+      {.path = "candidate[].name",
+       .type = text,
+       .meaning = "What the strategy is called. Beside name and use a candidate has the keys of [strategy].",
+       .use = use,
+       .required = true,
+       .note = "1 to 64 letters, digits, '_' or '-'; all different",
+       .block_field = candidate<&B::name>},
+      {.path = "candidate[].use",
+       .type = text,
+       .meaning = "A strategy file, relative to this file's folder or to the configs folder; keys given here override "
+                  "it.",
+       .use = use,
+       .block_field = candidate<&B::use>},
+  };
+}
+
 }  // namespace
 
 const std::vector<KeySpec>& key_table() {
   static const std::vector<KeySpec> table = [] {
     std::vector<KeySpec> all;
     for (const Table& part :
-         {study_keys(), lattice_keys(), particle_keys(), spring_and_load_keys(), gripper_keys(), cell_keys(),
-          strategy_keys(), limit_keys(), simulation_keys(), vary_keys()}) {
+         {study_keys(), search_keys(), sampling_keys(), compare_keys(), sensitivity_keys(), lattice_keys(),
+          particle_keys(), spring_and_load_keys(), gripper_keys(), cell_keys(), strategy_keys(), limit_keys(),
+          simulation_keys(), vary_keys(), variable_keys(), random_keys(), candidate_keys()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -10,12 +10,21 @@
 #include "studies/config/library.hpp"
 #include "studies/config/problems.hpp"
 #include "studies/config/rules.hpp"
+#include "studies/config/searching.hpp"
 #include "studies/config/study_data.hpp"
 
 namespace unbruised::studies {
 namespace {
 
 constexpr std::size_t kMaxNameLength = 64;
+constexpr const char* kNameRule = "must be 1 to 64 letters, digits, '_' or '-'";
+
+bool is_name(const std::string& text) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && text.size() <= kMaxNameLength && std::all_of(text.begin(), text.end(), allowed);
+}
 
 bool is_text_key(const KeyAddress& address) {
   if (address.spec == nullptr) return false;
@@ -61,8 +70,11 @@ class Reader {
     load_lists();
     find_variants();
     data_.plan = plan_vary(vary_entries_, vary_tables_, place(1), problems_);
+    blocks_ = read_blocks(block_entries_, block_tables_, problems_);
     assemble_bases(known);
+    complete_search(data_, blocks_, assemblies_.front(), problems_);
     if (problems_.empty()) check_rules();
+    if (problems_.empty()) check_box_rules(data_, blocks_, problems_);
     if (!problems_.empty()) return error();
     finish();
     return Study(std::make_shared<const StudyData>(std::move(data_)));
@@ -106,6 +118,7 @@ class Reader {
       const std::string pattern = pattern_of(table.path);
       tables_.emplace(table.path, table.origin);
       if (table.path.starts_with("vary[")) vary_tables_.push_back(table);
+      if (is_of_block(table.path)) block_tables_.push_back(table);
       if (pattern.starts_with("vary[].variant[]") || under_unknown(table.path)) continue;
       if (pattern == "product.source" || pattern == "gripper.source") continue;
       if (std::find(table_names().begin(), table_names().end(), pattern) != table_names().end()) continue;
@@ -148,6 +161,8 @@ class Reader {
       if (under_unknown(entry.path)) continue;
       if (entry.path.starts_with("vary[")) {
         vary_entries_.push_back(entry);
+      } else if (is_of_block(entry.path)) {
+        block_entries_.push_back(entry);
       } else if (is_descriptive(entry.path)) {
         if (entry.value.kind != Value::Kind::text) {
           problems_.add(entry.origin, entry.path, spelled(entry.value), "must be a string");
@@ -161,15 +176,16 @@ class Reader {
       }
     }
     for (const Entry& entry : sets_) {
-      (entry.path.starts_with("vary") ? vary_entries_ : command_line_).push_back(entry);
+      auto& list = entry.path.starts_with("vary")  ? vary_entries_
+                   : is_of_block(entry.path) ? block_entries_
+                                             : command_line_;
+      list.push_back(entry);
     }
     for (const Entry& entry : command_line_) refuse_other_kinds(entry);
   }
 
   void refuse_other_kinds(const Entry& entry) {
-    static const std::set<std::string> kLater = {"sample",  "optimize",    "robust",   "pareto",
-                                                 "compare", "sensitivity", "calibrate"};
-    if (entry.path == "study.kind" && kLater.contains(entry.value.text)) {
+    if (entry.path == "study.kind" && entry.value.text == "calibrate") {
       problems_.add(entry.origin, entry.path, spelled(entry.value), "not in this version");
       other_kind_ = true;
     }
@@ -235,23 +251,58 @@ class Reader {
       if (!column.is_use()) input.varied_keys.push_back(column.input.key);
       input.tables["vary " + column.input.key] = column.origin;
     }
+    for (const auto& [key, origin] : blocks_.keys()) {
+      input.varied_keys.push_back(key);
+      input.tables["vary " + key] = origin;
+    }
     for (const auto& product : products) {
       for (const auto& gripper : grippers) {
-        input.entries.clear();
-        for (const auto* list : {&product, &gripper}) {
-          for (const Entry& entry : *list) input.entries.push_back({Layer::library, &entry});
-        }
-        for (const Entry& entry : study_) input.entries.push_back({Layer::study, &entry});
-        for (const Entry& entry : command_line_) input.entries.push_back({Layer::command_line, &entry});
+        input.entries = layers(product, gripper, {});
         assemblies_.push_back(assemble(input, problems_));
       }
     }
+    assemble_candidates(input, products.front(), grippers.front());
     data_.settings = assemblies_.front().settings;
     for (Assembly& assembly : assemblies_) {
       if (data_.settings.kind == StudyKind::window) {
         assembly.scenario.strategy.grip_force_N = data_.settings.window.from_N;
       }
       data_.bases.push_back(assembly.scenario);
+    }
+  }
+
+  /// Everything that is said about one scenario, in layer order; `own` overrides what the study says.
+  std::vector<LayeredEntry> layers(const std::vector<Entry>& product, const std::vector<Entry>& gripper,
+                                   const std::vector<Entry>& own) const {
+    std::vector<LayeredEntry> all;
+    for (const auto* list : {&product, &gripper}) {
+      for (const Entry& entry : *list) all.push_back({Layer::library, &entry});
+    }
+    for (const Entry& entry : study_) all.push_back({Layer::study, &entry});
+    for (const Entry& entry : own) all.push_back({Layer::study, &entry});
+    for (const Entry& entry : command_line_) all.push_back({Layer::command_line, &entry});
+    return all;
+  }
+
+  /// compare: the study's scenario with the strategy of each candidate.
+  void assemble_candidates(AssemblyInput& input, const std::vector<Entry>& product,
+                           const std::vector<Entry>& gripper) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < blocks_.blocks.candidate.size(); ++i) {
+      const CandidateBlock& block = blocks_.blocks.candidate[i];
+      const std::string path = "candidate[" + std::to_string(i) + "].";
+      if (!block.name.empty() && !is_name(block.name)) {
+        problems_.add(block.origin, path + "name", toml_string(block.name), kNameRule);
+      } else if (!names.insert(block.name).second) {
+        problems_.add(block.origin, path + "name", toml_string(block.name), "is the name of two candidates");
+      }
+      std::vector<Entry> own;
+      if (!block.use.empty()) {
+        own = library_.read("strategy", {path + "use", text_value(block.use), block.origin}, problems_);
+      }
+      own.insert(own.end(), blocks_.candidate_entries[i].begin(), blocks_.candidate_entries[i].end());
+      input.entries = layers(product, gripper, own);
+      data_.candidates.push_back({block.name, assemble(input, problems_).scenario});
     }
   }
 
@@ -343,13 +394,8 @@ class Reader {
   void check_study() {
     const StudySettings& settings = data_.settings;
     const Assembly& assembly = assemblies_.front();
-    const auto allowed = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    };
-    const std::string& name = settings.name;
-    if (name.empty() || name.size() > kMaxNameLength || !std::all_of(name.begin(), name.end(), allowed)) {
-      problems_.add(assembly.origin_of("study.name"), "study.name", toml_string(name),
-                    "must be 1 to 64 letters, digits, '_' or '-'");
+    if (!is_name(settings.name)) {
+      problems_.add(assembly.origin_of("study.name"), "study.name", toml_string(settings.name), kNameRule);
     }
     const Origin kind = assembly.origin_of("study.kind");
     const std::string word = toml_string(study_kind_word(settings.kind));
@@ -359,13 +405,19 @@ class Reader {
     if (settings.kind == StudyKind::sweep && data_.plan.columns.empty()) {
       problems_.add(kind, "study.kind", word, "needs [[vary]] blocks; one run is \"simulate\"");
     }
-    if (settings.kind == StudyKind::window && !has_gripper_) {
-      problems_.add(kind, "study.kind", word, "needs a [gripper]");
+    const bool grips = settings.kind == StudyKind::window || settings.kind == StudyKind::compare ||
+                       is_search(settings.kind);
+    if (grips && !has_gripper_) problems_.add(kind, "study.kind", word, "needs a [gripper]");
+    if ((is_search(settings.kind) || is_random(settings.kind)) && !data_.plan.columns.empty()) {
+      problems_.add(data_.plan.columns.front().origin, "[[vary]]",
+                    "goes with \"sweep\" and \"window\"; a study of kind " + word + " has " +
+                        (is_search(settings.kind) ? "[[variable]]" : "[[random]]") + " blocks");
     }
   }
 
   void finish() {
     for (const VaryColumn& column : data_.plan.columns) data_.inputs.push_back(column.input);
+    data_.random_blocks = blocks_.blocks.random;
     data_.resolved = resolved_text(data_);
     data_.warnings = doubts(scenario_of(data_, 0));
   }
@@ -374,7 +426,8 @@ class Reader {
   Library library_;
   Problems problems_;
   Document document_;
-  std::vector<Entry> study_, command_line_, sets_, vary_entries_, vary_tables_;
+  std::vector<Entry> study_, command_line_, sets_, vary_entries_, vary_tables_, block_entries_, block_tables_;
+  ReadBlocks blocks_;
   std::vector<std::string> unknown_tables_;
   std::unordered_map<std::string, Origin> tables_;
   std::vector<Assembly> assemblies_;
@@ -405,8 +458,29 @@ std::string_view study_kind_word(StudyKind kind) {
       return "sweep";
     case StudyKind::window:
       return "window";
+    case StudyKind::sample:
+      return "sample";
+    case StudyKind::optimize:
+      return "optimize";
+    case StudyKind::robust:
+      return "robust";
+    case StudyKind::pareto:
+      return "pareto";
+    case StudyKind::compare:
+      return "compare";
+    case StudyKind::sensitivity:
+      return "sensitivity";
   }
   return "";
+}
+
+bool is_search(StudyKind kind) {
+  return kind == StudyKind::optimize || kind == StudyKind::robust || kind == StudyKind::pareto;
+}
+
+bool is_random(StudyKind kind) {
+  return kind == StudyKind::sample || kind == StudyKind::robust || kind == StudyKind::compare ||
+         kind == StudyKind::sensitivity;
 }
 
 Study::Study(std::shared_ptr<const StudyData> data) : data_(std::move(data)) {}
@@ -420,6 +494,37 @@ const std::vector<InputColumn>& Study::inputs() const { return data_->inputs; }
 const std::string& Study::resolved_toml() const { return data_->resolved; }
 const std::vector<std::string>& Study::warnings() const { return data_->warnings; }
 Scenario Study::scenario(std::size_t id) const { return scenario_of(*data_, id); }
+
+const std::vector<SearchVariable>& Study::variables() const { return data_->variables; }
+const std::vector<RandomVariable>& Study::randoms() const { return data_->randoms; }
+const std::vector<StrategyCandidate>& Study::candidates() const { return data_->candidates; }
+const SearchSettings& Study::search() const { return data_->search; }
+const SamplingSettings& Study::sampling() const { return data_->sampling; }
+const CompareSettings& Study::compare() const { return data_->compare; }
+const SensitivitySettings& Study::sensitivity() const { return data_->sensitivity; }
+
+Scenario Study::with_values(Scenario base, std::span<const std::string> keys, std::span<const double> values) {
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const KeyAddress address = find_key(keys[k]);
+    assign_number(address.spec->field(base, address.index), values[k], address.elements);
+  }
+  StrategyParameters& strategy = base.strategy;
+  strategy.contact_force_N = std::min(strategy.contact_force_N, strategy.grip_force_N);
+  return base;
+}
+
+Scenario Study::scenario_with(std::span<const std::string> keys, std::span<const double> values) const {
+  return with_values(data_->bases.front(), keys, values);
+}
+
+std::optional<double> Study::base_value(const std::string& key) const {
+  const KeyAddress address = find_key(key);
+  if (address.spec == nullptr || address.spec->field == nullptr) return std::nullopt;
+  const bool is_lattice = std::holds_alternative<LatticeParameters>(data_->bases.front().product);
+  if (address.spec->use == Use::lattice && !is_lattice) return std::nullopt;
+  Scenario base = data_->bases.front();
+  return number_at(address.spec->field(base, address.index), address.elements);
+}
 
 std::size_t Study::input_index(std::size_t scenario, std::size_t column) const {
   return data_->plan.index(scenario, column);

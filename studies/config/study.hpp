@@ -9,12 +9,18 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/simulation/scenario.hpp"
+#include "optimizer/algorithm.hpp"
+#include "optimizer/search_space.hpp"
+#include "studies/goals/goal.hpp"
+#include "studies/statistics/design.hpp"
+#include "studies/statistics/distribution.hpp"
 
 namespace unbruised::studies {
 
@@ -29,7 +35,12 @@ struct InputColumn {
   [[nodiscard]] std::size_t count() const { return is_text ? texts.size() : numbers.size(); }
 };
 
-enum class StudyKind { simulate, sweep, window };
+enum class StudyKind { simulate, sweep, window, sample, optimize, robust, pareto, compare, sensitivity };
+
+/// optimize, robust and pareto: NLopt searches a box of variables.
+bool is_search(StudyKind kind);
+/// Kinds that draw random products: sample, robust, compare, sensitivity.
+bool is_random(StudyKind kind);
 
 /// The word of a kind, as in `study.kind`.
 std::string_view study_kind_word(StudyKind kind);
@@ -42,6 +53,79 @@ struct WindowSettings {
   double to_N = 10.0;
   /// > 0, < 1; relative width at which the search for either end stops
   double tolerance = 0.005;
+};
+
+/// A key that a search varies.
+struct SearchVariable {
+  std::string key;
+  std::string units;  ///< UDUNITS spelling, "1" without dimension
+  /// < to; > 0 on a log scale
+  double from = 0.0;
+  double to = 1.0;
+  optimizer::Scale scale = optimizer::Scale::linear;
+  std::optional<double> start;  ///< from <= start <= to
+};
+
+/// A key that is drawn at random.
+struct RandomVariable {
+  std::string key;
+  std::string units;
+  Distribution distribution;
+  bool changes_factor = false;  ///< another value makes another factor group
+};
+
+/// A strategy that is compared with others.
+struct StrategyCandidate {
+  std::string name;
+  Scenario scenario;
+};
+
+enum class ParetoMethod { epsilon_constraint, chebyshev };
+
+/// What optimize, robust and pareto search for, and how.
+struct SearchSettings {
+  Objective objective;                ///< optimize, robust
+  std::vector<Objective> objectives;  ///< pareto: two or three
+  std::vector<Constraint> constraints;
+  optimizer::Algorithm algorithm = optimizer::Algorithm::cobyla;
+  std::optional<optimizer::Algorithm> local;
+  std::uint64_t starts = 16;  ///< > 0; of a pareto study: of each point
+  std::uint64_t budget = 640;  ///< >= starts; strategies evaluated by all searches together
+  double tolerance = 1e-3;
+  double initial_step = 0.2;
+  ParetoMethod method = ParetoMethod::epsilon_constraint;
+  std::uint64_t points = 8;
+};
+
+/// How random products are drawn.
+struct SamplingSettings {
+  DesignKind design = DesignKind::sobol;
+  /// >= 2
+  std::uint64_t count = 200;
+  /// Joint values of the keys that change the factored matrix; 0: every product its own.
+  std::uint64_t factor_groups = 8;
+  /// 0.5 .. 0.9999
+  double confidence = 0.95;
+};
+
+struct CompareSettings {
+  Metric metric = Metric::cycle_time_s;  ///< what decides
+  std::vector<Metric> metrics;           ///< also shown, `metric` among them
+  /// >= 0; differences up to this count as ties
+  double tie = 0.0;
+};
+
+enum class SensitivityMethod { sobol, morris };
+
+struct SensitivitySettings {
+  SensitivityMethod method = SensitivityMethod::sobol;
+  std::vector<Metric> metrics;
+  /// sobol: base samples, morris: trajectories
+  std::uint64_t samples = 256;
+  /// even, >= 4; of Morris' grid, and of keys that change the factored matrix
+  std::uint64_t levels = 4;
+  std::uint64_t bootstrap = 500;
+  double confidence = 0.95;
 };
 
 /// Lines to print, one per violation: `file:line: key = value: rule`, in file and line order.
@@ -62,6 +146,24 @@ class Study {
   [[nodiscard]] const std::string& description() const;
   /// Meaningful when kind() == StudyKind::window.
   [[nodiscard]] const WindowSettings& window() const;
+
+  // Meaningful for the kinds that use them, empty or default for others.
+  [[nodiscard]] const std::vector<SearchVariable>& variables() const;
+  [[nodiscard]] const std::vector<RandomVariable>& randoms() const;
+  [[nodiscard]] const std::vector<StrategyCandidate>& candidates() const;
+  [[nodiscard]] const SearchSettings& search() const;
+  [[nodiscard]] const SamplingSettings& sampling() const;
+  [[nodiscard]] const CompareSettings& compare() const;
+  [[nodiscard]] const SensitivitySettings& sensitivity() const;
+
+  /// `base` with numeric keys set to values; `contact_force_N` never exceeds the grip force (lowered where it would).
+  /// @param keys variables, random keys, or other numeric keys that exist in the base. @param values as many
+  [[nodiscard]] static Scenario with_values(Scenario base, std::span<const std::string> keys,
+                                            std::span<const double> values);
+  /// The study's base scenario (that of id 0) with numeric keys set. Thread-safe.
+  [[nodiscard]] Scenario scenario_with(std::span<const std::string> keys, std::span<const double> values) const;
+  /// The value of a numeric key in the base scenario; nothing where there is none.
+  [[nodiscard]] std::optional<double> base_value(const std::string& key) const;
 
   /// Points of the Cartesian product of all [[vary]] blocks; 1 without any. At most 10,000,000.
   [[nodiscard]] std::size_t scenario_count() const;
@@ -117,13 +219,13 @@ std::vector<std::string> differing_keys(const std::string& resolved_a, const std
 
 /// One file of the configs folder, for `unbruised list`.
 struct LibraryEntry {
-  enum class Kind { product, gripper, study };
+  enum class Kind { product, gripper, strategy, study };
   Kind kind = Kind::study;
   std::string path;         ///< relative to the configs folder
   std::string name;         ///< [study] name, or the file's `name`; else its stem
   std::string description;  ///< one line, may be empty
 };
-/// All products, grippers and studies below `config_root`, sorted by kind and path. Unreadable files are left out.
+/// All products, grippers, strategies and studies below `config_root`, sorted by kind and path. Unreadable files are left out.
 std::vector<LibraryEntry> list_library(const std::filesystem::path& config_root);
 
 }  // namespace unbruised::studies

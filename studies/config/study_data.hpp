@@ -17,6 +17,14 @@ struct StudyData {
   std::vector<InputColumn> inputs;
   /// One scenario per combination of the values of product.use and gripper.use (the latter faster).
   std::vector<Scenario> bases;
+  std::vector<SearchVariable> variables;
+  std::vector<RandomVariable> randoms;
+  std::vector<RandomBlock> random_blocks;  ///< as written, for the resolved text
+  std::vector<StrategyCandidate> candidates;
+  SearchSettings search;
+  SamplingSettings sampling;
+  CompareSettings compare;
+  SensitivitySettings sensitivity;
   std::string resolved;
   std::vector<std::string> warnings;
 

@@ -242,14 +242,29 @@ herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* target) {
 
 }  // namespace
 
-std::vector<std::string> Hdf5File::datasets(const std::string& group) const {
+std::vector<std::string> Hdf5File::members(const std::string& group, H5I_type_t type) const {
   const Hdf5Handle owner = require(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), H5Gclose, "open", group);
   std::vector<std::string> names;
   check(H5Literate(owner.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect_name, &names), "list", group);
   std::erase_if(names, [&](const std::string& name) {
     const Hdf5Handle object(H5Oopen(owner.id(), name.c_str(), H5P_DEFAULT), H5Oclose);
-    return !object.valid() || H5Iget_type(object.id()) != H5I_DATASET;
+    return !object.valid() || H5Iget_type(object.id()) != type;
   });
+  return names;
+}
+
+std::vector<std::string> Hdf5File::datasets(const std::string& group) const { return members(group, H5I_DATASET); }
+
+std::vector<std::string> Hdf5File::groups(const std::string& group) const { return members(group, H5I_GROUP); }
+
+std::vector<std::string> Hdf5File::attributes(const std::string& object) const {
+  const Hdf5Handle owner = require(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), H5Oclose, "open", object);
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  check(H5Aiterate2(owner.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "list", object);
   return names;
 }
 
@@ -360,6 +375,17 @@ std::optional<std::int64_t> Hdf5File::integer_attribute(const std::string& objec
     return std::nullopt;
   std::int64_t value = 0;
   check(H5Aread(handle.id(), H5T_NATIVE_INT64, &value), "read an attribute of", object);
+  return value;
+}
+
+std::optional<double> Hdf5File::number_attribute(const std::string& object, const std::string& name) const {
+  const Hdf5Handle handle = attribute(object, name);
+  if (!handle.valid()) return std::nullopt;
+  const Hdf5Handle stored(H5Aget_type(handle.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(handle.id()), H5Sclose);
+  if (H5Tget_class(stored.id()) != H5T_FLOAT || H5Sget_simple_extent_npoints(space.id()) != 1) return std::nullopt;
+  double value = 0.0;
+  check(H5Aread(handle.id(), H5T_NATIVE_DOUBLE, &value), "read an attribute of", object);
   return value;
 }
 

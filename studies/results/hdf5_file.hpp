@@ -87,6 +87,10 @@ class Hdf5File {
   [[nodiscard]] bool exists(const std::string& name) const;
   /// Names of the datasets directly below a group, alphabetical.
   [[nodiscard]] std::vector<std::string> datasets(const std::string& group) const;
+  /// Names of the groups directly below a group, alphabetical.
+  [[nodiscard]] std::vector<std::string> groups(const std::string& group) const;
+  /// Names of the attributes of an object, alphabetical.
+  [[nodiscard]] std::vector<std::string> attributes(const std::string& object) const;
   [[nodiscard]] Hdf5Extents extents(const std::string& name) const;
   [[nodiscard]] bool holds_text(const std::string& name) const;
   [[nodiscard]] std::vector<double> read_doubles(const std::string& name) const;
@@ -99,8 +103,10 @@ class Hdf5File {
                                                           const std::string& name) const;
   [[nodiscard]] std::optional<std::int64_t> integer_attribute(const std::string& object,
                                                               const std::string& name) const;
+  [[nodiscard]] std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
 
  private:
+  [[nodiscard]] std::vector<std::string> members(const std::string& group, H5I_type_t type) const;
   Hdf5File(std::filesystem::path path, Hdf5Handle file);
   [[nodiscard]] Hdf5Failure failure(const std::string& action, const std::string& object) const;
   Hdf5Handle require(hid_t id, Hdf5Handle::Closer closer, const char* action, const std::string& object) const;

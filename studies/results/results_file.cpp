@@ -165,6 +165,28 @@ void write_outcomes(Hdf5File& file, const Dimension& scenarios, const std::vecto
   file.attach_scale("/scenarios/digest", scenarios.scale, 0);
 }
 
+constexpr std::array<std::pair<const char*, std::uint64_t SearchPlace::*>, 3> kPlaceColumns = {{
+    {"/scenarios/search", &SearchPlace::search},
+    {"/scenarios/generation", &SearchPlace::generation},
+    {"/scenarios/index", &SearchPlace::index},
+}};
+
+// Which question of which search each row answered; only where a search asked.
+void write_places(Hdf5File& file, const Dimension& scenarios, const std::vector<ScenarioRow>& rows) {
+  if (rows.empty() || !rows.front().place) return;
+  for (const auto& [name, field] : kPlaceColumns) {
+    const auto member = field;
+    file.write(name, column_of(rows, [member](const ScenarioRow& row) {
+                 return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
+               }),
+               {rows.size()});
+    file.attach_scale(name, scenarios.scale, 0);
+  }
+  describe(file, "/scenarios/search", "", "number of the search that asked");
+  describe(file, "/scenarios/generation", "", "number of the question inside its search");
+  describe(file, "/scenarios/index", "", "number inside the question: finite differences, random products");
+}
+
 void write_scenarios(Hdf5File& file, const ResultsContent& content) {
   const std::vector<ScenarioRow>& rows = content.rows;
   const Dimension scenarios{"/scenarios/id", rows.size()};
@@ -181,6 +203,7 @@ void write_scenarios(Hdf5File& file, const ResultsContent& content) {
                  std::string(info.long_name));
   }
   write_outcomes(file, scenarios, rows);
+  write_places(file, scenarios, rows);
 }
 
 void write_window(Hdf5File& file, const WindowTable& table) {
@@ -199,6 +222,34 @@ void write_window(Hdf5File& file, const WindowTable& table) {
   file.attach_scale("/window/exists", windows.scale, 0);
   write_text_column(file, "/window/note", windows,
                     column_of(table.rows, [](const WindowRow& row) { return row.note; }), "remark on this window");
+}
+
+std::size_t length_of(const ResultColumn& column) {
+  return std::visit([](const auto& values) { return values.size(); }, column.values);
+}
+
+void write_table(Hdf5File& file, const ResultTable& table) {
+  const std::string group = joined({"/", table.name});
+  const Dimension rows{joined({group, "/", table.row}),
+                       table.columns.empty() ? 0 : length_of(table.columns.front())};
+  write_scale(file, rows, joined({"number of the ", table.row}));
+  std::int32_t position = 0;
+  for (const ResultColumn& column : table.columns) {
+    const std::string name = joined({group, "/", column.name});
+    if (length_of(column) != rows.count) {
+      throw Hdf5Failure(joined({name, " has another length than its table"}));
+    }
+    if (const auto* numbers = std::get_if<std::vector<double>>(&column.values)) {
+      write_column(file, name, rows, *numbers, column.units, column.long_name);
+    } else {
+      write_text_column(file, name, rows, std::get<std::vector<std::string>>(column.values), column.long_name);
+    }
+    file.set_attribute(name, "position", position++);
+  }
+  file.set_attribute(group, "row", table.row);
+  for (const auto& [name, value] : table.attributes) {
+    std::visit([&file, &group, &key = name](const auto& v) { file.set_attribute(group, key, v); }, value);
+  }
 }
 
 /// Writes /trace: knows which dimension scales exist already.
@@ -303,6 +354,7 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
 void write_content(Hdf5File& file, const ResultsContent& content) {
   write_root(file, content.meta);
   write_scenarios(file, content);
+  for (const ResultTable& table : content.tables) write_table(file, table);
   if (content.window != nullptr) write_window(file, *content.window);
   if (content.trace == nullptr) return;
   file.make_group("/trace");
@@ -470,6 +522,58 @@ void read_scenarios(const Hdf5File& file, ResultsSummary& summary) {
   require_length("/scenarios/digest", summary.digests.size(), count);
 }
 
+// Rows of a search know their places again.
+void read_places(const Hdf5File& file, std::vector<ScenarioRow>& rows) {
+  if (!file.exists(kPlaceColumns.front().first)) return;
+  for (ScenarioRow& row : rows) row.place.emplace();
+  for (const auto& [name, field] : kPlaceColumns) {
+    const auto values = read_integer_column(file, name, rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) (*rows[i].place).*field = static_cast<std::uint64_t>(values[i]);
+  }
+}
+
+ResultTable read_table(const Hdf5File& file, const std::string& name) {
+  const std::string group = joined({"/", name});
+  ResultTable table{.name = name, .row = file.text_attribute(group, "row").value_or(""), .columns = {}, .attributes = {}};
+  const std::size_t count = file.extents(joined({group, "/", table.row})).at(0);
+  std::map<std::int64_t, std::string> order;
+  for (const std::string& dataset : file.datasets(group)) {
+    const auto position = file.integer_attribute(joined({group, "/", dataset}), "position");
+    if (position) order[*position] = dataset;
+  }
+  for (const auto& [position, dataset] : order) {
+    const std::string full = joined({group, "/", dataset});
+    ResultColumn column{.name = dataset,
+                        .units = file.text_attribute(full, "units").value_or(""),
+                        .long_name = file.text_attribute(full, "long_name").value_or(""),
+                        .values = {}};
+    if (file.holds_text(full)) {
+      column.values = read_text_column(file, full, count);
+    } else {
+      column.values = read_column(file, full, count);
+    }
+    table.columns.push_back(std::move(column));
+  }
+  for (const std::string& attribute : file.attributes(group)) {
+    if (attribute == "row") continue;
+    if (auto text = file.text_attribute(group, attribute)) {
+      table.attributes.emplace_back(attribute, std::move(*text));
+    } else if (const auto number = file.number_attribute(group, attribute)) {
+      table.attributes.emplace_back(attribute, *number);
+    }
+  }
+  return table;
+}
+
+// The tables of the study kind: groups that say what a row of theirs is.
+std::vector<ResultTable> read_tables(const Hdf5File& file) {
+  std::vector<ResultTable> tables;
+  for (const std::string& group : file.groups("/")) {
+    if (file.text_attribute(joined({"/", group}), "row")) tables.push_back(read_table(file, group));
+  }
+  return tables;
+}
+
 WindowTable read_window(const Hdf5File& file) {
   WindowTable table;
   const auto exists = file.read_integers("/window/exists");
@@ -539,6 +643,8 @@ Expected<ResultsSummary> read_results_summary(const fs::path& path) {
     summary.format_version = static_cast<int>(*file->integer_attribute("/", "format_version"));
     summary.meta = read_meta(*file);
     read_scenarios(*file, summary);
+    read_places(*file, summary.rows);
+    summary.tables = read_tables(*file);
     if (file->exists("/window")) summary.window = read_window(*file);
     summary.has_trace = file->exists("/trace");
     if (summary.has_trace) summary.trace_signals = signal_names(*file);

@@ -30,6 +30,7 @@ struct ResultsSummary {
   std::vector<ScenarioRow> rows;       ///< in file order, which is id order
   std::vector<std::uint64_t> digests;  ///< as stored, one per row
   std::optional<WindowTable> window;
+  std::vector<ResultTable> tables;  ///< what the study kind found beside, in alphabetical order
   bool has_trace = false;
   std::vector<std::string> trace_signals;  ///< dataset names below /trace
 

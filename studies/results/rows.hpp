@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,12 +29,37 @@ struct ColumnInfo {
   std::string long_name;  ///< may stay empty
 };
 
+/// Which question of a search a scenario answered. Its numbers depend on the study alone, never on when it was asked.
+struct SearchPlace {
+  std::uint64_t search = 0;      ///< < 2^23
+  std::uint64_t generation = 0;  ///< < 2^24; questions asked together belong to one
+  std::uint64_t index = 0;       ///< < 2^16; inside the generation
+  friend bool operator==(const SearchPlace&, const SearchPlace&) = default;
+};
+inline constexpr std::uint64_t kSearchesMost = 1ULL << 23U;
+inline constexpr std::uint64_t kGenerationsMost = 1ULL << 24U;
+inline constexpr std::uint64_t kIndicesMost = 1ULL << 16U;
+
+/// The place as one number that sorts as (search, generation, index): the id of its row in the journal.
+constexpr std::uint64_t journal_id(const SearchPlace& place) {
+  return (place.search << 40U) | (place.generation << 16U) | place.index;
+}
+constexpr SearchPlace search_place(std::uint64_t journal_id) {
+  return {journal_id >> 40U, (journal_id >> 16U) & (kGenerationsMost - 1), journal_id & (kIndicesMost - 1)};
+}
+
 /// One scenario of a study.
 struct ScenarioRow {
-  std::uint64_t id = 0;
+  std::uint64_t id = 0;  ///< in the study's order; of a search's rows in the journal: journal_id of the place
   ScenarioResult result;
   std::vector<InputValue> inputs;  ///< as long as, and in the order of, the study's input columns
+  std::optional<SearchPlace> place{};  ///< of searches, once their rows are numbered
 };
+
+/// Numbers the rows of a search, sorted by their journal ids, 0, 1, 2 ...; their places stay known.
+void number_search_rows(std::vector<ScenarioRow>& rows);
+/// The row's id in the journal.
+std::uint64_t journal_id(const ScenarioRow& row);
 
 /// One line of the window table: F_hold and F_damage at one combination of the other varied keys.
 struct WindowRow {
@@ -89,6 +115,7 @@ struct ResultsContent {
   ResultsMeta meta;
   std::vector<ColumnInfo> inputs;
   std::vector<ScenarioRow> rows;
+  bool rows_of_search = false;          ///< journal ids are search places: rows are numbered when written
   std::vector<ResultTable> tables;      ///< one group each
   const WindowTable* window = nullptr;  ///< no /window group when null
   const Trace* trace = nullptr;         ///< no /trace and /contact_events when null

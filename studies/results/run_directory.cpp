@@ -371,6 +371,7 @@ MaybeError RunDirectory::finish(ResultsContent content) {
   for (ScenarioRow& row : rows()) all[row.id] = std::move(row);
   content.rows.clear();
   for (auto& [id, row] : all) content.rows.push_back(std::move(row));
+  if (content.rows_of_search) number_search_rows(content.rows);
   if (content.meta.config_toml.empty()) content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;
   return write_results(content);

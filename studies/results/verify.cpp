@@ -126,7 +126,7 @@ class Verifier {
   }
 
   bool agrees_with_journal(const ScenarioRow& row) {
-    const auto truth = journal_rows_.find(row.id);
+    const auto truth = journal_rows_.find(journal_id(row));
     const bool agrees = truth != journal_rows_.end() && same_row(truth->second, row);
     if (!agrees) {
       report_.damage.push_back(

@@ -61,6 +61,8 @@ class LaneScheduler {
   void add(std::span<const std::uint64_t> ids);
   /// Nothing will be added any more. Thread-safe.
   void close();
+  /// Drops what is in flight and hands out nothing more. Thread-safe.
+  void abort() { aborted_ = true; }
   /// One worker's life: returns when the scheduler is closed and nothing is left for it, or when stopped. To be
   /// called by `Options::threads` threads.
   void work();

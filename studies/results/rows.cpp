@@ -1,0 +1,18 @@
+#include "studies/results/rows.hpp"
+
+#include <algorithm>
+
+namespace unbruised::studies {
+
+void number_search_rows(std::vector<ScenarioRow>& rows) {
+  std::sort(rows.begin(), rows.end(), [](const ScenarioRow& a, const ScenarioRow& b) { return a.id < b.id; });
+  std::uint64_t number = 0;
+  for (ScenarioRow& row : rows) {
+    row.place = search_place(row.id);
+    row.id = number++;
+  }
+}
+
+std::uint64_t journal_id(const ScenarioRow& row) { return row.place ? journal_id(*row.place) : row.id; }
+
+}  // namespace unbruised::studies

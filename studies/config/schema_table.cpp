@@ -187,7 +187,7 @@ Table search_keys() {
        .meaning = "What has to hold: outcomes (\"held\", \"not damaged\"), metrics (\"friction_margin_min >= 0.2\"), of a "
                   "robust study \"P(held) >= 0.99\" or \"worst(permanent_set_max_m) <= 1e-4\".",
        .use = Use::search,
-       .note = "[\"held\"], of a robust study [\"P(held) >= 0.99\"], unless given",
+       .note = "\"held\", of a robust study \"P(held) >= 0.99\", is added where no outcome is named; [] is none at all",
        .study_field = study_table<at, &S::constraints>},
       {.path = "search.algorithm",
        .type = choice,

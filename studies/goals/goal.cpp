@@ -148,6 +148,8 @@ double statistic_value(const GoalTerm& term, std::span<const ScenarioResult> res
 
 }  // namespace
 
+bool more_is_better(Metric metric) { return metric == Metric::friction_margin_min; }
+
 OutcomeEvent held_event() { return {1U << static_cast<unsigned>(Outcome::held)}; }
 
 std::string event_words(const OutcomeEvent& event) {

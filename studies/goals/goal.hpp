@@ -71,6 +71,9 @@ using Parsed = std::variant<Goal, std::string>;
 
 Parsed<Objective> parse_objective(std::string_view text, GoalContext context);
 Parsed<Constraint> parse_constraint(std::string_view text, GoalContext context);
+/// Is a larger value the better one? Of the friction margin; of all others less is better.
+bool more_is_better(Metric metric);
+
 /// A metric by its name; else "unknown metric 'x'; did you mean 'y'?".
 Parsed<Metric> parse_metric(std::string_view name);
 

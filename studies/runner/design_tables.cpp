@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/goals/goal.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/found_tables.hpp"
 #include "studies/runner/number_text.hpp"
@@ -122,7 +123,7 @@ class Comparison {
       } else if (!both || std::abs(difference) <= tie) {
         ++pair.ties;
       } else {
-        ++(difference > 0.0 ? pair.wins : pair.losses);
+        ++((difference > 0.0) != more_is_better(metric) ? pair.wins : pair.losses);
       }
     }
     pair.difference = differences.empty() ? MeanInterval{kAbsent, {kAbsent, kAbsent}, 0}
@@ -148,21 +149,23 @@ class Comparison {
   /// One sentence about a pair: who is held more often, who needs less of the metric, or that nothing is shown.
   std::string verdict_of(std::size_t a, std::size_t b, Metric metric, const PairedDifference& pair) const {
     const int held = sign_of(held_difference(a, b));
-    const int less = -sign_of(pair.difference);  // 1: b needs less
-    const std::string needs_less = less == 0 ? std::string() : difference_text(a, b, metric, pair.difference);
-    if (held == 0 && less == 0) return joined({name(a), " and ", name(b), ": no difference shown"});
-    if (held == 0) return needs_less;
+    const int better = (more_is_better(metric) ? 1 : -1) * sign_of(pair.difference);  // 1: b is better
+    const std::string is_better = better == 0 ? std::string() : difference_text(a, b, metric, pair.difference);
+    if (held == 0 && better == 0) return joined({name(a), " and ", name(b), ": no difference shown"});
+    if (held == 0) return is_better;
     const std::string more = joined({name(held > 0 ? b : a), " is held more often (",
                                      percent(std::abs(held_difference(a, b).mean)), " of the products)"});
-    if (less == 0) return joined({more, "; no difference shown in ", info_of(metric).name});
-    return joined({more, held == less ? ", and " : ", but ", needs_less});
+    if (better == 0) return joined({more, "; no difference shown in ", info_of(metric).name});
+    return joined({more, held == better ? ", and " : ", but ", is_better});
   }
 
   std::string difference_text(std::size_t a, std::size_t b, Metric metric, const MeanInterval& difference) const {
-    const bool b_less = difference.mean < 0.0;
+    const bool more = more_is_better(metric);
+    const bool b_better = (difference.mean > 0.0) == more;
     const double low = std::min(std::abs(difference.interval.low), std::abs(difference.interval.high));
     const double high = std::max(std::abs(difference.interval.low), std::abs(difference.interval.high));
-    return joined({name(b_less ? b : a), " needs less ", info_of(metric).name, " than ", name(b_less ? a : b), ": by ",
+    return joined({name(b_better ? b : a), more ? " has more " : " needs less ", info_of(metric).name, " than ",
+                   name(b_better ? a : b), ": by ",
                    short_number(std::abs(difference.mean)), " (", percent(study_.sampling().confidence),
                    " interval ", short_number(low), " to ", short_number(high), ")"});
   }
@@ -195,7 +198,7 @@ class Comparison {
             .row = "difference",
             .columns = {{"a", "", "one strategy", std::move(as)},
                         {"b", "", "the other strategy", std::move(bs)},
-                        {"metric", "", "compared metric; less is better", std::move(metrics)},
+                        {"metric", "", "compared metric", std::move(metrics)},
                         {"pairs", "1", "products that both hold", std::move(pairs)},
                         {"mean_difference", "", "b - a over these products", std::move(means)},
                         {"low", "", "lower end of its interval", std::move(lows)},

@@ -165,8 +165,7 @@ std::vector<PlannedSearch> plan_points(const Study& study, const StrategyJudge& 
       PlannedSearch plan = study.search().method == ParetoMethod::chebyshev
                                ? chebyshev_search(judge, starts[s], each, box, weights_at(position))
                                : epsilon_search(judge, starts[s], each, box, position);
-      if (s == 0) {
-        const Candidate* nearest = best_start(plan, known);
+      if (const Candidate* nearest = s == 0 ? best_start(plan, known) : nullptr) {
         std::copy(nearest->values.begin(), nearest->values.end(), plan.start.begin());
       }
       plan.purpose = joined({"point ", std::to_string(number)});

@@ -61,9 +61,19 @@ double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// m = sum m_i^2 / n: the size of the cluster that a value is in, on average.
+double mean_size_of(const std::vector<Cluster>& clusters) {
+  double n = 0.0;
+  double squares = 0.0;
+  for (const Cluster& own : clusters) {
+    n += own.size;
+    squares += own.size * own.size;
+  }
+  return squares / n;
+}
+
 /// Correlation of two values of one cluster, from the one-way analysis of variance; 0 where nothing varies.
-double intraclass_correlation(std::span<const double> values, const std::vector<Cluster>& clusters,
-                              double sum_of_squared_sizes) {
+double intraclass_correlation(std::span<const double> values, const std::vector<Cluster>& clusters) {
   const auto n = static_cast<double>(values.size());
   const auto g = static_cast<double>(clusters.size());
   const double mean = mean_of(values);
@@ -73,9 +83,33 @@ double intraclass_correlation(std::span<const double> values, const std::vector<
   for (const Cluster& own : clusters) between += own.size * (own.mean() - mean) * (own.mean() - mean);
   const double B = between / (g - 1.0);
   const double W = std::max(0.0, total - between) / (n - g);
-  const double m_0 = (n - sum_of_squared_sizes / n) / (g - 1.0);
+  const double m_0 = (n - mean_size_of(clusters)) / (g - 1.0);
   const double denominator = B + (m_0 - 1.0) * W;
   return denominator > 0.0 ? (B - W) / denominator : 0.0;
+}
+
+/// Two clusters at least, and one of them with two values.
+bool is_clustered(std::span<const double> values, const std::vector<Cluster>& clusters) {
+  return clusters.size() >= 2 && clusters.size() < values.size();
+}
+
+double effective_size_of(std::span<const double> values, const std::vector<Cluster>& clusters) {
+  const auto n = static_cast<double>(values.size());
+  if (!is_clustered(values, clusters)) return n;
+  const double icc = std::clamp(intraclass_correlation(values, clusters), 0.0, 1.0);
+  return n / (1.0 + (mean_size_of(clusters) - 1.0) * icc);
+}
+
+/// The effective size that a proportion may claim; intervals.hpp says why.
+double claimed_size(std::span<const double> values, const std::vector<Cluster>& clusters, double confidence) {
+  const auto n = static_cast<double>(values.size());
+  if (!is_clustered(values, clusters)) return n;
+  const double least = n / mean_size_of(clusters);
+  const bool all_alike = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+  if (all_alike) return least;
+  const auto g = static_cast<double>(clusters.size());
+  const double t_ratio = student_score(n - 1.0, confidence) / student_score(g - 1.0, confidence);
+  return std::max(least, effective_size_of(values, clusters) * t_ratio * t_ratio);
 }
 
 }  // namespace
@@ -99,14 +133,8 @@ std::size_t trials_to_show(double probability, double confidence) {
 }
 
 double effective_size(std::span<const double> values, std::span<const std::size_t> cluster) {
-  const auto n = static_cast<double>(values.size());
-  if (cluster.empty()) return n;
-  const std::vector<Cluster> clusters = clusters_of(values, cluster);
-  if (clusters.size() < 2 || clusters.size() == values.size()) return n;
-  double sum_of_squared_sizes = 0.0;
-  for (const Cluster& own : clusters) sum_of_squared_sizes += own.size * own.size;
-  const double icc = intraclass_correlation(values, clusters, sum_of_squared_sizes);
-  return n / (1.0 + (sum_of_squared_sizes / n - 1.0) * std::clamp(icc, 0.0, 1.0));
+  if (cluster.empty()) return static_cast<double>(values.size());
+  return effective_size_of(values, clusters_of(values, cluster));
 }
 
 Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster,
@@ -115,7 +143,8 @@ Proportion proportion(const std::vector<bool>& successes, std::span<const std::s
   const std::vector<double> values(successes.begin(), successes.end());
   Proportion out;
   out.estimate = mean_of(values);
-  out.effective_size = effective_size(values, cluster);
+  out.effective_size = cluster.empty() ? static_cast<double>(values.size())
+                                       : claimed_size(values, clusters_of(values, cluster), confidence);
   out.interval = wilson_interval(out.estimate * out.effective_size, out.effective_size, confidence);
   return out;
 }

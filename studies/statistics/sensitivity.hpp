@@ -16,7 +16,10 @@ namespace unbruised::studies {
 
 /// Morris (1991): `trajectories` paths of `dimensions` + 1 points on a grid of `levels` levels, step
 /// levels / (2 (levels - 1)). Grid values are moved to the middle of their cell, (k + 0.5) / levels, so that no
-/// quantile is taken at 0 or 1. @param levels even, >= 4
+/// quantile is taken at 0 or 1; the step is then half the range, and what repeats after half the range is not
+/// seen.
+/// @param levels even, >= 4
+/// @throws std::invalid_argument for other levels
 UnitDesign morris_design(std::size_t trajectories, std::size_t dimensions, std::size_t levels, std::uint64_t seed);
 
 /// Elementary effects (f(x + step) - f(x)) / step per unit of the variable's probability (0..1), of one variable.

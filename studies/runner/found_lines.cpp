@@ -62,8 +62,12 @@ void add_active(const std::vector<ResultTable>& tables, std::vector<std::string>
     if (number_in(*constraints, "active", i) != 1.0) continue;
     text += joined({text.empty() ? "" : "; ", text_in(*constraints, "text", i)});
   }
-  lines.push_back(text.empty() ? "active constraints: none; the best lies inside or at the edge of the box"
-                               : joined({"active constraints: ", text}));
+  lines.push_back(joined({"active constraints: ", text.empty() ? "none" : text}));
+}
+
+void add_bounds(const ResultTable& best, std::vector<std::string>& lines) {
+  const std::string bounds = text_attribute(best, "at_bounds");
+  if (!bounds.empty()) lines.push_back(joined({"at the end of its range: ", bounds, "; a wider range may do better"}));
 }
 
 std::string check_text(const ResultTable& checks, std::size_t i) {
@@ -132,7 +136,9 @@ void add_best(const std::vector<ResultTable>& tables, std::vector<std::string>& 
   if (best == nullptr || row_count(*best) == 0) return;
   lines.push_back(best_sentence(*best));
   add_probability(*best, lines);
-  if (number_in(*best, "feasible", 0) == 1.0) add_active(tables, lines);
+  if (number_in(*best, "feasible", 0) != 1.0) return;
+  add_active(tables, lines);
+  add_bounds(*best, lines);
 }
 
 // -- pareto. -------------------------------------------------------------------------------------------------

@@ -231,9 +231,9 @@ class SearchStudy {
   // -- Checks. ---------------------------------------------------------------------------------------------
 
   void run_checks() {
-    const Candidate* best = best_feasible(found_.candidates, 0);
+    const Candidate* best = winner(study_, found_.candidates);
     if (best == nullptr) return;
-    std::vector<Point> points = {best->values};
+    const std::vector<Point> points = {best->values};
     run_stage({[&] { check_all(points); }});
     if (interrupted_) found_.checks.clear();
   }
@@ -262,7 +262,9 @@ class SearchStudy {
 
   bool check(const std::string& name, const std::optional<Change>& change, const std::vector<Point>& points,
              const ProductSample& products, std::size_t generation) {
-    const auto candidates = ask({found_.searches.size(), generation, 0}, points, products, change);
+    // Behind the last search; the strategy as written counts as one.
+    const std::size_t number = std::max<std::size_t>(1, found_.searches.size());
+    const auto candidates = ask({number, generation, 0}, points, products, change);
     if (!candidates) return false;
     Check done{.name = name, .what = {}, .candidate = candidates->front(), .outcome = {}};
     if (change) done.what = joined({change->key, " = ", short_number(change->value)});

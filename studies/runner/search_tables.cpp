@@ -7,7 +7,8 @@
 #include "optimizer/pareto.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/found_tables.hpp"
-#include "studies/runner/number_text.hpp"
+#include "studies/runner/pareto_plan.hpp"
+#include "studies/runner/summary.hpp"
 #include "studies/runner/table_text.hpp"
 
 namespace unbruised::studies {
@@ -15,6 +16,8 @@ namespace {
 
 /// A constraint whose slack is smaller than this part of its bound counts as active.
 constexpr double kActiveSlack = 0.02;
+/// A variable this near to the end of its range lies at its bound.
+constexpr double kAtBound = 1e-3;
 /// The reference point of the hypervolume lies this part of the front's extent beyond its worst values.
 constexpr double kReferenceMargin = 0.1;
 
@@ -148,12 +151,26 @@ class SearchTables {
     table.columns.push_back(
         column("search", "1", "number of the search", one, [](const Candidate& c) { return c.place.search; }));
     table.attributes.emplace_back("objective", judge_.objectives().front().text);
+    table.attributes.emplace_back("at_bounds", at_bounds(shown));
     if (study_.kind() == StudyKind::robust) {
       table.attributes.emplace_back("event", judge_.event_text());
       table.attributes.emplace_back("confidence", study_.sampling().confidence);
       table.attributes.emplace_back("products", static_cast<double>(found_.products->size()));
     }
     return table;
+  }
+
+  /// The variables that want to leave the box, e.g. "lift_acceleration_m_s2 (upper)".
+  [[nodiscard]] std::string at_bounds(const Candidate& shown) const {
+    std::string text;
+    for (std::size_t k = 0; k < shown.values.size(); ++k) {
+      const SearchVariable& v = study_.variables()[k];
+      const double room = kAtBound * (v.to - v.from);
+      const bool lower = shown.values[k] - v.from < room;
+      const bool upper = v.to - shown.values[k] < room;
+      if (lower || upper) text += joined({text.empty() ? "" : ", ", key_leaf(v.key), lower ? " (lower)" : " (upper)"});
+    }
+    return text;
   }
 
   ResultTable constraints(const Candidate& shown) const {
@@ -193,22 +210,9 @@ class SearchTables {
   }
 
   ResultTable pareto() const {
-    std::vector<const Candidate*> feasible;
-    std::vector<optimizer::Objectives> points;
-    for (const Candidate& candidate : found_.candidates) {
-      if (!candidate.feasible()) continue;
-      feasible.push_back(&candidate);
-      points.push_back(candidate.objectives);
-    }
-    std::vector<std::pair<optimizer::Objectives, const Candidate*>> sorted;
-    for (const std::size_t i : optimizer::nondominated(points)) sorted.emplace_back(points[i], feasible[i]);
-    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<const Candidate*> front;
+    const std::vector<const Candidate*> front = front_of(found_.candidates);
     std::vector<optimizer::Objectives> front_points;
-    for (const auto& [point, candidate] : sorted) {
-      front.push_back(candidate);
-      front_points.push_back(point);
-    }
+    for (const Candidate* candidate : front) front_points.push_back(candidate->objectives);
     ResultTable table{.name = "pareto", .row = "point", .columns = {}, .attributes = {}};
     add_variables(table, front);
     add_objectives(table, front);

@@ -137,7 +137,8 @@ TEST(Architecture, BoostAndRandom123StayInTheSourcesOfStatistics) {
   // Nor do they come in by another way: no public header of the folder passes them on.
   for_every_include([](const IncludeLine& include) {
     if (include.target != "studies/statistics/boost_policy.hpp") return;
-    EXPECT_TRUE(include.file.starts_with("studies/statistics/") && include.file.ends_with(".cpp")) << place(include);
+    EXPECT_TRUE(include.file.starts_with("studies/statistics/") && include.file.ends_with(".cpp"))
+        << place(include);
   });
   const std::regex library("^(boost|Random123)/");
   for_every_include([&](const IncludeLine& include) {

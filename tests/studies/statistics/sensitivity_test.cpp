@@ -103,11 +103,12 @@ TEST(SobolIndices, OfTheIshigamiFunctionAreThePublishedOnes) {
   EXPECT_NEAR(exact.total[2], 0.2437, 0.5e-4);
   const SobolResult found = indices_of(ishigami, 3, 4096, DesignKind::sobol, 1);
   EXPECT_EQ(found.used, 4096U);
-  // 4096 scrambled points: errors of 1e-3 measured over seeds; random points would give 0.02.
+  // 4096 scrambled base samples: root mean square error up to 0.005 over 40 seeds (0.023 of random ones); three of
+  // it.
   EXPECT_NEAR(found.variance, exact.variance, 0.01 * exact.variance);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.01) << i;
-    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.01) << i;
+    EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.015) << i;
+    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.015) << i;
     EXPECT_TRUE(contains(found.indices[i].first_interval, exact.first[i])) << i;
     EXPECT_TRUE(contains(found.indices[i].total_interval, exact.total[i])) << i;
   }
@@ -117,8 +118,8 @@ TEST(SobolIndices, OfTheGFunctionAreTheExactOnes) {
   const Exact exact = exact_g();
   const SobolResult found = indices_of(g_function, 5, 4096, DesignKind::sobol, 2);
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.01) << i;
-    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.01) << i;
+    EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.015) << i;
+    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.015) << i;
     EXPECT_TRUE(contains(found.indices[i].first_interval, exact.first[i])) << i;
     EXPECT_TRUE(contains(found.indices[i].total_interval, exact.total[i])) << i;
   }

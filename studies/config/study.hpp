@@ -109,7 +109,7 @@ struct SamplingSettings {
   /// >= 2
   std::uint64_t count = 200;
   /// Joint values of the keys that change the factored matrix; 0: every product its own.
-  std::uint64_t factor_groups = 8;
+  std::uint64_t factor_groups = 16;
   /// 0.5 .. 0.9999
   double confidence = 0.95;
 };

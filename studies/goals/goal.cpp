@@ -223,6 +223,11 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
   return finite(sample_quantile(std::move(each), part));
 }
 
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits) {
+  const std::vector<double> parts = event_violations(event, result, limits);
+  return std::clamp(*std::max_element(parts.begin(), parts.end()), -1.0, 1.0);
+}
+
 bool event_happens(const OutcomeEvent& event, const ScenarioResult& result) { return event.contains(result.outcome); }
 
 double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results) {

@@ -102,6 +102,8 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
                  const LimitParameters& limits);
 
 bool event_happens(const OutcomeEvent& event, const ScenarioResult& result);
+/// How far the event is from not happening: its largest violation, kept within [-1, 1].
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits);
 /// The part of the results in which the event happens.
 double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results);
 

@@ -14,7 +14,7 @@ std::string type_words(const KeySpec& spec) {
     case KeyType::number:
       return "number";
     case KeyType::optional_number:
-      return "number or \"none\"";
+      return spec.required ? "number" : "number or \"none\"";
     case KeyType::integer:
       return "integer";
     case KeyType::boolean:
@@ -177,6 +177,7 @@ std::optional<LibraryEntry> library_entry(const std::filesystem::path& file, con
 
 std::optional<std::string> explain_key(const std::string& key) {
   if (const KeyAddress address = find_key(key); address.spec != nullptr) return explanation(*address.spec);
+  if (const KeyAddress address = find_strategy_key(key); address.spec != nullptr) return explanation(*address.spec);
   const std::string pattern = pattern_of(key);
   std::string out;
   for (const KeySpec& spec : key_table()) {

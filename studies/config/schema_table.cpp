@@ -214,7 +214,7 @@ Table search_keys() {
        .meaning = "Strategies that all searches together may evaluate.",
        .range = {1.0, false, 10'000'000.0, false},
        .use = Use::search,
-       .note = ">= starts; robust: 100, pareto: 40 for each search unless given",
+       .note = ">= starts; robust: 100, else 40 for each search unless given",
        .study_field = study_table<at, &S::budget>},
       {.path = "search.tolerance",
        .type = number,

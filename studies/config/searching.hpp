@@ -20,6 +20,8 @@ struct ReadBlocks {
   StudyBlocks blocks;
   /// Keys given in each [[random]] block.
   std::vector<std::vector<std::string>> random_keys;
+  /// Does each [[random]] block have all it needs, and right values only?
+  std::vector<bool> random_sound;
   /// Of each [[candidate]]: its strategy keys, under "strategy.".
   std::vector<std::vector<Entry>> candidate_entries;
 

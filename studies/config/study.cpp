@@ -96,7 +96,8 @@ class Reader {
     };
     const std::string path = trimmed(set.substr(0, equals));
     const std::string literal = trimmed(set.substr(equals + 1));
-    const KeyAddress address = find_key(path);
+    KeyAddress address = find_key(path);
+    if (address.spec == nullptr) address = find_strategy_key(path);
     std::vector<Value> parsed = parse_literal(literal);
     const bool is_text = !parsed.empty() && parsed[0].kind == Value::Kind::text;
     if ((is_text_key(address) && !is_text) || literal == "none") parsed = {text_value(literal)};
@@ -293,7 +294,7 @@ class Reader {
       const std::string path = "candidate[" + std::to_string(i) + "].";
       if (!block.name.empty() && !is_name(block.name)) {
         problems_.add(block.origin, path + "name", toml_string(block.name), kNameRule);
-      } else if (!names.insert(block.name).second) {
+      } else if (!block.name.empty() && !names.insert(block.name).second) {
         problems_.add(block.origin, path + "name", toml_string(block.name), "is the name of two candidates");
       }
       std::vector<Entry> own;
@@ -519,10 +520,8 @@ Scenario Study::scenario_with(std::span<const std::string> keys, std::span<const
 
 std::optional<double> Study::base_value(const std::string& key) const {
   const KeyAddress address = find_key(key);
-  if (address.spec == nullptr || address.spec->field == nullptr) return std::nullopt;
-  const bool is_lattice = std::holds_alternative<LatticeParameters>(data_->bases.front().product);
-  if (address.spec->use == Use::lattice && !is_lattice) return std::nullopt;
   Scenario base = data_->bases.front();
+  if (address.spec == nullptr || !has_field(*address.spec, base, address.index)) return std::nullopt;
   return number_at(address.spec->field(base, address.index), address.elements);
 }
 

@@ -36,12 +36,13 @@ std::vector<BadConfig> bad_configs() {
   const std::string network = small_network();
   return {
 #include "tests/studies/config/bad_configs.inc"
+#include "tests/studies/config/bad_searches.inc"
   };
 }
 
 TEST(BadConfigs, AreAnsweredWithExactlyTheseMessages) {
   const auto all = bad_configs();
-  EXPECT_GE(all.size(), 60U);
+  EXPECT_GE(all.size(), 220U);
   for (const BadConfig& bad : all) {
     std::vector<std::string> messages = errors_of(bad.text, bad.sets);
     for (std::string& message : messages) {

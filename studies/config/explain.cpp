@@ -71,11 +71,10 @@ std::string default_words(const KeySpec& spec) {
   } else if (spec.block_field != nullptr) {
     StudyBlocks blocks{{VariableBlock{}}, {RandomBlock{}}, {CandidateBlock{}}};
     words = spelled(spec, spec.block_field(blocks, 0));
-    if (words == "[]") words.clear();
   } else if (spec.path == "vary[].scale") {
     words = "\"linear\"";
   }
-  return words.empty() ? "none" : words;
+  return words.empty() || words == "[]" ? "none" : words;
 }
 
 std::string unit_words(const KeySpec& spec) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -167,6 +168,13 @@ std::string units_of(const std::string& key) {
 
 FieldRef field_of(Scenario& scenario, const KeyAddress& address) {
   return address.spec->field(scenario, address.index);
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  constexpr int kDigits = 3;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
 }
 
 /// Completes a study from its blocks; the steps of `run` are its parts.
@@ -401,8 +409,8 @@ class Completion {
     for (const double u : {kRareLow, kRareHigh}) {
       const double value = quantile(distribution, u);
       if (range.contains(value)) continue;
-      problems_.add(block.origin, "random[" + std::to_string(i) + "]", toml_string(block.key),
-                    "values outside '" + range.text() + "' are possible (" + spelled(value) +
+      problems_.add(block.origin, "random[" + std::to_string(i) + "].key", toml_string(block.key),
+                    "values outside '" + range.text() + "' are possible (" + rounded(value) +
                         "); truncate with at_least or at_most");
       return false;
     }
@@ -424,6 +432,12 @@ class Completion {
 
   static std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
+  /// An empty value beside other mistakes may be one of them: it could not be read.
+  template <class Text>
+  [[nodiscard]] bool is_left_out(const Text& value) const {
+    return value.empty() && !problems_.empty();
+  }
+
   void add_search() {
     SearchTable& table = data_.settings.search;
     SearchSettings& search = data_.search;
@@ -432,8 +446,9 @@ class Completion {
     set_defaults_by_kind(table);
     if (kind() == StudyKind::pareto) {
       add_objectives(table, search, context);
-    } else if (auto goal = parsed("search.objective", table.objective, parse_objective(table.objective, context))) {
-      search.objective = std::move(*goal);
+    } else if (!is_left_out(table.objective)) {
+      auto goal = parsed("search.objective", table.objective, parse_objective(table.objective, context));
+      if (goal) search.objective = std::move(*goal);
     }
     for (std::size_t i = 0; i < table.constraints.size(); ++i) {
       const std::string& text = table.constraints[i];
@@ -481,7 +496,7 @@ class Completion {
 
   void add_objectives(const SearchTable& table, SearchSettings& search, GoalContext context) {
     if (table.objectives.size() < 2 || table.objectives.size() > 3) {
-      if (base_.given.contains("search.objectives")) {
+      if (base_.given.contains("search.objectives") && !is_left_out(table.objectives)) {
         problems_.add(base_.origin_of("search.objectives"), "search.objectives", "must be two or three");
       }
       return;
@@ -514,8 +529,10 @@ class Completion {
     const std::string why =
         optimizer::why_unsuitable(search.algorithm, search.local, data_.variables.size(), constraints);
     if (why.empty()) return;
-    problems_.add(base_.origin_of("search.algorithm"), "search.algorithm",
-                  toml_string(optimizer::info_of(search.algorithm).name), why);
+    const bool is_local = search.local && (constraints == 0 || optimizer::info_of(search.algorithm).takes_constraints);
+    const std::string key = is_local ? "search.local_algorithm" : "search.algorithm";
+    problems_.add(base_.origin_of(key), key,
+                  toml_string(optimizer::info_of(is_local ? *search.local : search.algorithm).name), why);
   }
 
   void check_budget(const SearchTable& table) {
@@ -545,7 +562,7 @@ class Completion {
                          .levels = table.levels,
                          .bootstrap = table.bootstrap,
                          .confidence = table.confidence};
-    if (table.metrics.empty() && base_.given.contains("sensitivity.metrics")) {
+    if (table.metrics.empty() && base_.given.contains("sensitivity.metrics") && !is_left_out(table.metrics)) {
       problems_.add(base_.origin_of("sensitivity.metrics"), "sensitivity.metrics", "must name a metric");
     }
     if (table.levels % 2 != 0) {
@@ -613,6 +630,14 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   return sides;
 }
 
+void report(const Broken& broken, const Origin& origin, const std::string& where, Problems& problems) {
+  if (broken.value.empty()) {
+    problems.add(origin, broken.key, broken.rule + where);
+  } else {
+    problems.add(origin, broken.key, broken.value, broken.rule + where);
+  }
+}
+
 /// Reports the first broken rule between the values of a network with each key at either end.
 void check_network_ends(const std::vector<BoxSide>& sides, const Scenario& base, Problems& problems) {
   if (!std::holds_alternative<NetworkParameters>(base.product)) return;
@@ -623,12 +648,7 @@ void check_network_ends(const std::vector<BoxSide>& sides, const Scenario& base,
       const Scenario scenario = Study::with_values(base, key, value);
       const auto broken = broken_network_rules(std::get<NetworkParameters>(scenario.product));
       if (broken.empty()) continue;
-      const std::string rule = broken[0].rule + " (reached at " + side.key + " = " + spelled(end) + ")";
-      if (broken[0].value.empty()) {
-        problems.add(side.origin, broken[0].key, rule);
-      } else {
-        problems.add(side.origin, broken[0].key, broken[0].value, rule);
-      }
+      report(broken.front(), side.origin, " (reached at " + side.key + " = " + spelled(end) + ")", problems);
       break;
     }
   }
@@ -639,8 +659,8 @@ void check_candidates(const CrossRule& rule, const StudyData& data, const ReadBl
   for (std::size_t i = 0; i < data.candidates.size(); ++i) {
     const auto broken = rule.broken(data.candidates[i].scenario, data.settings);
     if (!broken) continue;
-    problems.add(read.blocks.candidate[i].origin, broken->key, broken->value,
-                 broken->rule + " (candidate " + toml_string(data.candidates[i].name) + ")");
+    report(*broken, read.blocks.candidate[i].origin, " (candidate " + toml_string(data.candidates[i].name) + ")",
+           problems);
   }
 }
 
@@ -661,7 +681,7 @@ void check_corners(const CrossRule& rule, const std::vector<BoxSide>& sides, con
     }
     const auto broken = rule.broken(Study::with_values(base, keys, values), settings);
     if (!broken) continue;
-    problems.add(sides.front().origin, broken->key, broken->value, broken->rule + " (reached at " + where + ")");
+    report(*broken, sides.front().origin, " (reached at " + where + ")", problems);
     return;
   }
 }

@@ -186,10 +186,12 @@ class Reader {
   }
 
   void refuse_other_kinds(const Entry& entry) {
-    if (entry.path == "study.kind" && entry.value.text == "calibrate") {
-      problems_.add(entry.origin, entry.path, spelled(entry.value), "not in this version");
-      other_kind_ = true;
-    }
+    if (entry.path != "study.kind") return;
+    const bool is_later = entry.value.text == "calibrate";
+    const auto rule = is_later ? "not in this version" : check_value(*find_key(entry.path).spec, entry.value, 0);
+    if (!rule) return;
+    problems_.add(entry.origin, entry.path, spelled(entry.value), *rule);
+    other_kind_ = true;
   }
 
   /// The entry that has the last word about a key.
@@ -355,6 +357,7 @@ class Reader {
   void check_rules() {
     check_study();
     for (const CrossRule& rule : cross_rules()) {
+      if (is_left_to_box(rule)) continue;
       std::set<std::size_t> axes;
       for (const VaryColumn& column : data_.plan.columns) {
         if (column.is_use() || matches(column, rule.keys)) axes.insert(column.axis);
@@ -367,6 +370,17 @@ class Reader {
       }
     }
     check_networks();
+  }
+
+  /// Does the rule look at a key that is searched or drawn and has no other value? Then the box of values is checked.
+  [[nodiscard]] bool is_left_to_box(const CrossRule& rule) const {
+    const auto keys = blocks_.keys();
+    return std::any_of(keys.begin(), keys.end(), [&](const auto& item) {
+      const std::string& key = item.first;
+      const auto& given = assemblies_.front().given;
+      if (given.contains(key) || given.contains(key.substr(0, key.rfind('[')))) return false;
+      return std::find(rule.keys.begin(), rule.keys.end(), find_key(key).spec->path) != rule.keys.end();
+    });
   }
 
   void check_networks() {

@@ -123,7 +123,7 @@ class GoalParser {
     skip_blanks();
     if (!rest_.empty() && ((rest_.front() >= '0' && rest_.front() <= '9') || rest_.front() == '.')) {
       weight = number();
-      expect("*");
+      if (!take("*")) throw GoalError{joined({"expected '*' and a metric at ", place()})};
     }
     GoalTerm goal = quantity();
     goal.weight = sign * weight;

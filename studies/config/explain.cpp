@@ -74,7 +74,8 @@ std::string default_words(const KeySpec& spec) {
   } else if (spec.path == "vary[].scale") {
     words = "\"linear\"";
   }
-  return words.empty() || words == "[]" ? "none" : words;
+  const bool nothing = words.empty() || (words == "[]" && spec.type != KeyType::axes);
+  return nothing ? "none" : words;
 }
 
 std::string unit_words(const KeySpec& spec) {

@@ -284,7 +284,7 @@ Table compare_keys() {
   return {
       {.path = "compare.metric",
        .type = text,
-       .meaning = "The metric that decides; less is better, and a product that is not held loses.",
+       .meaning = "The metric that decides: less is better, of friction_margin_min more; a product that is not held loses.",
        .use = use,
        .study_field = study_table<at, &S::metric>},
       {.path = "compare.metrics",

@@ -491,7 +491,7 @@ class Completion {
   static std::string held_rule(bool robust) { return robust ? "P(held) >= 0.99" : "held"; }
 
   static std::uint64_t pareto_searches(const SearchTable& table) {
-    return table.starts * (table.points + 2 * table.objectives.size());  // anchors, ends, points
+    return pareto_search_count(table.objectives.size(), table.points, table.starts);
   }
 
   void add_objectives(const SearchTable& table, SearchSettings& search, GoalContext context) {

@@ -111,7 +111,7 @@ class SearchStudy {
   /// pareto: the best of each objective alone, then the points between them.
   void run_pareto() {
     const ParetoBudget budget = pareto_budget(study_);
-    run_planned(plan_anchors(study_, judge_, start_points(budget.starts, 0)));
+    run_planned(plan_anchors(study_, judge_, start_points(budget.anchor_starts, 0)));
     if (interrupted_) return;
     const std::vector<Candidate> anchors = log_.sorted();
     run_planned(plan_points(study_, judge_, anchors, start_points(budget.starts, 1)));

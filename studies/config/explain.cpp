@@ -177,7 +177,8 @@ std::optional<LibraryEntry> library_entry(const std::filesystem::path& file, con
 
 std::optional<std::string> explain_key(const std::string& key) {
   if (const KeyAddress address = find_key(key); address.spec != nullptr) return explanation(*address.spec);
-  if (const KeyAddress address = find_strategy_key(key); address.spec != nullptr) return explanation(*address.spec);
+  if (const KeyAddress address = find_strategy_key(key); address.spec != nullptr)
+    return explanation(*address.spec);
   const std::string pattern = pattern_of(key);
   std::string out;
   for (const KeySpec& spec : key_table()) {

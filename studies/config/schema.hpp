@@ -135,10 +135,9 @@ struct IntegerSpan {
 };
 
 /// The field a key writes to.
-using FieldRef =
-    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*, ChoiceRef, NumberSpan,
-                 IntegerSpan, std::array<bool, 3>*, std::vector<double>*, std::vector<std::array<double, 3>>*,
-                 std::vector<std::string>*>;
+using FieldRef = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
+                              ChoiceRef, NumberSpan, IntegerSpan, std::array<bool, 3>*, std::vector<double>*,
+                              std::vector<std::array<double, 3>>*, std::vector<std::string>*>;
 
 enum class KeyType {
   number,
@@ -172,8 +171,8 @@ enum class Use {
   search,         ///< optimize, robust, pareto
   one_objective,  ///< optimize, robust
   pareto,
-  sampling,       ///< sample, robust, compare
-  random,         ///< those and sensitivity
+  sampling,  ///< sample, robust, compare
+  random,    ///< those and sensitivity
   compare,
   sensitivity,
 };
@@ -261,7 +260,8 @@ std::string spelled(const KeySpec& spec, FieldRef field);
 
 /// The known path spelt most like `path` among keys (`tables` false) or tables; empty when none is near.
 std::string nearest(const std::string& path, const std::vector<std::string>& candidates);
-/// "; did you mean "COBYLA"?" for the word of a choice that is spelt most like `word`, whatever its case; else empty.
+/// "; did you mean "COBYLA"?" for the word of a choice that is spelt most like `word`, whatever its case; else
+/// empty.
 std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices);
 /// Every pattern of the key table.
 const std::vector<std::string>& key_patterns();

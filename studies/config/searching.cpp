@@ -72,9 +72,9 @@ class BlockReader {
     const auto place = block_place(entry.path);
     const std::size_t count = place ? given_[place->list].size() : 0;
     if (!place || place->index >= count) {
-      problems_.add(entry.origin, entry.path, spelled(entry.value),
-                    "there are " + std::to_string(count) + " [[" + (place ? place->list : "") +
-                        "]] blocks, counted from 0");
+      problems_.add(
+          entry.origin, entry.path, spelled(entry.value),
+          "there are " + std::to_string(count) + " [[" + (place ? place->list : "") + "]] blocks, counted from 0");
       return;
     }
     const KeyAddress address = find_key(entry.path);
@@ -173,7 +173,8 @@ FieldRef field_of(Scenario& scenario, const KeyAddress& address) {
 std::string rounded(double value) {
   std::array<char, 32> text{};
   constexpr int kDigits = 3;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
   return {text.data(), end.ptr};
 }
 
@@ -219,7 +220,8 @@ class Completion {
     if ((kind() == StudyKind::optimize || kind() == StudyKind::pareto) && read_.blocks.variable.empty()) {
       needs("[[variable]] blocks: what may be changed, and how far");
     }
-    if (is_random(kind()) && read_.blocks.random.empty()) needs("[[random]] blocks: what varies from product to product");
+    if (is_random(kind()) && read_.blocks.random.empty())
+      needs("[[random]] blocks: what varies from product to product");
     const std::size_t candidates = read_.blocks.candidate.size();
     if (kind() == StudyKind::compare && (candidates < 2 || candidates > kCandidatesMost)) {
       needs("two or more [[candidate]] blocks, at most 20");
@@ -262,7 +264,8 @@ class Completion {
       };
       const KeySpec& spec = *find_key(block.key).spec;
       bool sound = true;
-      if (!(*block.from < *block.to)) sound = complain("from", *block.from, "must be < to = " + spelled(*block.to));
+      if (!(*block.from < *block.to))
+        sound = complain("from", *block.from, "must be < to = " + spelled(*block.to));
       if (block.scale == VaryScale::log && *block.from <= 0.0) {
         sound = complain("from", *block.from, "\"log\" needs from > 0");
       }
@@ -275,13 +278,13 @@ class Completion {
         sound = complain("start", *block.start, "must lie between from and to");
       }
       if (!sound) continue;
-      data_.variables.push_back({.key = block.key,
-                                 .units = units_of(block.key),
-                                 .from = *block.from,
-                                 .to = *block.to,
-                                 .scale = block.scale == VaryScale::log ? optimizer::Scale::log
-                                                                        : optimizer::Scale::linear,
-                                 .start = block.start});
+      data_.variables.push_back(
+          {.key = block.key,
+           .units = units_of(block.key),
+           .from = *block.from,
+           .to = *block.to,
+           .scale = block.scale == VaryScale::log ? optimizer::Scale::log : optimizer::Scale::linear,
+           .start = block.start});
       give_base(block.key, block.start.value_or(middle(data_.variables.back())), *block.to);
     }
   }
@@ -291,8 +294,9 @@ class Completion {
     return log ? std::sqrt(variable.from * variable.to) : 0.5 * (variable.from + variable.to);
   }
 
-  /// A key that is not written gets a value inside its range, so that the base is one of the scenarios that are asked for.
-  /// `contact_force_N` is lowered to the grip force when a scenario is made; the base keeps as much of it as any needs.
+  /// A key that is not written gets a value inside its range, so that the base is one of the scenarios that are
+  /// asked for. `contact_force_N` is lowered to the grip force when a scenario is made; the base keeps as much of
+  /// it as any needs.
   void give_base(const std::string& key, double value, double highest) {
     const KeyAddress address = find_key(key);
     const bool is_written = base_.given.contains(key) || base_.given.contains(key.substr(0, key.rfind('[')));
@@ -334,9 +338,9 @@ class Completion {
     const auto value_of = [&](StrategyCandidate& candidate) {
       return number_at(field_of(candidate.scenario, address), address.elements);
     };
-    const bool agree = std::all_of(data_.candidates.begin(), data_.candidates.end(), [&](StrategyCandidate& candidate) {
-      return value_of(candidate) == value_of(data_.candidates.front());
-    });
+    const bool agree = std::all_of(
+        data_.candidates.begin(), data_.candidates.end(),
+        [&](StrategyCandidate& candidate) { return value_of(candidate) == value_of(data_.candidates.front()); });
     if (agree) return true;
     problems_.add(read_.blocks.random[i].origin, "random[" + std::to_string(i) + "].key", toml_string(key),
                   "the candidates have values of their own, so it cannot be drawn");
@@ -362,7 +366,9 @@ class Completion {
       if (given(leaf) && !by_moments) complain(std::string(".") + leaf, "goes with normal and lognormal only");
     }
     for (const char* leaf : {"from", "to"}) {
-      if (given(leaf) && by_moments) complain(std::string(".") + leaf, "goes with uniform and triangular only; truncate with at_least and at_most");
+      if (given(leaf) && by_moments)
+        complain(std::string(".") + leaf,
+                 "goes with uniform and triangular only; truncate with at_least and at_most");
       if (!given(leaf) && !by_moments) complain(std::string(".") + leaf, "missing");
     }
     if (given("mode") != is_triangular) complain(".mode", is_triangular ? "missing" : "goes with triangular only");
@@ -378,7 +384,8 @@ class Completion {
         }
       } else {
         if (!given("mean")) complain(".mean", "missing; give mean and a deviation, or data");
-        if (deviations != 1) complain(".standard_deviation", "give exactly one of standard_deviation and relative_deviation");
+        if (deviations != 1)
+          complain(".standard_deviation", "give exactly one of standard_deviation and relative_deviation");
       }
       if (!sound) return std::nullopt;
       if (given("data")) {
@@ -430,7 +437,9 @@ class Completion {
     return std::get<Goal>(std::move(goal));
   }
 
-  static std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
+  static std::string element(const std::string& path, std::size_t i) {
+    return path + "[" + std::to_string(i) + "]";
+  }
 
   /// An empty value beside other mistakes may be one of them: it could not be read.
   template <class Text>
@@ -456,9 +465,8 @@ class Completion {
       if (goal) search.constraints.push_back(std::move(*goal));
     }
     // A list that says nothing about outcomes adds to `held`: nobody wants the fastest way to drop a product.
-    const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(), [](const Constraint& c) {
-      return c.kind != Constraint::Kind::metric;
-    });
+    const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(),
+                                         [](const Constraint& c) { return c.kind != Constraint::Kind::metric; });
     if (!has_outcome && !table.constraints.empty()) {
       table.constraints.insert(table.constraints.begin(), held_rule(robust));
       search.constraints.insert(search.constraints.begin(),
@@ -482,7 +490,8 @@ class Completion {
     if (!given("search.constraints")) table.constraints = {held_rule(robust)};
     if (robust && !given("search.starts")) table.starts = 4;
     if (robust && !given("search.budget")) table.budget = std::max<std::uint64_t>(100, table.starts);
-    if (kind() == StudyKind::optimize && !given("search.budget")) table.budget = kEvaluationsPerSearch * table.starts;
+    if (kind() == StudyKind::optimize && !given("search.budget"))
+      table.budget = kEvaluationsPerSearch * table.starts;
     if (kind() != StudyKind::pareto) return;
     if (!given("search.starts")) table.starts = 2;
     if (!given("search.budget")) table.budget = kEvaluationsPerSearch * pareto_searches(table);
@@ -515,21 +524,22 @@ class Completion {
       if (!search.local) {
         const KeySpec& words = *find_key("search.algorithm").spec;
         problems_.add(base_.origin_of("search.local_algorithm"), "search.local_algorithm",
-                      toml_string(table.local_algorithm), *check_value(words, text_value(table.local_algorithm), 0));
+                      toml_string(table.local_algorithm),
+                      *check_value(words, text_value(table.local_algorithm), 0));
         return;
       }
     }
     if (data_.variables.empty() || data_.variables.size() != read_.blocks.variable.size()) return;
     std::size_t constraints = kind() == StudyKind::pareto ? 1 : 0;  // those of the method
     for (const Constraint& constraint : search.constraints) {
-      constraints += kind() == StudyKind::robust
-                         ? 1
-                         : violation_names(constraint, data_.bases.front().limits).size();
+      constraints +=
+          kind() == StudyKind::robust ? 1 : violation_names(constraint, data_.bases.front().limits).size();
     }
     const std::string why =
         optimizer::why_unsuitable(search.algorithm, search.local, data_.variables.size(), constraints);
     if (why.empty()) return;
-    const bool is_local = search.local && (constraints == 0 || optimizer::info_of(search.algorithm).takes_constraints);
+    const bool is_local =
+        search.local && (constraints == 0 || optimizer::info_of(search.algorithm).takes_constraints);
     const std::string key = is_local ? "search.local_algorithm" : "search.algorithm";
     problems_.add(base_.origin_of(key), key,
                   toml_string(optimizer::info_of(is_local ? *search.local : search.algorithm).name), why);
@@ -579,7 +589,8 @@ class Completion {
   std::vector<Metric> metrics_of(const std::string& path, const std::vector<std::string>& names) {
     std::vector<Metric> metrics;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (const auto metric = parsed(element(path, i), names[i], parse_metric(names[i]))) metrics.push_back(*metric);
+      if (const auto metric = parsed(element(path, i), names[i], parse_metric(names[i])))
+        metrics.push_back(*metric);
     }
     return metrics;
   }
@@ -625,7 +636,8 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   };
   for (const SearchVariable& v : data.variables) sides.push_back({v.key, v.from, v.to, origin_of(v.key)});
   for (const RandomVariable& r : data.randoms) {
-    sides.push_back({r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh), origin_of(r.key)});
+    sides.push_back(
+        {r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh), origin_of(r.key)});
   }
   return sides;
 }

@@ -177,9 +177,9 @@ class Reader {
       }
     }
     for (const Entry& entry : sets_) {
-      auto& list = entry.path.starts_with("vary")  ? vary_entries_
-                   : is_of_block(entry.path) ? block_entries_
-                                             : command_line_;
+      auto& list = entry.path.starts_with("vary") ? vary_entries_
+                   : is_of_block(entry.path)      ? block_entries_
+                                                  : command_line_;
       list.push_back(entry);
     }
     for (const Entry& entry : command_line_) refuse_other_kinds(entry);
@@ -372,7 +372,8 @@ class Reader {
     check_networks();
   }
 
-  /// Does the rule look at a key that is searched or drawn and has no other value? Then the box of values is checked.
+  /// Does the rule look at a key that is searched or drawn and has no other value? Then the box of values is
+  /// checked.
   [[nodiscard]] bool is_left_to_box(const CrossRule& rule) const {
     const auto keys = blocks_.keys();
     return std::any_of(keys.begin(), keys.end(), [&](const auto& item) {
@@ -420,8 +421,8 @@ class Reader {
     if (settings.kind == StudyKind::sweep && data_.plan.columns.empty()) {
       problems_.add(kind, "study.kind", word, "needs [[vary]] blocks; one run is \"simulate\"");
     }
-    const bool grips = settings.kind == StudyKind::window || settings.kind == StudyKind::compare ||
-                       is_search(settings.kind);
+    const bool grips =
+        settings.kind == StudyKind::window || settings.kind == StudyKind::compare || is_search(settings.kind);
     if (grips && !has_gripper_) problems_.add(kind, "study.kind", word, "needs a [gripper]");
     if ((is_search(settings.kind) || is_random(settings.kind)) && !data_.plan.columns.empty()) {
       problems_.add(data_.plan.columns.front().origin, "[[vary]]",

@@ -77,14 +77,16 @@ TEST(BadConfigs, EveryLineLeftOutOrDoubledInASearchIsSurvived) {
           if (i != skipped || doubled) other += lines[i];
           if (i == skipped && doubled) other += lines[i];
         }
-        for (const std::string& message : errors_of(other)) EXPECT_TRUE(message.starts_with("study.toml:")) << message;
+        for (const std::string& message : errors_of(other))
+          EXPECT_TRUE(message.starts_with("study.toml:")) << message;
       }
     }
-    for (const std::string wrong : {"product.kind=network", "product.size_m=[0.1]", "product.mass_kg=none", "variable[0].key=x",
-                                    "random[0].key=product.load[7].time_s[9]", "random[0].key=limits.plastic_strain",
-                                    "random[0].key=product.particle[1].position_m[4]", "random[0].mean=1", "random=1",
-                                    "candidate[0]=1", "candidate[0].use=configs", "search=1", "variable[0].key=gripper.stroke_m",
-                                    "search.objective=", "variable[99999999999].from=1"}) {
+    for (const std::string wrong :
+         {"product.kind=network", "product.size_m=[0.1]", "product.mass_kg=none", "variable[0].key=x",
+          "random[0].key=product.load[7].time_s[9]", "random[0].key=limits.plastic_strain",
+          "random[0].key=product.particle[1].position_m[4]", "random[0].mean=1", "random=1", "candidate[0]=1",
+          "candidate[0].use=configs", "search=1", "variable[0].key=gripper.stroke_m",
+          "search.objective=", "variable[99999999999].from=1"}) {
       const auto messages = errors_of(testing::search_block(kind), {wrong});
       for (const std::string& message : messages) EXPECT_FALSE(message.empty());
     }

@@ -250,31 +250,36 @@ std::vector<StudyArrival> search_arrivals() {
                 terms[1].weight == -1.0 && terms[1].metric == Metric::cycle_time_s;
        }},
       {"pareto", "search.objectives", "[\"cycle_time_s\", \"slip_max_m\", \"energy_input_J\"]",
-       [](K s) {
-         return s.search().objectives.size() == 3 && s.search().objectives[2].text == "energy_input_J";
-       }},
+       [](K s) { return s.search().objectives.size() == 3 && s.search().objectives[2].text == "energy_input_J"; }},
       {"optimize", "search.constraints", "[\"not dropped\", \"slip_max_m <= 1e-4\"]",
        [](K s) {
          const std::vector<Constraint>& all = s.search().constraints;
-         return all.size() == 2 && all[0].kind == Constraint::Kind::outcome && all[1].bound == 1e-4 && !all[1].at_least;
+         return all.size() == 2 && all[0].kind == Constraint::Kind::outcome && all[1].bound == 1e-4 &&
+                !all[1].at_least;
        }},
       {"optimize", "search.algorithm", "\"ISRES\"",
        [](K s) { return s.search().algorithm == optimizer::Algorithm::isres; }},
-      {"optimize", "search.local_algorithm", "\"NELDERMEAD\"",
-       [](K s) { return s.search().local == optimizer::Algorithm::neldermead; }, {"search.algorithm=AUGLAG"}},
+      {"optimize",
+       "search.local_algorithm",
+       "\"NELDERMEAD\"",
+       [](K s) { return s.search().local == optimizer::Algorithm::neldermead; },
+       {"search.algorithm=AUGLAG"}},
       {"optimize", "search.starts", "7", [](K s) { return s.search().starts == 7; }},
       {"optimize", "search.budget", "321", [](K s) { return s.search().budget == 321; }},
       {"optimize", "search.tolerance", "0.0625", [](K s) { return s.search().tolerance == 0.0625; }},
       {"optimize", "search.initial_step", "0.375", [](K s) { return s.search().initial_step == 0.375; }},
-      {"pareto", "search.method", "\"chebyshev\"", [](K s) { return s.search().method == ParetoMethod::chebyshev; }},
+      {"pareto", "search.method", "\"chebyshev\"",
+       [](K s) { return s.search().method == ParetoMethod::chebyshev; }},
       {"pareto", "search.points", "11", [](K s) { return s.search().points == 11; }},
       {"sample", "sampling.design", "\"latin_hypercube\"",
        [](K s) { return s.sampling().design == DesignKind::latin_hypercube; }},
-      {"sensitivity", "sampling.design", "\"random\"", [](K s) { return s.sampling().design == DesignKind::random; }},
+      {"sensitivity", "sampling.design", "\"random\"",
+       [](K s) { return s.sampling().design == DesignKind::random; }},
       {"robust", "sampling.count", "321", [](K s) { return s.sampling().count == 321; }},
       {"sample", "sampling.factor_groups", "0", [](K s) { return s.sampling().factor_groups == 0; }},
       {"compare", "sampling.confidence", "0.875", [](K s) { return s.sampling().confidence == 0.875; }},
-      {"compare", "compare.metric", "\"slip_max_m\"", [](K s) { return s.compare().metric == Metric::slip_max_m; }},
+      {"compare", "compare.metric", "\"slip_max_m\"",
+       [](K s) { return s.compare().metric == Metric::slip_max_m; }},
       {"compare", "compare.metrics", "[\"slip_max_m\", \"cycle_time_s\"]",
        [](K s) {
          return s.compare().metrics == std::vector<Metric>{Metric::cycle_time_s, Metric::slip_max_m};
@@ -309,8 +314,8 @@ std::vector<StudyArrival> search_arrivals() {
 }
 
 std::vector<StudyArrival> random_arrivals() {
-  const std::vector<std::string> normal = {"random[0].from=none", "random[0].to=none", "random[0].distribution=normal",
-                                           "random[0].mean=0.5"};
+  const std::vector<std::string> normal = {"random[0].from=none", "random[0].to=none",
+                                           "random[0].distribution=normal", "random[0].mean=0.5"};
   const auto with = [](std::vector<std::string> sets, const std::string& more) {
     sets.push_back(more);
     return sets;
@@ -320,7 +325,9 @@ std::vector<StudyArrival> random_arrivals() {
                                              "random[0].distribution=normal"};
   const std::vector<std::string> triangle = {"random[0].distribution=triangular", "random[0].mode=0.5"};
   return {
-      {"sample", "random[0].key", "\"product.poisson_ratio\"",
+      {"sample",
+       "random[0].key",
+       "\"product.poisson_ratio\"",
        [](K s) { return s.randoms()[0].key == "product.poisson_ratio" && s.randoms()[0].changes_factor; },
        {"random[0].from=0.125", "random[0].to=0.25"}},
       {"sample", "random[0].distribution", "\"lognormal\"",
@@ -340,10 +347,12 @@ std::vector<StudyArrival> random_arrivals() {
        with(measured, "random[0].at_least=0.125")},
       {"sample", "random[0].from", "0.25", [](K s) { return s.randoms()[0].distribution.from == 0.25; }},
       {"sample", "random[0].to", "0.75", [](K s) { return s.randoms()[0].distribution.to == 0.75; }},
-      {"sample", "random[0].mode", "0.625", [](K s) { return s.randoms()[0].distribution.mode == 0.625; }, triangle},
+      {"sample", "random[0].mode", "0.625", [](K s) { return s.randoms()[0].distribution.mode == 0.625; },
+       triangle},
       {"sample", "random[0].at_least", "0.4375",
        [](K s) { return s.randoms()[0].distribution.at_least == 0.4375; }, spread},
-      {"sample", "random[0].at_most", "0.5625", [](K s) { return s.randoms()[0].distribution.at_most == 0.5625; }, spread},
+      {"sample", "random[0].at_most", "0.5625", [](K s) { return s.randoms()[0].distribution.at_most == 0.5625; },
+       spread},
   };
 }
 

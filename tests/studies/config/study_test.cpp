@@ -289,7 +289,8 @@ TEST(Searches, ResolvedTextOfEveryKindReadsBackToItself) {
 }
 
 TEST(Searches, ResolvedTextNeedsNoFileOfAStrategy) {
-  const std::string text = search_block("compare") + "[[candidate]]\nname = \"c\"\nuse = \"strategies/fast.toml\"\n";
+  const std::string text =
+      search_block("compare") + "[[candidate]]\nname = \"c\"\nuse = \"strategies/fast.toml\"\n";
   const Study first = study_of(text);
   const auto again = read_study_text(first.resolved_toml(), "resolved", {}, "", "");
   ASSERT_TRUE(std::holds_alternative<Study>(again)) << std::get<ConfigError>(again).messages[0];
@@ -325,14 +326,16 @@ TEST(Searches, AddHeldWhereNoConstraintNamesAnOutcome) {
   };
   using Texts = std::vector<std::string>;
   EXPECT_EQ(texts("optimize", "[\"slip_max_m <= 1e-4\"]"), (Texts{"held", "slip_max_m <= 1e-4"}));
-  EXPECT_EQ(texts("robust", "[\"worst(slip_max_m) <= 1e-4\"]"), (Texts{"P(held) >= 0.99", "worst(slip_max_m) <= 1e-4"}));
+  EXPECT_EQ(texts("robust", "[\"worst(slip_max_m) <= 1e-4\"]"),
+            (Texts{"P(held) >= 0.99", "worst(slip_max_m) <= 1e-4"}));
   EXPECT_EQ(texts("optimize", "[\"not dropped\"]"), (Texts{"not dropped"}));
   EXPECT_EQ(texts("optimize", "[]"), Texts{});
 }
 
 TEST(Searches, ARobustStudyMayJudgeTheStrategyAsWritten) {
-  const std::string text = gripped_block("robust") +
-                           "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.8\n";
+  const std::string text =
+      gripped_block("robust") +
+      "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.8\n";
   const Study study = study_of(text);
   EXPECT_TRUE(study.variables().empty());
   EXPECT_EQ(study_of(study.resolved_toml()).resolved_toml(), study.resolved_toml());
@@ -341,27 +344,31 @@ TEST(Searches, ARobustStudyMayJudgeTheStrategyAsWritten) {
 TEST(Searches, TheirBaseLiesInsideTheBoxWhereTheKeyIsNotWritten) {
   const Study middle = study_of(search_block("optimize"));
   EXPECT_EQ(middle.base_value("strategy.grip_force_N"), 2.0);
-  EXPECT_EQ(study_of(search_block("optimize"), {"variable[0].start=1.25"}).base_value("strategy.grip_force_N"), 1.25);
+  EXPECT_EQ(study_of(search_block("optimize"), {"variable[0].start=1.25"}).base_value("strategy.grip_force_N"),
+            1.25);
   // The middle of 1 .. 4 on a log scale is 2.
   const Study log = study_of(search_block("optimize"), {"variable[0].to=4.0", "variable[0].scale=log"});
   EXPECT_DOUBLE_EQ(*log.base_value("strategy.grip_force_N"), 2.0);
-  EXPECT_EQ(study_of(search_block("optimize"), {"strategy.grip_force_N=1.75"}).base_value("strategy.grip_force_N"), 1.75);
+  EXPECT_EQ(study_of(search_block("optimize"), {"strategy.grip_force_N=1.75"}).base_value("strategy.grip_force_N"),
+            1.75);
   EXPECT_DOUBLE_EQ(*study_of(search_block("sample")).base_value("product.friction"), 0.6);
-  const Study element = study_of(search_block("sample"), {"random[0].key=product.size_m[1]", "random[0].from=0.05",
-                                                          "random[0].to=0.06"});
+  const Study element = study_of(search_block("sample"),
+                                 {"random[0].key=product.size_m[1]", "random[0].from=0.05", "random[0].to=0.06"});
   EXPECT_EQ(element.base_value("product.size_m[1]"), 0.06) << "written as an array";
 }
 
 TEST(Searches, AGripForceBelowTheContactForceIsSearchedAllTheSame) {
-  const Study study = study_of(search_block("optimize"), {"variable[0].from=0.1", "variable[0].to=0.4",
-                                                          "strategy.contact_force_N=0.3"});
+  const Study study = study_of(search_block("optimize"),
+                               {"variable[0].from=0.1", "variable[0].to=0.4", "strategy.contact_force_N=0.3"});
   const std::vector<std::string> keys = {"strategy.grip_force_N"};
   const auto contact_at = [&](double grip) {
     return study.scenario_with(keys, std::array<double, 1>{grip}).strategy.contact_force_N;
   };
   EXPECT_EQ(contact_at(0.2), 0.2);
   EXPECT_EQ(contact_at(0.4), 0.3);
-  EXPECT_EQ(study_of(study.resolved_toml()).scenario_with(keys, std::array<double, 1>{0.4}).strategy.contact_force_N, 0.3);
+  EXPECT_EQ(
+      study_of(study.resolved_toml()).scenario_with(keys, std::array<double, 1>{0.4}).strategy.contact_force_N,
+      0.3);
 }
 
 TEST(Searches, ValuesReachTheirKeysAndNothingElse) {
@@ -403,8 +410,8 @@ TEST(Searches, KnowWhichRandomKeysNeedAnotherFactor) {
 }
 
 TEST(Searches, ADrawnDensityDisplacesTheMass) {
-  const Study study = study_of(search_block("sample"), {"random[0].key=product.density_kg_m3", "random[0].from=900",
-                                                        "random[0].to=1100"});
+  const Study study = study_of(search_block("sample"),
+                               {"random[0].key=product.density_kg_m3", "random[0].from=900", "random[0].to=1100"});
   for (const Study& s : {study, study_of(study.resolved_toml())}) {
     EXPECT_EQ(s.base_value("product.mass_kg"), std::nullopt);
     EXPECT_DOUBLE_EQ(*s.base_value("product.density_kg_m3"), 1000.0);
@@ -418,14 +425,15 @@ TEST(Searches, ARandomKeyOfANetworkNeedsNoGripper) {
   const Study study = study_of(text, {"study.kind=sample"});
   EXPECT_TRUE(study.randoms()[0].changes_factor);
   EXPECT_EQ(study.randoms()[0].units, "N m-1");
-  const Scenario scenario =
-      study.scenario_with(std::vector<std::string>{"product.spring[0].stiffness_N_m"}, std::array<double, 1>{12.5});
+  const Scenario scenario = study.scenario_with(std::vector<std::string>{"product.spring[0].stiffness_N_m"},
+                                                std::array<double, 1>{12.5});
   EXPECT_EQ(std::get<NetworkParameters>(scenario.product).spring[0].stiffness_N_m, 12.5);
 }
 
 TEST(Searches, ACommandLineGoesOverBlocksAndCandidates) {
-  const Study study = study_of(search_block("compare"), {"candidate[0].profile=trapezoid", "candidate[1].grip_force_N=2.5",
-                                                         "random[0].to=0.9", "strategy.hold_s=0.25"});
+  const Study study =
+      study_of(search_block("compare"), {"candidate[0].profile=trapezoid", "candidate[1].grip_force_N=2.5",
+                                         "random[0].to=0.9", "strategy.hold_s=0.25"});
   EXPECT_EQ(study.candidates()[0].scenario.strategy.profile, ProfileKind::trapezoid);
   EXPECT_EQ(study.candidates()[1].scenario.strategy.profile, ProfileKind::minimum_jerk);
   EXPECT_EQ(study.candidates()[1].scenario.strategy.grip_force_N, 2.5);

@@ -74,8 +74,8 @@ TEST(GoalParser, WeightsSignsAndBlanksMakeAWeightedSum) {
 }
 
 TEST(GoalParser, StatisticsStandOverProducts) {
-  const Objective goal = objective("mean(cycle_time_s) + 2*quantile( slip_max_m , 0.95 ) - worst(friction_margin_min)",
-                                   kSampled);
+  const Objective goal =
+      objective("mean(cycle_time_s) + 2*quantile( slip_max_m , 0.95 ) - worst(friction_margin_min)", kSampled);
   ASSERT_EQ(goal.terms.size(), 3U);
   EXPECT_EQ(goal.terms[0].statistic, Statistic::mean);
   EXPECT_EQ(goal.terms[1].statistic, Statistic::quantile);
@@ -107,7 +107,8 @@ TEST(GoalParser, AnEventIsTheSetOfItsOutcomes) {
   EXPECT_EQ(event("slipped"), bits({slipped}));
   EXPECT_EQ(event("not damaged"), bits({held, slipped, dropped, not_grasped, diverged, out_of_range}));
   EXPECT_EQ(event("not dropped and not damaged"), bits({held, slipped, not_grasped, diverged, out_of_range}));
-  EXPECT_EQ(event(" not  slipped and not slipped "), bits({held, dropped, damaged, not_grasped, diverged, out_of_range}));
+  EXPECT_EQ(event(" not  slipped and not slipped "),
+            bits({held, dropped, damaged, not_grasped, diverged, out_of_range}));
   EXPECT_EQ(event("held and not damaged"), bits({held}));
   EXPECT_EQ(constraint("held").event, held_event());
   for (const std::string_view word : kOutcomeWords) {
@@ -175,10 +176,12 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
            {kSingle, "", "expected the name of a metric at its end"},
            {kSingle, "hold", "unknown outcome 'hold'; did you mean 'held'?"},
            {kSingle, "not damagd", "unknown outcome 'damagd'; did you mean 'damaged'?"},
-           {kSingle, "not", "unknown outcome ''; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-                            "out_of_range"},
-           {kSingle, "not blue", "unknown outcome 'blue'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-                                 "out_of_range"},
+           {kSingle, "not",
+            "unknown outcome ''; known: held, slipped, dropped, damaged, not_grasped, diverged, "
+            "out_of_range"},
+           {kSingle, "not blue",
+            "unknown outcome 'blue'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
+            "out_of_range"},
            {kSingle, "held or slipped", "expected 'and' and another outcome at 'or slipped'"},
            {kSingle, "held >= 0.9", "expected 'and' and another outcome at '>= 0.9'"},
            {kSingle, "held and not held", "no outcome is all of that at once"},
@@ -200,7 +203,8 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
            {kSampled, "P(held) >= 99 %", "a probability must be > 0 and <= 1"},
            {kSampled, "P(held) >= 0", "a probability must be > 0 and <= 1"},
            {kSampled, "P(slip_max_m) >= 0.9",
-            "unknown outcome 'slip_max_m'; known: held, slipped, dropped, damaged, not_grasped, diverged, out_of_range"},
+            "unknown outcome 'slip_max_m'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
+            "out_of_range"},
            {kSampled, "slip_max_m <= 1",
             "say over which products: mean(slip_max_m), quantile(slip_max_m, 0.95) or worst(slip_max_m)"},
        }) {
@@ -210,8 +214,8 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
 
 TEST(GoalParser, EveryTruncationAndEveryChangedByteIsSurvived) {
   std::size_t refused = 0;
-  for (const std::string text : {"mean(cycle_time_s) + 0.5*quantile(slip_max_m, 0.95)", "P(not damaged and held) >= 0.99",
-                                 "friction_margin_min >= -0.2"}) {
+  for (const std::string text : {"mean(cycle_time_s) + 0.5*quantile(slip_max_m, 0.95)",
+                                 "P(not damaged and held) >= 0.99", "friction_margin_min >= -0.2"}) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       for (int c = 0; c < 256; ++c) {
         std::string other = text.substr(0, c == 0 ? i : text.size());

@@ -61,7 +61,8 @@ std::vector<ScenarioResult> with_metric(Metric metric, const std::vector<double>
 
 TEST(Goals, AnObjectiveIsTheWeightedSumOfItsMetrics) {
   EXPECT_EQ(objective_value(objective("cycle_time_s"), held_result()), 2.0);
-  EXPECT_EQ(objective_value(objective("cycle_time_s + 0.5 * peak_finger_force_N - 4 * friction_margin_min"), held_result()),
+  EXPECT_EQ(objective_value(objective("cycle_time_s + 0.5 * peak_finger_force_N - 4 * friction_margin_min"),
+                            held_result()),
             2.0 + 1.5 - 1.0);
   EXPECT_TRUE(std::isnan(objective_value(objective("cycle_time_s + energy_input_J"), held_result())))
       << "energy_input_J is not there";
@@ -76,7 +77,8 @@ TEST(Goals, StatisticsOverProductsAreThoseOfTheirDefinitions) {
   EXPECT_EQ(objective_value(objective("quantile(cycle_time_s, 0.51)"), results), 3.0);
   EXPECT_EQ(objective_value(objective("quantile(cycle_time_s, 0.75)"), results), 3.0);
   EXPECT_EQ(objective_value(objective("mean(cycle_time_s) + 2 * worst(cycle_time_s)"), results), 10.5);
-  EXPECT_EQ(objective_value(objective("-worst(cycle_time_s)"), results), -1.0) << "the worst of what is maximised is the least";
+  EXPECT_EQ(objective_value(objective("-worst(cycle_time_s)"), results), -1.0)
+      << "the worst of what is maximised is the least";
 }
 
 TEST(Goals, AProductWithoutTheMetricIsTheWorstOfAllAndNotInTheMean) {
@@ -99,7 +101,8 @@ TEST(Goals, AMetricConstraintIsMeasuredInPartsOfItsBound) {
   EXPECT_DOUBLE_EQ(violation(constraint("cycle_time_s >= 1.6"), result, limits), -0.25);
   EXPECT_DOUBLE_EQ(violation(constraint("friction_margin_min >= 0.5"), result, limits), 0.5);
   EXPECT_DOUBLE_EQ(violation(constraint("friction_margin_min >= -0.5"), result, limits), -1.5);
-  EXPECT_DOUBLE_EQ(violation(constraint("friction_margin_min >= 0"), result, limits), -0.25) << "a bound of zero: the value itself";
+  EXPECT_DOUBLE_EQ(violation(constraint("friction_margin_min >= 0"), result, limits), -0.25)
+      << "a bound of zero: the value itself";
   EXPECT_EQ(violation(constraint("cycle_time_s <= 2"), result, limits), 0.0) << "on its bound it is met";
 }
 
@@ -172,8 +175,10 @@ TEST(Goals, AProbabilityIsMeasuredByTheQuantileOfItsViolations) {
 
 TEST(Goals, AStatisticIsBoundedOverProducts) {
   const auto results = with_metric(Metric::friction_margin_min, {0.5, 0.1, 0.3, 0.2});
-  EXPECT_DOUBLE_EQ(violation(constraint("worst(friction_margin_min) >= 0.2"), results, {}), 0.5) << "worst is the least";
-  EXPECT_DOUBLE_EQ(violation(constraint("worst(friction_margin_min) <= 0.4"), results, {}), 0.25) << "worst is the largest";
+  EXPECT_DOUBLE_EQ(violation(constraint("worst(friction_margin_min) >= 0.2"), results, {}), 0.5)
+      << "worst is the least";
+  EXPECT_DOUBLE_EQ(violation(constraint("worst(friction_margin_min) <= 0.4"), results, {}), 0.25)
+      << "worst is the largest";
   EXPECT_DOUBLE_EQ(violation(constraint("mean(friction_margin_min) >= 0.55"), results, {}), 0.5);
   const auto none = with_metric(Metric::friction_margin_min, {kNaN, kNaN});
   for (const char* text : {"worst(friction_margin_min) >= 0.2", "mean(friction_margin_min) >= 0.2",
@@ -207,8 +212,8 @@ ScenarioResult random_result(std::mt19937_64& random, const LimitParameters& lim
                        over(Metric::plastic_strain_max, limits.plastic_strain) ||
                        over(Metric::peak_finger_force_N, limits.finger_force_N);
   result.outcome = result.metrics[Metric::slip_max_m] > limits.slip_m ? Outcome::slipped
-                   : damaged                                         ? Outcome::damaged
-                                                                     : Outcome::held;
+                   : damaged                                          ? Outcome::damaged
+                                                                      : Outcome::held;
   return result;
 }
 
@@ -260,7 +265,8 @@ TEST(Goals, AProbabilityIsMetExactlyWhenTheFrequencyIs) {
       goal.at_least = true;
       // Also probabilities that are whole numbers of products, where one more or less decides.
       const auto met = static_cast<double>(1 + random() % count);
-      goal.bound = random() % 2 == 0 ? met / static_cast<double>(count) : 0.01 * static_cast<double>(1 + random() % 100);
+      goal.bound =
+          random() % 2 == 0 ? met / static_cast<double>(count) : 0.01 * static_cast<double>(1 + random() % 100);
       const double part = frequency(goal.event, results);
       // k of n products make up the part k/n; as numbers the two may differ by a rounding.
       ASSERT_EQ(violation(goal, results, limits) <= 0.0, part >= goal.bound - 1e-12)

@@ -41,17 +41,20 @@ double violation_of(const Evaluation& evaluation) {
   return *std::max_element(evaluation.constraints.begin(), evaluation.constraints.end());
 }
 
-/// A neighbour's values for difference quotients: the centre's own where either of the two does not exist.
-std::vector<double> neighbour_values(const Evaluation& centre, const Evaluation& neighbour,
-                                     const std::vector<double>& told_centre) {
-  const auto value = [](double of_centre, double of_neighbour, double told) {
-    return is_finite(of_centre) && is_finite(of_neighbour) ? of_neighbour : told;
-  };
-  std::vector<double> values = {value(centre.objective, neighbour.objective, told_centre[0])};
+/// A constraint as it is told: what is exactly zero is met, with no room (an event, a count), and stays so.
+double inside(double constraint, double margin) { return constraint == 0.0 ? 0.0 : constraint + margin; }
+
+/// Sets the values of a neighbour that make no difference quotient to those of the centre: where either of the two was
+/// not finite.
+void flatten(const Evaluation& centre, const Evaluation& neighbour, const std::vector<double>& told_of_centre,
+             std::vector<double>& told_of_neighbour) {
+  const auto both_finite = [](double a, double b) { return is_finite(a) && is_finite(b); };
+  if (!both_finite(centre.objective, neighbour.objective)) told_of_neighbour[0] = told_of_centre[0];
   for (std::size_t i = 0; i < centre.constraints.size(); ++i) {
-    values.push_back(value(centre.constraints[i], neighbour.constraints[i], told_centre[i + 1]));
+    if (!both_finite(centre.constraints[i], neighbour.constraints[i])) {
+      told_of_neighbour[i + 1] = told_of_centre[i + 1];
+    }
   }
-  return values;
 }
 
 }  // namespace
@@ -131,7 +134,8 @@ Answer Ledger::answer_from(const std::vector<std::vector<double>>& points,
   if (!with_gradient_) return answer;
   std::vector<std::vector<double>> values = {here};
   for (std::size_t i = 1; i < points.size(); ++i) {
-    values.push_back(neighbour_values(evaluations[0], evaluations[i], here));
+    values.push_back(told(evaluations[i]));
+    flatten(evaluations[0], evaluations[i], here, values.back());
   }
   answer.gradient = difference_quotients(points, values, options_.central_differences);
   return answer;
@@ -167,7 +171,8 @@ void Ledger::learn_range(const Evaluation& evaluation) {
 std::vector<double> Ledger::told(const Evaluation& evaluation) const {
   std::vector<double> values = {is_finite(evaluation.objective) ? evaluation.objective : objective_penalty()};
   for (std::size_t i = 0; i < most_broken_.size(); ++i) {
-    values.push_back(is_finite(evaluation.constraints[i]) ? evaluation.constraints[i] : most_broken_[i]);
+    const double c = evaluation.constraints[i];
+    values.push_back(is_finite(c) ? inside(c, options_.constraint_margin) : most_broken_[i]);
   }
   return values;
 }

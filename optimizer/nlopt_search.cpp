@@ -18,9 +18,9 @@ namespace {
 
 /// Gradient algorithms stop when the objective changes by less than this part of itself: the noise of the simulator.
 constexpr double kGradientFtol = 1e-9;
-/// NLopt's own limit of evaluations, as a multiple of the budget: known points that are asked for again count there but
-/// cost nothing. The ledger keeps the budget; this is for an algorithm that would not heed the stop.
-constexpr double kAskedAgain = 2.0;
+/// NLopt's own limit of evaluations, as a multiple of the budget: known points that are asked for again (half of all, by
+/// ESCH) count there but cost nothing. The ledger keeps the budget; this is for an algorithm that would not heed the stop.
+constexpr double kAskedAgain = 20.0;
 /// BOBYQA needs room for two first steps between the bounds.
 constexpr double kBobyqaStepMost = 0.5;
 
@@ -97,6 +97,8 @@ void check_at_the_door(const Problem& problem, const SearchOptions& options) {
   must(options.evaluations_most > 0, "evaluations_most: must be > 0");
   must(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance: must be > 0, < 1");
   must(options.initial_step > 0.0 && options.initial_step <= 1.0, "initial_step: must be > 0, <= 1");
+  must(options.constraint_margin >= 0.0 && std::isfinite(options.constraint_margin),
+       "constraint_margin: must be >= 0");
   must(options.gradient_step > 0.0 && options.gradient_step <= 0.25, "gradient_step: must be > 0, <= 0.25");
 }
 

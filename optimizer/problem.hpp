@@ -26,7 +26,8 @@ struct Question {
 };
 
 /// Answers all questions of one generation, in their order; nothing: the search is to stop. More than one question
-/// at a time comes from finite differences. May block; called from the thread that runs the search.
+/// at a time comes from finite differences: the point itself, then its neighbours. May block; called from the thread
+/// that runs the search.
 using Evaluator = std::function<std::optional<std::vector<Evaluation>>(const std::vector<Question>&)>;
 
 struct Problem {

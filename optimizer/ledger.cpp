@@ -44,8 +44,8 @@ double violation_of(const Evaluation& evaluation) {
 /// A constraint as it is told: what is exactly zero is met, with no room (an event, a count), and stays so.
 double inside(double constraint, double margin) { return constraint == 0.0 ? 0.0 : constraint + margin; }
 
-/// Sets the values of a neighbour that make no difference quotient to those of the centre: where either of the two was
-/// not finite.
+/// Sets the values of a neighbour that make no difference quotient to those of the centre: where either of the two
+/// was not finite.
 void flatten(const Evaluation& centre, const Evaluation& neighbour, const std::vector<double>& told_of_centre,
              std::vector<double>& told_of_neighbour) {
   const auto both_finite = [](double a, double b) { return is_finite(a) && is_finite(b); };
@@ -163,7 +163,8 @@ void Ledger::learn_range(const Evaluation& evaluation) {
     worst_seen_ = std::max(worst_seen_.value_or(evaluation.objective), evaluation.objective);
   }
   for (std::size_t i = 0; i < most_broken_.size(); ++i) {
-    if (is_finite(evaluation.constraints[i])) most_broken_[i] = std::max(most_broken_[i], evaluation.constraints[i]);
+    if (is_finite(evaluation.constraints[i]))
+      most_broken_[i] = std::max(most_broken_[i], evaluation.constraints[i]);
   }
 }
 

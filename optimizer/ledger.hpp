@@ -25,16 +25,17 @@ struct Answer {
 
 /// Asks for every point once, keeps the budget and the best point, and decides when a search must not go on.
 ///
-/// Told in place of numbers that do not exist: for an objective, the worst seen and as much again as the objectives
-/// seen differ; for a constraint, the most it was ever broken by, at least 1. A difference quotient with such a number is
-/// zero: no slope is known there, and one made of penalties would drown the others.
+/// Told in place of numbers that do not exist: for an objective, the worst seen and as much again as the
+/// objectives seen differ; for a constraint, the most it was ever broken by, at least 1. A difference quotient
+/// with such a number is zero: no slope is known there, and one made of penalties would drown the others.
 class Ledger {
  public:
-  /// Keeps references to both. With gradients each new point is asked together with its neighbours, as one generation.
+  /// Keeps references to both. With gradients each new point is asked together with its neighbours, as one
+  /// generation.
   Ledger(const Problem& problem, const SearchOptions& options, bool with_gradient);
 
-  /// What is known about a point, asked for where nothing is. Once the search has ended, or when an exception of the
-  /// evaluator or its misuse comes out of here, nobody is asked any more.
+  /// What is known about a point, asked for where nothing is. Once the search has ended, or when an exception of
+  /// the evaluator or its misuse comes out of here, nobody is asked any more.
   const Answer& at(std::span<const double> unit);
 
   /// Something finite for an algorithm that has not yet seen that the search has ended.

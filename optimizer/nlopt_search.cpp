@@ -16,10 +16,12 @@
 namespace unbruised::optimizer {
 namespace {
 
-/// Gradient algorithms stop when the objective changes by less than this part of itself: the noise of the simulator.
+/// Gradient algorithms stop when the objective changes by less than this part of itself: the noise of the
+/// simulator.
 constexpr double kGradientFtol = 1e-9;
-/// NLopt's own limit of evaluations, as a multiple of the budget: known points that are asked for again (half of all, by
-/// ESCH) count there but cost nothing. The ledger keeps the budget; this is for an algorithm that would not heed the stop.
+/// NLopt's own limit of evaluations, as a multiple of the budget: known points that are asked for again (half of
+/// all, by ESCH) count there but cost nothing. The ledger keeps the budget; this is for an algorithm that would
+/// not heed the stop.
 constexpr double kAskedAgain = 20.0;
 /// BOBYQA needs room for two first steps between the bounds.
 constexpr double kBobyqaStepMost = 0.5;
@@ -92,7 +94,8 @@ void check_at_the_door(const Problem& problem, const SearchOptions& options) {
   };
   const auto is_finite = [](double value) { return std::isfinite(value); };
   must(problem.evaluate != nullptr, "a search needs an evaluator");
-  must(options.start.empty() || options.start.size() == problem.space.size(), "start: one value for each variable");
+  must(options.start.empty() || options.start.size() == problem.space.size(),
+       "start: one value for each variable");
   must(std::all_of(options.start.begin(), options.start.end(), is_finite), "start: must be finite");
   must(options.evaluations_most > 0, "evaluations_most: must be > 0");
   must(options.tolerance > 0.0 && options.tolerance < 1.0, "tolerance: must be > 0, < 1");

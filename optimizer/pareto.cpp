@@ -74,8 +74,8 @@ const Objectives& end_of(const std::vector<Objectives>& front, std::size_t k) {
                            [&](const Objectives& a, const Objectives& b) { return rank(a) < rank(b); });
 }
 
-/// The normal of the line or plane through the ends, pointing away from the ideal point. Where the ends do not span one
-/// that faces the ideal point: that of the line or plane through (1, 0, ...), (0, 1, ...), ...
+/// The normal of the line or plane through the ends, pointing away from the ideal point. Where the ends do not
+/// span one that faces the ideal point: that of the line or plane through (1, 0, ...), (0, 1, ...), ...
 Objectives normal_of_ends(const std::vector<Objectives>& front) {
   const std::size_t n = front.front().size();
   const Objectives diagonal(n, 1.0);
@@ -113,7 +113,8 @@ std::vector<std::size_t> nondominated(const std::vector<Objectives>& points) {
     if (!has_nan(points[i])) order.push_back(i);
   }
   // What dominates a point, and what equals it but comes first, stands before it in this order.
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
     const bool stays = std::none_of(front.begin(), front.end(), [&](std::size_t j) {

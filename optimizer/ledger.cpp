@@ -70,7 +70,7 @@ Ledger::Ledger(const Problem& problem, const SearchOptions& options, bool with_g
 }
 
 const Answer& Ledger::at(std::span<const double> unit) {
-  std::string key = bits_of(unit);
+  std::string key = bits_of(problem_.space.from_unit(unit));
   if (const auto found = memo_.find(key); found != memo_.end()) {
     if (++known_in_a_row_ > kKnownInARowMost) {
       end(Termination::stalled, "the algorithm goes round in circles over known points");
@@ -151,6 +151,7 @@ void Ledger::record(const std::vector<double>& unit, const Evaluation& evaluatio
                       (feasible && evaluation.objective < result_.at_best.objective) ||
                       (!feasible && !result_.feasible && violation < result_.violation);
   if (!better) return;
+  best_unit_ = unit;
   result_.best = problem_.space.from_unit(unit);
   result_.at_best = evaluation;
   result_.feasible = feasible;
@@ -181,7 +182,7 @@ std::vector<double> Ledger::told(const Evaluation& evaluation) const {
 double Ledger::objective_penalty() const {
   if (!worst_seen_) return kFirstPenalty;
   const double spread = *worst_seen_ - *best_seen_;
-  const double more = spread > 0.0 ? spread : std::max(1.0, std::abs(*worst_seen_));
+  const double more = spread > 0.0 ? spread : (*worst_seen_ != 0.0 ? std::abs(*worst_seen_) : 1.0);
   // Near the largest double there is no room for more.
   return std::min(*worst_seen_ + more, std::numeric_limits<double>::max());
 }

@@ -43,6 +43,8 @@ class Ledger {
 
   [[nodiscard]] bool has_ended() const { return has_ended_; }
   [[nodiscard]] const SearchResult& result() const { return result_; }
+  /// SearchResult::best on the unit cube; empty before the first answer.
+  [[nodiscard]] const std::vector<double>& best_unit() const { return best_unit_; }
 
  private:
   std::optional<Answer> learn(std::span<const double> unit);
@@ -59,7 +61,7 @@ class Ledger {
   const Problem& problem_;
   const SearchOptions& options_;
   const bool with_gradient_;
-  std::unordered_map<std::string, Answer> memo_;  ///< by the bits of the point
+  std::unordered_map<std::string, Answer> memo_;  ///< by the bits of the point in its own units
   Answer last_words_;
   std::size_t known_in_a_row_ = 0;
   std::deque<bool> recent_;  ///< of the last evaluations: was all of it finite?
@@ -67,6 +69,7 @@ class Ledger {
   std::optional<double> worst_seen_;
   std::vector<double> most_broken_;  ///< by constraint
   bool has_ended_ = false;
+  std::vector<double> best_unit_;
   SearchResult result_;
 };
 

@@ -114,10 +114,12 @@ class Search {
   SearchResult run() {
     seed();
     opt_ = configured();
-    std::vector<double> x = start();
-    double least = 0.0;
-    const nlopt_result code = nlopt_optimize(opt_.get(), x.data(), &least);
-    if (failure_) std::rethrow_exception(failure_);
+    std::vector<double> begin = start();
+    nlopt_result code = optimized(begin);
+    while (begins_again() && has_moved(begin)) {
+      begin = ledger_.best_unit();
+      code = optimized(begin);
+    }
     return concluded(code);
   }
 
@@ -159,6 +161,25 @@ class Search {
   [[nodiscard]] std::vector<double> start() const {
     if (options_.start.empty()) return std::vector<double>(problem_.space.size(), 0.5);
     return problem_.space.to_unit(options_.start);
+  }
+
+  nlopt_result optimized(std::vector<double> x) {
+    double least = 0.0;
+    const nlopt_result code = nlopt_optimize(opt_.get(), x.data(), &least);
+    if (failure_) std::rethrow_exception(failure_);
+    return code;
+  }
+
+  /// Gradient algorithms compare two iterates in a row, which are close after cautious steps too: MMA and CCSAQ, begun
+  /// where constraints are broken, end far from any minimum about every third time (known_minima_test.cpp).
+  [[nodiscard]] bool begins_again() const { return info_of(options_.algorithm).uses_gradient && !ledger_.has_ended(); }
+
+  [[nodiscard]] bool has_moved(const std::vector<double>& begin) const {
+    const std::vector<double>& best = ledger_.best_unit();
+    for (std::size_t k = 0; k < begin.size(); ++k) {
+      if (std::abs(best[k] - begin[k]) > options_.tolerance) return true;
+    }
+    return false;
   }
 
   // -- What NLopt calls. No exception may pass its C frames. ---------------------------------------------------

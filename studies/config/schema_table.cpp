@@ -187,7 +187,7 @@ Table search_keys() {
        .meaning = "What has to hold: outcomes (\"held\", \"not damaged\"), metrics (\"friction_margin_min >= 0.2\"), of a "
                   "robust study \"P(held) >= 0.99\" or \"worst(permanent_set_max_m) <= 1e-4\".",
        .use = Use::search,
-       .note = "[\"held\"], of a robust study [\"P(held) >= 0.99\"], unless given",
+       .note = "\"held\", of a robust study \"P(held) >= 0.99\", is added where no outcome is named; [] is none at all",
        .study_field = study_table<at, &S::constraints>},
       {.path = "search.algorithm",
        .type = choice,
@@ -284,7 +284,7 @@ Table compare_keys() {
   return {
       {.path = "compare.metric",
        .type = text,
-       .meaning = "The metric that decides; less is better, and a product that is not held loses.",
+       .meaning = "The metric that decides: less is better, of friction_margin_min more; a product that is not held loses.",
        .use = use,
        .study_field = study_table<at, &S::metric>},
       {.path = "compare.metrics",

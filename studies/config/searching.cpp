@@ -390,6 +390,15 @@ class Completion {
       auto goal = parsed(element("search.constraints", i), text, parse_constraint(text, context));
       if (goal) search.constraints.push_back(std::move(*goal));
     }
+    // A list that says nothing about outcomes adds to `held`: nobody wants the fastest way to drop a product.
+    const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(), [](const Constraint& c) {
+      return c.kind != Constraint::Kind::metric;
+    });
+    if (!has_outcome && !table.constraints.empty()) {
+      table.constraints.insert(table.constraints.begin(), held_rule(robust));
+      search.constraints.insert(search.constraints.begin(),
+                                std::get<Constraint>(parse_constraint(held_rule(robust), context)));
+    }
     search.algorithm = table.algorithm;
     search.starts = table.starts;
     search.budget = table.budget;
@@ -405,7 +414,7 @@ class Completion {
     const bool robust = kind() == StudyKind::robust;
     const auto given = [&](const char* key) { return base_.given.contains(key); };
     if (!given("search.objective")) table.objective = robust ? "mean(cycle_time_s)" : "cycle_time_s";
-    if (!given("search.constraints")) table.constraints = {robust ? "P(held) >= 0.99" : "held"};
+    if (!given("search.constraints")) table.constraints = {held_rule(robust)};
     if (robust && !given("search.starts")) table.starts = 4;
     if (robust && !given("search.budget")) table.budget = std::max<std::uint64_t>(100, table.starts);
     if (kind() != StudyKind::pareto) return;
@@ -413,8 +422,10 @@ class Completion {
     if (!given("search.budget")) table.budget = 40 * pareto_searches(table);
   }
 
+  static std::string held_rule(bool robust) { return robust ? "P(held) >= 0.99" : "held"; }
+
   static std::uint64_t pareto_searches(const SearchTable& table) {
-    return table.starts * (table.points + 2 * table.objectives.size());  // anchors, ends, points
+    return pareto_search_count(table.objectives.size(), table.points, table.starts);
   }
 
   void add_objectives(const SearchTable& table, SearchSettings& search, GoalContext context) {

@@ -483,6 +483,10 @@ bool is_random(StudyKind kind) {
          kind == StudyKind::sensitivity;
 }
 
+std::uint64_t pareto_search_count(std::uint64_t objectives, std::uint64_t points, std::uint64_t starts) {
+  return objectives * std::max(kAnchorStarts, starts) + (objectives + points) * starts;
+}
+
 Study::Study(std::shared_ptr<const StudyData> data) : data_(std::move(data)) {}
 const std::string& Study::name() const { return data_->settings.name; }
 StudyKind Study::kind() const { return data_->settings.kind; }

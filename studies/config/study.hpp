@@ -97,13 +97,19 @@ struct SearchSettings {
   std::uint64_t points = 8;
 };
 
+/// Searches for the best of each objective of a pareto study alone: 8, or `starts` where that is more; as many as fill a
+/// thread's lanes for two objectives.
+inline constexpr std::uint64_t kAnchorStarts = 8;
+/// Searches of a pareto study: anchors of each objective, ends of the front and points between.
+std::uint64_t pareto_search_count(std::uint64_t objectives, std::uint64_t points, std::uint64_t starts);
+
 /// How random products are drawn.
 struct SamplingSettings {
   DesignKind design = DesignKind::sobol;
   /// >= 2
   std::uint64_t count = 200;
   /// Joint values of the keys that change the factored matrix; 0: every product its own.
-  std::uint64_t factor_groups = 8;
+  std::uint64_t factor_groups = 16;
   /// 0.5 .. 0.9999
   double confidence = 0.95;
 };

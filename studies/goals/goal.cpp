@@ -148,6 +148,8 @@ double statistic_value(const GoalTerm& term, std::span<const ScenarioResult> res
 
 }  // namespace
 
+bool more_is_better(Metric metric) { return metric == Metric::friction_margin_min; }
+
 OutcomeEvent held_event() { return {1U << static_cast<unsigned>(Outcome::held)}; }
 
 std::string event_words(const OutcomeEvent& event) {
@@ -219,6 +221,11 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
   }
   const double part = constraint.kind == Constraint::Kind::probability ? constraint.bound : 1.0;
   return finite(sample_quantile(std::move(each), part));
+}
+
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits) {
+  const std::vector<double> parts = event_violations(event, result, limits);
+  return std::clamp(*std::max_element(parts.begin(), parts.end()), -1.0, 1.0);
 }
 
 bool event_happens(const OutcomeEvent& event, const ScenarioResult& result) { return event.contains(result.outcome); }

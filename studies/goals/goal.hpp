@@ -71,6 +71,9 @@ using Parsed = std::variant<Goal, std::string>;
 
 Parsed<Objective> parse_objective(std::string_view text, GoalContext context);
 Parsed<Constraint> parse_constraint(std::string_view text, GoalContext context);
+/// Is a larger value the better one? Of the friction margin; of all others less is better.
+bool more_is_better(Metric metric);
+
 /// A metric by its name; else "unknown metric 'x'; did you mean 'y'?".
 Parsed<Metric> parse_metric(std::string_view name);
 
@@ -99,6 +102,8 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
                  const LimitParameters& limits);
 
 bool event_happens(const OutcomeEvent& event, const ScenarioResult& result);
+/// How far the event is from not happening: its largest violation, kept within [-1, 1].
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits);
 /// The part of the results in which the event happens.
 double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results);
 

@@ -45,7 +45,7 @@ int report_interrupted(const RunArguments& arguments, RunDirectory& run, const S
 }
 
 int report_finished(const RunArguments& arguments, const Study& study, const RunDirectory& run,
-                    const StudyReport& report, int threads) {
+                    const StudyReport& report, int threads, const std::optional<fs::path>& page) {
   const std::size_t count = report.tables.rows.size();
   print_line(joined({study.name(), ": ", study_kind_word(study.kind()), ", ", with_thousands(count),
                      count == 1 ? " scenario, " : " scenarios, ", with_thousands(report.run_now), " run now in ",
@@ -58,6 +58,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
     print_line(line);
   }
   print_line(joined({"results: ", run.results_path().string()}));
+  if (page) print_line(joined({"report: ", page->string()}));
   print_line(joined({"digest ", rows_digest(report.tables.rows)}));
   std::size_t diverged = 0;
   for (const ScenarioRow& row : report.tables.rows) diverged += row.result.outcome == Outcome::diverged ? 1 : 0;
@@ -122,8 +123,9 @@ int run_command(const RunArguments& arguments) {
                                 {.threads = threads, .stop = &interrupt_requested(), .progress = &progress});
   progress.close();
   if (!report) return report_error(report.error());
+  const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
   return report->interrupted ? report_interrupted(arguments, run, *report)
-                             : report_finished(arguments, *study, run, *report, threads);
+                             : report_finished(arguments, *study, run, *report, threads, page);
 }
 
 int run_one_command(const RunArguments& arguments) {
@@ -154,6 +156,7 @@ int run_one_command(const RunArguments& arguments) {
   const ResultsContent content{.meta = results_meta(*study, true),
                                .inputs = input_columns(*study),
                                .rows = {row},
+                               .tables = {},
                                .window = nullptr,
                                .trace = trace.time_s.empty() ? nullptr : &trace};
   if (auto error = write_results_file(file, content)) return report_error(*error);

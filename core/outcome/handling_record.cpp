@@ -22,7 +22,8 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
   if (has_gripper_) {
     for (Metric metric :
          {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m, Metric::slip_max_m,
-          Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m, Metric::peak_acceleration_m_s2}) {
+          Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m, Metric::peak_acceleration_m_s2,
+          Metric::grip_impulse_N_s}) {
       metrics[metric] = 0.0;
     }
     if (has_product_yield_) metrics[Metric::contact_yield_ratio_max] = 0.0;
@@ -45,6 +46,7 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
               now.time_s);
   if (!has_gripper_) return true;
   observe_grip(now);
+  observe_impulse(now, cycle);
   if (!cycle.has_contact()) {
     if (now.end_of_stroke)
       not_grasped_.at(now.time_s, "the fingers reached the end of their stroke without a contact");
@@ -86,6 +88,20 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
               now.time_s);
   check_limit(Metric::contact_yield_ratio_max, limits_.contact_yield_ratio,
               "contact_yield_ratio_max > limits.contact_yield_ratio", now.time_s);
+}
+
+/// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as continuous
+/// in the strategy as the force is.
+void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingCycle& cycle) {
+  const double normal_N = 0.5 * (now.finger[0].normal_N + now.finger[1].normal_N);
+  const double step_s = now.time_s - impulse_time_s_;
+  const double counted_s = std::clamp(cycle.release_start_s() - impulse_time_s_, 0.0, step_s);
+  if (counted_s > 0.0) {
+    const double end_N = impulse_normal_N_ + (normal_N - impulse_normal_N_) * counted_s / step_s;
+    metrics[Metric::grip_impulse_N_s] += 0.5 * (impulse_normal_N_ + end_N) * counted_s;
+  }
+  impulse_time_s_ = now.time_s;
+  impulse_normal_N_ = normal_N;
 }
 
 void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {

@@ -69,6 +69,7 @@ class HandlingRecord {
   void raise(Metric metric, double value);
   void check_limit(Metric metric, const std::optional<double>& limit, const char* cause, double time_s);
   void observe_grip(const StepObservation& now);
+  void observe_impulse(const StepObservation& now, const HandlingCycle& cycle);
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
   void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
 
@@ -84,6 +85,7 @@ class HandlingRecord {
   double drift_from_s_ = 0, drift_to_s_ = 0;
   std::array<double, 3> drift_from_m_{}, drift_to_m_{};
   bool drift_started_ = false;
+  double impulse_time_s_ = 0, impulse_normal_N_ = 0;  ///< end of the last step
 };
 
 }  // namespace unbruised

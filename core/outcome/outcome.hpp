@@ -59,6 +59,7 @@ enum class Metric : std::uint8_t {
   step_count,
   contact_iterations,
   plasticity_iterations,
+  grip_impulse_N_s,
   count_  // not a metric: the number of them
 };
 
@@ -115,6 +116,8 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::contact_iterations, "contact_iterations", "1", "Gauss-Seidel sweeps over the contacts, all steps"},
     {Metric::plasticity_iterations, "plasticity_iterations", "1",
      "extra solves that plastic flow needed, all steps"},
+    {Metric::grip_impulse_N_s, "grip_impulse_N_s", "N s",
+     "time integral of a finger's normal force, mean of both, up to the release; creep set x dashpot constant"},
 }};
 
 /// The metrics of one scenario; NaN where a metric does not exist for it.

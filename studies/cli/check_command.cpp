@@ -10,7 +10,9 @@
 #include "studies/results/text.hpp"
 #include "studies/runner/cost_estimate.hpp"
 #include "studies/runner/number_text.hpp"
-#include "studies/runner/study_runner.hpp"
+#include "studies/runner/scenario_set.hpp"
+#include "studies/runner/search_study.hpp"
+#include "studies/runner/summary.hpp"
 #include "studies/runner/window_search.hpp"
 
 namespace unbruised::studies {
@@ -38,13 +40,21 @@ struct StudyCost {
   double longest_run_s = 0.0;
 };
 
-StudyCost cost_of(const Study& study) {
+/// Scenarios of a search that are looked at to guess what the others cost.
+constexpr std::size_t kProbedProducts = 64;
+
+/// What is known beforehand: all scenarios, or of a search the strategy as written on some of its products.
+ScenarioSet known_scenarios(const Study& study) {
+  return is_search(study.kind()) ? search_probes(study, kProbedProducts) : scenario_set(study);
+}
+
+StudyCost cost_of(const ScenarioSet& set) {
   StudyCost cost;
   std::unordered_map<std::string, std::size_t> index_of;
-  cost.group_of.reserve(study.scenario_count());
+  cost.group_of.reserve(set.count);
   double fewest_steps = std::numeric_limits<double>::infinity();
-  for (std::size_t point = 0; point < study.scenario_count(); ++point) {
-    const Scenario scenario = study.scenario(point);
+  for (std::size_t point = 0; point < set.count; ++point) {
+    const Scenario scenario = set.scenario(point);
     const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
     if (is_new) {
       cost.groups.push_back({.first = point});
@@ -66,8 +76,11 @@ StudyCost cost_of(const Study& study) {
   return cost;
 }
 
-/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
-double evaluations_per_combination(const Study& study, const StudyCost& cost) {
+/// Evaluations per scenario known beforehand: of a window study from a rehearsal with made-up ends inside the range.
+double evaluations_per_known(const Study& study, const StudyCost& cost) {
+  if (is_search(study.kind())) {
+    return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(cost.group_of.size());
+  }
   if (study.kind() != StudyKind::window) return 1.0;
   const WindowSettings& range = study.window();
   const std::size_t count = std::min(cost.group_of.size(), kRehearsedCombinations);
@@ -119,8 +132,8 @@ double memory_bytes(const StudyCost& cost, int threads) {
   return bytes;
 }
 
-double disk_bytes(const Study& study, const StudyCost& cost, double evaluations) {
-  const double columns = static_cast<double>(kMetricCount + study.inputs().size() + 1) * sizeof(double);
+double disk_bytes(const Study& study, const StudyCost& cost, std::size_t inputs, double evaluations) {
+  const double columns = static_cast<double>(kMetricCount + inputs + 1) * sizeof(double);
   double bytes = evaluations * 2.0 * (columns + kRowBytesBesideColumns);
   if (study.kind() == StudyKind::simulate && study.scenario_count() == 1) {
     constexpr double kTracedPerParticle = 9.0 * sizeof(double);  // displacement, velocity, acceleration
@@ -144,10 +157,10 @@ void print_sizes(const StudyCost& cost) {
                      ", freedoms: ", range(least->freedom_count, most->freedom_count)}));
 }
 
-void warn_about_contact_time(const Study& study, const StudyCost& cost) {
+void warn_about_contact_time(const ScenarioSet& set, const StudyCost& cost) {
   const double steps = cost.shortest_contact_s / cost.time_step_at_shortest_s;
   if (!std::isfinite(steps)) return;
-  const std::string where = inputs_text(input_columns(study), grid_inputs(study, cost.shortest_contact_at));
+  const std::string where = inputs_text(set.columns, set.inputs(cost.shortest_contact_at));
   print_line(joined({"shortest contact: about ", duration_text(cost.shortest_contact_s), ", ", short_number(steps),
                      " time steps"}));
   if (steps >= kStepsPerContact) return;
@@ -162,28 +175,31 @@ void warn_about_contact_time(const Study& study, const StudyCost& cost) {
 int check_command(const StudyArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments);
   if (!study) return kExitInput;
-  const StudyCost cost = cost_of(*study);
+  const ScenarioSet set = known_scenarios(*study);
+  const StudyCost cost = cost_of(set);
   const int threads = thread_count_of(std::nullopt);
-  const double each = evaluations_per_combination(*study, cost);
-  const double evaluations = each * static_cast<double>(study->scenario_count());
+  const double each = evaluations_per_known(*study, cost);
+  const double evaluations = each * static_cast<double>(set.count);
 
   print_line(joined({study->name(), ": ", study_kind_word(study->kind()), ", valid"}));
   if (study->kind() == StudyKind::window) {
     print_line(joined({"combinations: ", with_thousands(study->scenario_count()), ", scenarios: about ",
                        with_thousands(static_cast<unsigned long long>(std::llround(evaluations)))}));
+  } else if (is_search(study->kind())) {
+    print_line(joined({"scenarios: at most ", with_thousands(evaluations_at_most(*study)), ", checks of the best included"}));
   } else {
-    print_line(joined({"scenarios: ", with_thousands(study->scenario_count())}));
+    print_line(joined({"scenarios: ", with_thousands(set.count)}));
   }
   print_sizes(cost);
   print_line(joined({"memory: about ", bytes_text(memory_bytes(cost, threads))}));
-  print_line(joined({"disk: about ", bytes_text(disk_bytes(*study, cost, evaluations))}));
+  print_line(joined({"disk: about ", bytes_text(disk_bytes(*study, cost, set.columns.size(), evaluations))}));
   print_line(joined({"time: about ", duration_text(compute_seconds(cost, each) / threads), " on ",
                      std::to_string(threads), threads == 1 ? " thread" : " threads", " (up to ",
                      duration_text(cost.longest_run_s), " simulated per scenario; steps x ",
                      short_number(1e9 * kLaneStepSecondsPerFactorEntry),
                      " ns per lane and entry of the factor as measured on an AVX-512 core, without factoring; "
                      "expect a factor of two either way)"}));
-  warn_about_contact_time(*study, cost);
+  warn_about_contact_time(set, cost);
   return kExitDone;
 }
 

@@ -14,11 +14,10 @@ std::size_t rows_run(const StudyTables& tables) {
 
 std::string state_line(const RecordedStudy& recorded) {
   const std::string done = with_thousands(rows_run(recorded.tables));
-  const std::uint64_t rows = recorded.wanted.value_or(recorded.tables.rows.size());
   std::string text = joined({recorded.meta.study_name, ": ", recorded.meta.study_kind, ", "});
   if (recorded.meta.complete) return text + joined({"complete, ", done, done == "1" ? " scenario" : " scenarios"});
   text += joined({"not complete, ", done});
-  if (recorded.meta.study_kind != "window") text += joined({" of ", with_thousands(rows)});
+  if (recorded.wanted) text += joined({" of ", with_thousands(*recorded.wanted)});
   return text + " scenarios so far";
 }
 

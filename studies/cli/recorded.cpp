@@ -14,6 +14,7 @@
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/text.hpp"
+#include "studies/runner/scenario_set.hpp"
 #include "studies/runner/study_runner.hpp"
 
 namespace unbruised::studies {
@@ -30,7 +31,8 @@ RecordedStudy from_summary(ResultsSummary summary, const fs::path& source) {
   return {.meta = std::move(summary.meta),
           .tables = {.inputs = std::move(summary.inputs),
                      .rows = std::move(summary.rows),
-                     .window = std::move(summary.window)},
+                     .window = std::move(summary.window),
+                     .found = std::move(summary.tables)},
           .has_trace = summary.has_trace,
           .source = source,
           .from_journal = false,
@@ -72,9 +74,10 @@ Expected<RecordedStudy> from_journals(const fs::path& directory) {
   recorded.meta.unbruised_version.clear();
   recorded.tables.inputs = input_columns(study);
   recorded.tables.rows = std::move(*rows);
+  if (is_search(study.kind())) number_search_rows(recorded.tables.rows);
   recorded.source = directory;
   recorded.from_journal = true;
-  if (study.kind() != StudyKind::window) recorded.wanted = study.scenario_count();
+  if (has_fixed_scenarios(study.kind())) recorded.wanted = scenario_set(study).count;
   return recorded;
 }
 

@@ -15,6 +15,7 @@
 #include "studies/runner/build_info.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/progress.hpp"
+#include "studies/runner/scenario_set.hpp"
 #include "studies/runner/study_runner.hpp"
 
 namespace unbruised::studies {
@@ -44,6 +45,17 @@ int report_interrupted(const RunArguments& arguments, RunDirectory& run, const S
   return status == 0 ? kExitInternal : status;
 }
 
+/// "lanes: 93 % busy; 12 of the questions had been asked before"
+std::string lanes_line(const Study& study, const StudyReport& report) {
+  std::string line = joined({"lanes: ", short_number(100.0 * report.lane_use.occupancy()), " % busy"});
+  if (is_search(study.kind())) line += " while searching";
+  if (report.seconds > 0.0 && report.run_now > 0) {
+    line += joined({", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
+  }
+  if (report.from_memory > 0) line += joined({"; ", with_thousands(report.from_memory), " answered from memory"});
+  return line;
+}
+
 int report_finished(const RunArguments& arguments, const Study& study, const RunDirectory& run,
                     const StudyReport& report, int threads, const std::optional<fs::path>& page) {
   const std::size_t count = report.tables.rows.size();
@@ -52,6 +64,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
                      duration_text(report.seconds), " on ", std::to_string(threads),
                      threads == 1 ? " thread" : " threads"}));
   for (const std::string& line : summary_lines(report.tables, study_kind_word(study.kind()))) print_line(line);
+  if (report.lane_use.lane_steps > 0) print_line(lanes_line(study, report));
   RunArguments replay = arguments;
   replay.threads.reset();
   for (const std::string& line : replay_lines(report.tables, joined({command_of(replay), " --scenario"}))) {
@@ -86,13 +99,14 @@ void compare_with_recorded(const ScenarioResult& result, const std::optional<Sce
                   : "differs from the recorded row, which another build must have written");
 }
 
-/// The scenario of an id. Those of a window study are known once they have been evaluated.
+/// The scenario of an id. Those of a search are known once they have been evaluated.
 std::optional<Scenario> scenario_of_id(const Study& study, const fs::path& directory, std::uint64_t id,
                                        const std::optional<ScenarioRow>& recorded) {
-  if (study.kind() != StudyKind::window) {
-    if (id < study.scenario_count()) return study.scenario(id);
+  if (has_fixed_scenarios(study.kind())) {
+    const ScenarioSet set = scenario_set(study);
+    if (id < set.count) return set.scenario(id);
     print_error(joined({"--scenario ", std::to_string(id), ": the study has the scenarios 0 to ",
-                        std::to_string(study.scenario_count() - 1)}));
+                        std::to_string(set.count - 1)}));
     return std::nullopt;
   }
   std::optional<Scenario> scenario = recorded ? scenario_of_row(study, *recorded) : std::nullopt;
@@ -151,11 +165,13 @@ int run_one_command(const RunArguments& arguments) {
   }
   ScenarioRow row{.id = id,
                   .result = *result,
-                  .inputs = study->kind() == StudyKind::window ? recorded->inputs : grid_inputs(*study, id)};
+                  .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
+                  .place = {}};
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
   const ResultsContent content{.meta = results_meta(*study, true),
                                .inputs = input_columns(*study),
                                .rows = {row},
+                               .rows_of_search = false,
                                .tables = {},
                                .window = nullptr,
                                .trace = trace.time_s.empty() ? nullptr : &trace};

@@ -414,7 +414,7 @@ class Completion {
   }
 
   static std::uint64_t pareto_searches(const SearchTable& table) {
-    return table.starts * (table.points + table.objectives.size());
+    return table.starts * (table.points + 2 * table.objectives.size());  // anchors, ends, points
   }
 
   void add_objectives(const SearchTable& table, SearchSettings& search, GoalContext context) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "optimizer/pareto.hpp"
 #include "studies/results/text.hpp"
 #include "studies/statistics/design.hpp"
 
@@ -11,6 +12,11 @@ namespace unbruised::studies {
 namespace {
 
 using Point = std::vector<double>;
+
+/// The other objectives enter with this weight, scaled to the front, so that of strategies equal in what is asked for
+/// the search takes the one that no other beats (augmented epsilon-constraint, Mavrotas 2009; augmented Chebyshev norm,
+/// Steuer and Choo 1983).
+constexpr double kAugmentation = 1e-3;
 
 /// The box that the anchors span: where each objective is best, and how far it is given up for the others.
 struct ObjectiveBox {
@@ -67,13 +73,33 @@ PlannedSearch plain_search(const StrategyJudge& judge, const Point& start, std::
   return plan;
 }
 
+double scaled_sum(const Candidate& candidate, const ObjectiveBox& box) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < box.ideal.size(); ++k) {
+    sum += (candidate.objectives[k] - box.ideal[k]) / box.range[k];
+  }
+  return sum;
+}
+
+/// Minimise one objective, and where that leaves a choice the others.
+PlannedSearch end_search(const StrategyJudge& judge, const Point& start, std::size_t evaluations,
+                         const ObjectiveBox& box, std::size_t objective) {
+  PlannedSearch plan = plain_search(judge, start, evaluations, objective);
+  plan.worth = [box, objective](const Candidate& candidate, double) {
+    const double own = (candidate.objectives[objective] - box.ideal[objective]) / box.range[objective];
+    return optimizer::Evaluation{own + kAugmentation * scaled_sum(candidate, box), candidate.components};
+  };
+  return plan;
+}
+
 /// Minimise the first objective while the others stay below their epsilon.
 PlannedSearch epsilon_search(const StrategyJudge& judge, const Point& start, std::size_t evaluations,
                              const ObjectiveBox& box, const std::vector<double>& position) {
   PlannedSearch plan = plain_search(judge, start, evaluations, 0);
   plan.constraint_count += position.size();
   plan.worth = [box, position](const Candidate& candidate, double) {
-    optimizer::Evaluation worth{candidate.objectives[0], candidate.components};
+    const double own = (candidate.objectives[0] - box.ideal[0]) / box.range[0];
+    optimizer::Evaluation worth{own + kAugmentation * scaled_sum(candidate, box), candidate.components};
     for (std::size_t k = 0; k < position.size(); ++k) {
       const double epsilon = box.ideal[k + 1] + position[k] * box.range[k + 1];
       worth.constraints.push_back((candidate.objectives[k + 1] - epsilon) / box.range[k + 1]);
@@ -91,7 +117,7 @@ PlannedSearch chebyshev_search(const StrategyJudge& judge, const Point& start, s
   plan.slack = optimizer::Variable{"slack", "1", 0.0, 1.0, optimizer::Scale::linear};
   plan.constraint_count += weights.size();
   plan.worth = [box, weights](const Candidate& candidate, double slack) {
-    optimizer::Evaluation worth{slack, candidate.components};
+    optimizer::Evaluation worth{slack + kAugmentation * scaled_sum(candidate, box), candidate.components};
     for (std::size_t k = 0; k < weights.size(); ++k) {
       worth.constraints.push_back(weights[k] * (candidate.objectives[k] - box.ideal[k]) / box.range[k] - slack);
     }
@@ -121,6 +147,30 @@ const Candidate* best_start(const PlannedSearch& plan, const std::vector<Candida
 
 }  // namespace
 
+const Candidate* winner(const Study& study, const std::vector<Candidate>& candidates) {
+  if (study.kind() != StudyKind::pareto) return best_feasible(candidates, 0);
+  const std::vector<const Candidate*> front = front_of(candidates);
+  if (front.empty()) return nullptr;
+  std::vector<optimizer::Objectives> points;
+  for (const Candidate* candidate : front) points.push_back(candidate->objectives);
+  return front[optimizer::knee(points)];
+}
+
+std::vector<const Candidate*> front_of(const std::vector<Candidate>& candidates) {
+  std::vector<const Candidate*> feasible;
+  std::vector<optimizer::Objectives> points;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.feasible()) continue;
+    feasible.push_back(&candidate);
+    points.push_back(candidate.objectives);
+  }
+  std::vector<const Candidate*> front;
+  for (const std::size_t i : optimizer::nondominated(points)) front.push_back(feasible[i]);
+  std::sort(front.begin(), front.end(),
+            [](const Candidate* a, const Candidate* b) { return a->objectives < b->objectives; });
+  return front;
+}
+
 std::vector<PlannedSearch> plan_multistart(const Study& study, const StrategyJudge& judge,
                                            const std::vector<std::vector<double>>& starts) {
   const std::size_t each = study.search().budget / starts.size();
@@ -131,7 +181,8 @@ std::vector<PlannedSearch> plan_multistart(const Study& study, const StrategyJud
 
 ParetoBudget pareto_budget(const Study& study) {
   const SearchSettings& search = study.search();
-  const std::size_t problems = search.objectives.size() + search.points;
+  // Anchors and ends of each objective, and the points between.
+  const std::size_t problems = 2 * search.objectives.size() + search.points;
   ParetoBudget budget;
   budget.starts = search.starts;
   budget.evaluations_each = std::max<std::size_t>(1, search.budget / (problems * search.starts));
@@ -158,6 +209,13 @@ std::vector<PlannedSearch> plan_points(const Study& study, const StrategyJudge& 
   if (best_feasible(known, 0) == nullptr) return searches;
   const ObjectiveBox box = objective_box(known, objectives);
   const std::size_t each = pareto_budget(study).evaluations_each;
+  for (std::size_t k = 0; k < objectives; ++k) {
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+      const Point& start = s == 0 ? best_feasible(known, k)->values : starts[s];
+      searches.push_back(end_search(judge, start, each, box, k));
+      searches.back().purpose = joined({"end of least ", judge.objectives()[k].text});
+    }
+  }
   std::size_t number = 0;
   for (const std::vector<double>& position : positions(study.search().points, objectives)) {
     ++number;
@@ -165,8 +223,7 @@ std::vector<PlannedSearch> plan_points(const Study& study, const StrategyJudge& 
       PlannedSearch plan = study.search().method == ParetoMethod::chebyshev
                                ? chebyshev_search(judge, starts[s], each, box, weights_at(position))
                                : epsilon_search(judge, starts[s], each, box, position);
-      if (s == 0) {
-        const Candidate* nearest = best_start(plan, known);
+      if (const Candidate* nearest = s == 0 ? best_start(plan, known) : nullptr) {
         std::copy(nearest->values.begin(), nearest->values.end(), plan.start.begin());
       }
       plan.purpose = joined({"point ", std::to_string(number)});

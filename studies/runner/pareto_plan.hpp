@@ -32,6 +32,11 @@ struct PlannedSearch {
 std::vector<PlannedSearch> plan_multistart(const Study& study, const StrategyJudge& judge,
                                            const std::vector<std::vector<double>>& starts);
 
+/// The strategies that no other beats in every objective, by their objectives; feasible ones only.
+std::vector<const Candidate*> front_of(const std::vector<Candidate>& candidates);
+/// The strategy that is checked again: the best, of a pareto study the knee of the front; nullptr: none is feasible.
+const Candidate* winner(const Study& study, const std::vector<Candidate>& candidates);
+
 /// How a pareto study spends its budget.
 struct ParetoBudget {
   std::size_t starts = 1;                 ///< of each anchor and each point

@@ -24,6 +24,13 @@ constexpr std::size_t kCheckedProducts = 32;
 constexpr const char* kTimeStepKey = "simulation.time_step_s";
 constexpr const char* kCellSizeKey = "product.cell_size_m";
 
+ProductSample first_products(const ProductSample& all, std::size_t count) {
+  ProductSample some = all;
+  some.group.resize(std::min(count, all.size()));
+  some.values.resize(some.group.size() * all.keys.size());
+  return some;
+}
+
 /// Keys of the checks that the study does not vary itself.
 std::vector<std::string> numeric_keys(const Study& study) {
   std::vector<std::string> keys;
@@ -224,9 +231,9 @@ class SearchStudy {
   // -- Checks. ---------------------------------------------------------------------------------------------
 
   void run_checks() {
-    const Candidate* best = best_feasible(found_.candidates, 0);
+    const Candidate* best = winner(study_, found_.candidates);
     if (best == nullptr) return;
-    std::vector<Point> points = {best->values};
+    const std::vector<Point> points = {best->values};
     run_stage({[&] { check_all(points); }});
     if (interrupted_) found_.checks.clear();
   }
@@ -255,19 +262,14 @@ class SearchStudy {
 
   bool check(const std::string& name, const std::optional<Change>& change, const std::vector<Point>& points,
              const ProductSample& products, std::size_t generation) {
-    const auto candidates = ask({found_.searches.size(), generation, 0}, points, products, change);
+    // Behind the last search; the strategy as written counts as one.
+    const std::size_t number = std::max<std::size_t>(1, found_.searches.size());
+    const auto candidates = ask({number, generation, 0}, points, products, change);
     if (!candidates) return false;
     Check done{.name = name, .what = {}, .candidate = candidates->front(), .outcome = {}};
     if (change) done.what = joined({change->key, " = ", short_number(change->value)});
     found_.checks.push_back(std::move(done));
     return true;
-  }
-
-  static ProductSample first_products(const ProductSample& all, std::size_t count) {
-    ProductSample some = all;
-    some.group.resize(std::min(count, all.size()));
-    some.values.resize(some.group.size() * all.keys.size());
-    return some;
   }
 
   const StrategyJudge& judge_;
@@ -301,6 +303,31 @@ Scenario scenario_of_search_inputs(const Study& study, const std::vector<InputVa
 
 SearchFindings run_searches(const StrategyJudge& judge, EvaluationBroker& broker) {
   return SearchStudy(judge, broker).run();
+}
+
+ScenarioSet search_probes(const Study& study, std::size_t count) {
+  const std::vector<std::string> keys = numeric_keys(study);
+  ProductSample products;
+  if (study.kind() == StudyKind::robust) {
+    products = first_products(draw_products(study, study.sampling().count, derived_seed(study.seed(), kProducts)), count);
+  }
+  ScenarioSet set;
+  set.count = std::max<std::size_t>(1, products.size());
+  set.columns = search_columns(study);
+  const auto values_of = [study, keys, products](std::size_t id) {
+    std::vector<double> values;
+    for (const std::string& key : keys) values.push_back(study.base_value(key).value_or(kAbsent));
+    for (std::size_t k = 0; k < products.keys.size(); ++k) {
+      values[study.variables().size() + k] = products.at(id)[k];
+    }
+    return values;
+  };
+  set.scenario = [study, keys, values_of](std::size_t id) { return study.scenario_with(keys, values_of(id)); };
+  set.inputs = [values_of](std::size_t id) {
+    const std::vector<double> values = values_of(id);
+    return std::vector<InputValue>(values.begin(), values.end());
+  };
+  return set;
 }
 
 std::size_t evaluations_at_most(const Study& study) {

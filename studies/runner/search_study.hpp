@@ -15,6 +15,7 @@
 #include "studies/results/rows.hpp"
 #include "studies/runner/evaluation_broker.hpp"
 #include "studies/runner/product_sample.hpp"
+#include "studies/runner/scenario_set.hpp"
 #include "studies/runner/strategy_judge.hpp"
 
 namespace unbruised::studies {
@@ -51,6 +52,9 @@ Scenario scenario_of_search_inputs(const Study& study, const std::vector<InputVa
 
 /// Runs all searches and checks. Throws what the broker throws.
 SearchFindings run_searches(const StrategyJudge& judge, EvaluationBroker& broker);
+
+/// Scenarios such as the study will ask for: the strategy as written on the first products, at most `count` of them.
+ScenarioSet search_probes(const Study& study, std::size_t count);
 
 /// Evaluations that the study may ask for, at most, checks included; for progress and `check`.
 std::size_t evaluations_at_most(const Study& study);

@@ -12,8 +12,13 @@
 #include "studies/results/text.hpp"
 #include "studies/runner/batch_runner.hpp"
 #include "studies/runner/build_info.hpp"
+#include "studies/runner/evaluation_broker.hpp"
+#include "studies/runner/found_tables.hpp"
 #include "studies/runner/grip_window.hpp"
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/scenario_set.hpp"
+#include "studies/runner/search_study.hpp"
+#include "studies/runner/strategy_judge.hpp"
 #include "studies/runner/verdict.hpp"
 #include "studies/runner/window_search.hpp"
 
@@ -53,7 +58,7 @@ std::optional<std::size_t> column_of(const Study& study, const std::string& key)
 class StudyRun {
  public:
   StudyRun(const Study& study, RunDirectory& run, const Simulator& simulator, const StudyRunOptions& options)
-      : study_(study), run_(run), simulator_(simulator), options_(options) {}
+      : study_(study), run_(run), simulator_(simulator), options_(options), set_(scenario_set(study)) {}
 
   Expected<StudyReport> execute() {
     const auto start = std::chrono::steady_clock::now();
@@ -71,8 +76,9 @@ class StudyRun {
  private:
   void run_kind() {
     if (study_.kind() == StudyKind::window) return run_window();
+    if (is_search(study_.kind())) return run_search();
     if (study_.kind() == StudyKind::simulate && study_.scenario_count() == 1) return run_traced();
-    run_grid();
+    run_set();
   }
 
   // simulate: one scenario with its trace. The trace is not in the journal, so a resumed run makes it again.
@@ -87,20 +93,63 @@ class StudyRun {
     has_trace_ = !report_.interrupted;
   }
 
-  // sweep: every point of the grid that is not done yet.
-  void run_grid() {
+  // sweep, sample, compare, sensitivity: every scenario that is not done yet.
+  void run_set() {
     Batch batch;
-    for (std::uint64_t id = 0; id < study_.scenario_count(); ++id) {
+    for (std::uint64_t id = 0; id < set_.count; ++id) {
       if (!run_.is_done(id)) batch.ids.push_back(id);
     }
-    batch.scenario = [this](std::uint64_t id) { return study_.scenario(id); };
-    expect(study_.scenario_count(), study_.scenario_count() - batch.ids.size());
+    batch.scenario = set_.scenario;
+    expect(set_.count, set_.count - batch.ids.size());
     const BatchReport done =
         run_batch(simulator_, batch, batch_options(), [this](std::uint64_t id, const ScenarioResult& result) {
-          record({.id = id, .result = result, .inputs = grid_inputs(study_, id)});
+          record({.id = id, .result = result, .inputs = set_.inputs(id)});
         });
+    report_.lane_use = done.lane_use;
     report_.interrupted = done.stopped;
-    if (!report_.interrupted) report_.tables.window = window_of_sweep(study_, run_.rows());
+    if (!report_.interrupted) look_at_set(run_.rows());
+  }
+
+  void look_at_set(const std::vector<ScenarioRow>& rows) {
+    switch (study_.kind()) {
+      case StudyKind::sweep:
+        report_.tables.window = window_of_sweep(study_, rows);
+        return;
+      case StudyKind::sample:
+        report_.tables.found = sample_tables(study_, rows);
+        return;
+      case StudyKind::compare:
+        report_.tables.found = compare_tables(study_, rows);
+        return;
+      case StudyKind::sensitivity:
+        report_.tables.found = sensitivity_tables(study_, rows);
+        return;
+      default:
+        return;
+    }
+  }
+
+  // optimize, robust, pareto: searches that ask one broker; recorded answers are not computed again.
+  void run_search() {
+    if (options_.progress != nullptr) options_.progress->total_may_grow();
+    const std::vector<ScenarioRow> recorded = run_.rows();
+    expect(evaluations_at_most(study_), recorded.size());
+    const StrategyJudge judge(study_);
+    EvaluationBroker broker(
+        simulator_, recorded, [this](const ScenarioRow& row, bool) { record(row); },
+        {.threads = options_.threads, .stop = options_.stop, .concurrent_searches = options_.concurrent_searches});
+    SearchFindings found;
+    try {
+      found = run_searches(judge, broker);
+    } catch (const EvaluationBroker::ForeignRecord& foreign) {
+      throw foreign_record(journal_id(foreign.place));
+    }
+    report_.interrupted = found.interrupted;
+    report_.lane_use = found.searching;
+    report_.from_memory = broker.counts().from_memory;
+    std::vector<ScenarioRow> rows = run_.rows();
+    number_search_rows(rows);
+    report_.tables.found = search_tables(judge, found, rows);
   }
 
   // window: rounds of evaluations, each answered from the journal where it can be.
@@ -165,14 +214,17 @@ class StudyRun {
     const auto found = recorded_.find(request.id);
     if (found == recorded_.end()) return false;
     if (found->second.inputs != evaluation_inputs(request)) {
-      throw JournalFailure{
-          {ResultsErrorKind::damaged,
-           joined({"evaluation ", std::to_string(request.id), " in the journal of ", run_.directory().string(),
-                   " is another one than this search asks for: it was written by another build or "
-                   "is damaged. Use --fresh to move it aside and start anew"}),
-           {}}};
+      throw foreign_record(request.id);
     }
     return true;
+  }
+
+  [[nodiscard]] JournalFailure foreign_record(std::uint64_t id) const {
+    return {{ResultsErrorKind::damaged,
+             joined({"evaluation ", std::to_string(id), " in the journal of ", run_.directory().string(),
+                     " is another one than this search asks for: it was written by another build or "
+                     "is damaged. Use --fresh to move it aside and start anew"}),
+             {}}};
   }
 
   WindowTable window_table(const std::vector<WindowRow>& found) const {
@@ -205,19 +257,22 @@ class StudyRun {
     content.meta = results_meta(study_, !report_.interrupted);
     content.inputs = input_columns(study_);
     if (report_.interrupted) content.rows = rows_not_run();
+    content.rows_of_search = is_search(study_.kind());
+    content.tables = report_.tables.found;
     content.window = report_.tables.window ? &*report_.tables.window : nullptr;
     content.trace = has_trace_ ? &trace_ : nullptr;
     if (auto error = run_.finish(std::move(content))) return error;
     report_.tables.inputs = input_columns(study_);
     report_.tables.rows = run_.rows();
+    if (is_search(study_.kind())) number_search_rows(report_.tables.rows);
     return {};
   }
 
   std::vector<ScenarioRow> rows_not_run() const {
     std::vector<ScenarioRow> rows;
-    if (study_.kind() == StudyKind::window) return rows;
-    for (std::uint64_t id = 0; id < study_.scenario_count(); ++id) {
-      if (!run_.is_done(id)) rows.push_back({.id = id, .result = {}, .inputs = grid_inputs(study_, id)});
+    if (!has_fixed_scenarios(study_.kind())) return rows;
+    for (std::uint64_t id = 0; id < set_.count; ++id) {
+      if (!run_.is_done(id)) rows.push_back({.id = id, .result = {}, .inputs = set_.inputs(id)});
     }
     return rows;
   }
@@ -232,6 +287,7 @@ class StudyRun {
   RunDirectory& run_;
   const Simulator& simulator_;
   const StudyRunOptions& options_;
+  const ScenarioSet set_;
   std::unordered_map<std::uint64_t, ScenarioRow> recorded_;
   Trace trace_;
   bool has_trace_ = false;
@@ -258,27 +314,15 @@ ResultsMeta results_meta(const Study& study, bool complete) {
   return meta;
 }
 
+bool has_fixed_scenarios(StudyKind kind) { return kind != StudyKind::window && !is_search(kind); }
+
 std::vector<ColumnInfo> input_columns(const Study& study) {
-  std::vector<ColumnInfo> columns;
-  for (const InputColumn& input : study.inputs()) {
-    columns.push_back({.key = input.key, .units = input.units, .long_name = {}});
-  }
+  if (is_search(study.kind())) return search_columns(study);
+  std::vector<ColumnInfo> columns = scenario_set(study).columns;
   if (study.kind() == StudyKind::window) {
     columns.push_back({.key = kGripForceKey, .units = "N", .long_name = "drive force limit of each finger"});
   }
   return columns;
-}
-
-std::vector<InputValue> grid_inputs(const Study& study, std::size_t point) {
-  std::vector<InputValue> values;
-  for (std::size_t i = 0; i < study.inputs().size(); ++i) {
-    if (study.inputs()[i].is_text) {
-      values.emplace_back(study.input_text(point, i));
-    } else {
-      values.emplace_back(study.input_number(point, i));
-    }
-  }
-  return values;
 }
 
 Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N) {
@@ -289,10 +333,12 @@ Scenario window_scenario(const Study& study, std::size_t point, double grip_forc
 }
 
 std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row) {
-  if (study.kind() != StudyKind::window) {
-    if (row.id >= study.scenario_count()) return std::nullopt;
-    return study.scenario(row.id);
+  if (has_fixed_scenarios(study.kind())) {
+    const ScenarioSet set = scenario_set(study);
+    if (row.id >= set.count) return std::nullopt;
+    return set.scenario(row.id);
   }
+  if (is_search(study.kind())) return scenario_of_search_inputs(study, row.inputs);
   if (row.inputs.empty() || !std::holds_alternative<double>(row.inputs.back())) return std::nullopt;
   const std::vector<InputValue> combination(row.inputs.begin(), row.inputs.end() - 1);
   for (std::size_t point = 0; point < study.scenario_count(); ++point) {

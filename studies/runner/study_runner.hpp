@@ -16,6 +16,7 @@
 #include "studies/results/expected.hpp"
 #include "studies/results/rows.hpp"
 #include "studies/results/run_directory.hpp"
+#include "studies/runner/lane_scheduler.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/simulator.hpp"
 #include "studies/runner/summary.hpp"
@@ -27,6 +28,8 @@ struct StudyRunOptions {
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< may be null
   Progress* progress = nullptr;             ///< may be null
+  /// > 0; searches that run at the same time (one: one after the other, for benchmarks; the same results)
+  std::size_t concurrent_searches = 256;
 };
 
 struct StudyReport {
@@ -34,6 +37,8 @@ struct StudyReport {
   bool interrupted = false;
   double seconds = 0.0;
   std::size_t run_now = 0;  ///< scenarios that were not in the journal
+  LaneUse lane_use;         ///< how full the lanes were; of a search: while it searched
+  std::size_t from_memory = 0;  ///< questions of a search that had been asked before
 };
 
 /// Runs what is left of a study and writes results.h5, also when interrupted (complete = 0).
@@ -44,10 +49,12 @@ Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Sim
 /// What the root of a results file says about this study.
 ResultsMeta results_meta(const Study& study, bool complete);
 
-/// The input columns of a study's rows: its varied keys, and for a window study the grip force.
+/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched and
+/// drawn.
 std::vector<ColumnInfo> input_columns(const Study& study);
-/// The values of the varied keys at one point of the study's grid.
-std::vector<InputValue> grid_inputs(const Study& study, std::size_t point);
+/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are known
+/// once they have been asked for.
+bool has_fixed_scenarios(StudyKind kind);
 
 /// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds
 /// it.

@@ -8,6 +8,7 @@
 
 #include "studies/results/digest.hpp"
 #include "studies/results/text.hpp"
+#include "studies/runner/found_lines.hpp"
 #include "studies/runner/grip_window.hpp"
 #include "studies/runner/number_text.hpp"
 
@@ -257,7 +258,9 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   const bool has_cycles = std::any_of(tables.rows.begin(), tables.rows.end(), [](const ScenarioRow& row) {
     return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
   });
-  if (has_cycles) lines.push_back(best_line(tables));
+  for (std::string& line : found_lines(tables.found)) lines.push_back(std::move(line));
+  // Kinds that find something say themselves what is best.
+  if (has_cycles && tables.found.empty()) lines.push_back(best_line(tables));
   return lines;
 }
 

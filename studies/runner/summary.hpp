@@ -18,6 +18,7 @@ struct StudyTables {
   std::vector<ColumnInfo> inputs;
   std::vector<ScenarioRow> rows;  ///< by id; those not run yet may be there as not_run
   std::optional<WindowTable> window;
+  std::vector<ResultTable> found;  ///< what the study kind found beside (docs/results.md)
 };
 
 /// The last part of a dotted key: "grip_force_N".

@@ -31,6 +31,7 @@ MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, 
   const ResultsContent content{.meta = recorded.meta,
                                .inputs = recorded.tables.inputs,
                                .rows = recorded.tables.rows,
+                               .rows_of_search = false,
                                .tables = recorded.tables.found,
                                .window = recorded.tables.window ? &*recorded.tables.window : nullptr,
                                .trace = recorded.has_trace ? &trace : nullptr};

@@ -145,15 +145,16 @@ function bestAnswer(study) {
   const objective = typeof best.attributes.objective === "string" ? best.attributes.objective : "objective";
   const value = best.at("objective", 0);
   const units = study.scenarios.column(objective)?.units ?? best.column("objective")?.units ?? "";
-  const probability = best.attributes.probability;
+  const known = (name) => best.at(name, 0) ?? best.attributes[name] ?? null;
   const event = typeof best.attributes.event === "string" ? best.attributes.event : "held";
   const facts = [
     fact(study.scenarios.column(objective) ? label(objective) : "Objective", quantity(value, units), study.scenarios.column(objective) ? "the objective, to be least" : objective),
-    typeof probability === "number"
-      ? probabilityFact(`Probability of ${event}`, probability, best.attributes.probability_low ?? null, best.attributes.probability_high ?? null, confidenceText(best))
-      : null,
+    probabilityFact(`Probability of ${event}`, known("probability"), known("probability_low"), known("probability_high"), confidenceText(best)),
+    typeof best.attributes.products === "number" ? fact("Judged on", plural(best.attributes.products, "product"), "the same ones for every strategy") : null,
+    onOtherProducts(study),
     bestVerified(study),
   ];
+  const wide = typeof best.attributes.at_bounds === "string" && best.attributes.at_bounds ? h("p", { class: "soft" }, `At the end of its range: ${best.attributes.at_bounds}. A wider range may do better.`) : null;
   if (!feasible) {
     return {
       kicker: study.kind === "robust" ? "Robust strategy" : "Best strategy",
@@ -167,10 +168,17 @@ function bestAnswer(study) {
   return {
     kicker: study.kind === "robust" ? "Best strategy over the products of this study" : "Best strategy",
     headline: strategyList(best, 0),
-    verdict: verdict("good", "Meets every constraint"),
+    verdict: bestVerdict(study),
     sentence: sentenceOf(best, ""),
+    extra: [wide],
     facts,
   };
+}
+
+function bestVerdict(study) {
+  const checks = study.tables.get("verification");
+  const broken = Array.from({ length: checks?.rows ?? 0 }, (_, row) => row).filter((row) => isBroken(checks, row));
+  return broken.length ? verdict("warn", `Meets every constraint as searched, but not when checked with ${listed(broken.map((row) => checks.at("check", row)))}`) : verdict("good", "Meets every constraint");
 }
 
 function closest(best) {
@@ -178,18 +186,31 @@ function closest(best) {
   return violation === null ? null : h("p", { class: "soft" }, `It breaks its worst constraint by ${number(violation, 3)} of the bound.`);
 }
 
+/** Rows of `verification` that look at the strategy again; row 0 may be the strategy as found. */
+export function isBroken(checks, row) {
+  return checks.column("feasible") ? checks.at("feasible", row) === 0 : (checks.at("violation", row) ?? 0) > 0;
+}
+
 function bestVerified(study) {
   const checks = study.tables.get("verification");
-  if (!checks || checks.rows === 0) return null;
-  const changes = [];
-  let broken = 0;
-  for (let row = 0; row < checks.rows; row += 1) {
-    if ((checks.at("violation", row) ?? 0) > 0) broken += 1;
-    const change = checks.at("objective_change", row);
-    if (change !== null) changes.push(Math.abs(change));
+  if (!checks) return null;
+  const rows = Array.from({ length: checks.rows }, (_, row) => row).filter((row) => checks.at("check", row) !== "as found");
+  if (rows.length === 0) return null;
+  const broken = rows.filter((row) => isBroken(checks, row));
+  const changes = rows.map((row) => checks.at("objective_change", row)).filter((change) => change !== null);
+  const remark = changes.length ? `the objective moves by at most ${percent(Math.max(...changes.map(Math.abs)))}` : null;
+  return fact("Checked again", broken.length === 0 ? "Every constraint kept" : `${broken.length} of ${plural(rows.length, "check")} broken`, broken.length ? `${listed(broken.map((row) => checks.at("check", row)))}: ${checks.at("binding", broken[0]) ?? "a constraint"}` : remark);
+}
+
+/** The probability on products the search never saw is the one to believe. */
+function onOtherProducts(study) {
+  const checks = study.tables.get("verification");
+  for (let row = 0; row < (checks?.rows ?? 0); row += 1) {
+    if (/products/.test(checks.at("check", row) ?? "") && checks.at("probability", row) !== null) {
+      return probabilityFact("On products it never saw", checks.at("probability", row), checks.at("probability_low", row), checks.at("probability_high", row), confidenceText(study.tables.get("best")));
+    }
   }
-  const remark = changes.length ? `objective moves by at most ${percent(Math.max(...changes))}` : null;
-  return fact("Checked again", broken === 0 ? `${checks.rows} of ${checks.rows} hold` : `${checks.rows - broken} of ${checks.rows} hold`, remark);
+  return null;
 }
 
 function kneeRow(front) {
@@ -231,6 +252,7 @@ function paretoAnswer(study) {
         return fact(objectiveLabel(study, column), `${quantity(Math.min(...values), units, 3)} to ${quantity(Math.max(...values), units, 3)}`, "along the front");
       }),
       knee === null ? null : fact("Knee of the front", `scenario ${number(front.at("scenario", knee), 9)}`, valuesText(keyColumns(front), knee)),
+      bestVerified(study),
       typeof hypervolume === "number" ? fact("Hypervolume", number(hypervolume), "larger is better, for comparing searches") : null,
     ],
   };

@@ -3,7 +3,7 @@
 
 import * as echarts from "echarts/core";
 import { BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart } from "echarts/charts";
-import { AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TooltipComponent } from "echarts/components";
+import { AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TitleComponent, TooltipComponent } from "echarts/components";
 import { CanvasRenderer } from "echarts/renderers";
 import { h } from "./dom.js";
 import { number, scaleFor } from "./words.js";
@@ -11,7 +11,7 @@ import { colours, onTheme } from "./theme.js";
 
 echarts.use([
   BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart,
-  AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TooltipComponent,
+  AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TitleComponent, TooltipComponent,
   CanvasRenderer,
 ]);
 
@@ -51,9 +51,11 @@ function withDefaults(option, theme) {
     extraCssText: "box-shadow:0 6px 24px rgba(0,0,0,.14);border-radius:8px;white-space:normal;max-width:min(340px,86vw);",
     ...option.tooltip,
   };
+  const upwards = option.yAxis?.pageTitle;
   return {
     animation: false,
     textStyle: { fontFamily: theme.font, color: theme.ink },
+    title: upwards ? { text: upwards, left: 0, top: 2, padding: 0, textStyle: { color: theme.soft, fontSize: 13, fontWeight: 400, fontFamily: theme.font } } : undefined,
     ...option,
     tooltip,
   };
@@ -64,18 +66,25 @@ export function axis(theme, { name, units = "", most = 0, type = "value", vertic
   const scale = scaleFor(units, most);
   const grid = type !== "category" && rest.lines !== false;
   delete rest.lines;
+  // The ends of a logarithmic axis are no round numbers.
+  const ends = rest.inner ? { showMinLabel: false, showMaxLabel: false } : {};
+  delete rest.inner;
+  const title = name + (scale.unit ? ` (${scale.unit})` : "");
   return {
     type,
-    name: name + (scale.unit ? ` (${scale.unit})` : ""),
-    nameLocation: vertical ? "end" : "middle",
-    nameGap: vertical ? 14 : 32,
-    nameTextStyle: { color: theme.soft, fontSize: 13, align: vertical ? "left" : "center", padding: vertical ? [0, 0, 0, -40] : 0 },
+    // The name of a vertical axis stands above the chart, where it can be read without turning the head.
+    pageTitle: vertical ? title : undefined,
+    name: vertical ? "" : title,
+    nameLocation: "middle",
+    nameGap: 32,
+    nameTextStyle: { color: theme.soft, fontSize: 13 },
     axisLine: { show: !vertical, lineStyle: { color: theme.line } },
     axisTick: { show: false },
     axisLabel: {
       color: theme.soft,
       fontSize: 12,
       hideOverlap: true,
+      ...ends,
       formatter: (value) => (typeof value === "number" ? number(value / scale.factor, 3) : value),
     },
     splitLine: { show: grid, lineStyle: { color: theme.line, opacity: 0.7 } },
@@ -94,7 +103,7 @@ export function wantsLog(values) {
 /** A round range on a log axis in powers of two, of ten where it is long. */
 export function logAxis(least, most) {
   const base = most / least > 2000 ? 10 : 2;
-  return { type: "log", logBase: base, min: least / 1.12, max: most * 1.12 };
+  return { type: "log", logBase: base, min: least / 1.12, max: most * 1.12, inner: true };
 }
 
 /**

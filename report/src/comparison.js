@@ -54,13 +54,19 @@ function differenceRows(table, metric) {
   return rows;
 }
 
+/** The column says which way the difference is taken. */
+function differenceName(table, row) {
+  const [a, b] = [table.at("a", row), table.at("b", row)];
+  return table.column("mean_difference").longName.startsWith("a - b") ? `${a} − ${b}` : `${b} − ${a}`;
+}
+
 function isShown(table, row) {
   return table.at("low", row) > 0 || table.at("high", row) < 0;
 }
 
 function differenceOption(study, theme, table, metric, units) {
   const rows = differenceRows(table, metric);
-  const name = (row) => `${table.at("a", row)} − ${table.at("b", row)}`;
+  const name = (row) => differenceName(table, row);
   const most = Math.max(...rows.flatMap((row) => [Math.abs(table.at("low", row) ?? 0), Math.abs(table.at("high", row) ?? 0), Math.abs(table.at("mean_difference", row))]), 1e-300);
   const ratio = metric === "probability" || metric === "held";
   return {
@@ -98,11 +104,11 @@ function differenceOption(study, theme, table, metric, units) {
 function differenceTip(table, row, units) {
   const at = (name) => table.at(name, row);
   return tip(
-    h("div", { class: "tip-head" }, h("b", {}, `${at("a")} − ${at("b")}`)),
+    h("div", { class: "tip-head" }, h("b", {}, differenceName(table, row))),
     tipLine("mean difference", quantity(at("mean_difference"), units)),
     tipLine("interval", `${quantity(at("low"), units)} to ${quantity(at("high"), units)}`),
     at("pairs") === null ? null : tipLine("pairs", thousands(at("pairs"))),
-    at("wins") === null ? null : tipLine("wins, ties, losses", `${at("wins")}, ${at("ties")}, ${at("losses")}`),
+    at("wins") === null ? null : tipLine(`better: ${at("a")}, neither, ${at("b")}`, `${at("wins")}, ${at("ties")}, ${at("losses")}`),
     at("verdict") ? h("p", {}, at("verdict")) : null,
   );
 }
@@ -132,7 +138,7 @@ function differenceFigure(study, table) {
     height: () => 76 + 52 * differenceRows(table, metric).length,
     controls: metrics.length > 1 ? [select("Metric", metrics.map((each) => ({ value: each, label: label(each) })), metric, (name) => { metric = name; chart.redraw(); })] : [],
     option: (theme) => differenceOption(study, theme, table, metric, units()),
-    describe: () => differenceRows(table, metric).map((row) => `${table.at("a", row)} less ${table.at("b", row)}: ${quantity(table.at("mean_difference", row), units())}, ${table.at("verdict", row) ?? ""}`).join("; "),
+    describe: () => differenceRows(table, metric).map((row) => `${differenceName(table, row)}: ${quantity(table.at("mean_difference", row), units())}, ${table.at("verdict", row) ?? ""}`).join("; "),
     note: "Full green: the interval leaves zero out, a difference is shown. Open grey: it does not, no difference is shown.",
   });
   return h("div", {}, h("h3", {}, "Paired differences"), chart.element, h("details", {}, h("summary", {}, "As a table"), genericTable(study, table, { name: "comparison" })));

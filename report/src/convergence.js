@@ -1,7 +1,7 @@
 // How the search went: every evaluation, and the best feasible one so far.
 
 import { axis, figure } from "./chart.js";
-import { h } from "./dom.js";
+import { commandText, h } from "./dom.js";
 import { keyColumns } from "./answer.js";
 import { copyReplay, replayCommand, tip, tipLine } from "./scenario.js";
 import { extent } from "./statistics.js";
@@ -20,7 +20,7 @@ export function evaluationTip(study, table, row, objectives) {
     table.at("feasible", row) === 0 && table.at("binding", row) ? tipLine("broken", table.at("binding", row)) : null,
     h("hr"),
     keyColumns(table).map((column) => tipLine(label(column.name), quantity(column.at(row), column.units))),
-    replay ? h("code", { class: "replay" }, replay) : null,
+    replay ? commandText(replay, { class: "replay" }) : null,
     replay ? h("p", { class: "hint" }, "Click copies the command.") : null,
   );
 }

@@ -67,6 +67,18 @@ export class Column {
     return this.different;
   }
 
+  /** Does nearly every row have the same value? So it is with what only the checks of a search change. */
+  get isNearlyConstant() {
+    if (this.nearlyConstant === undefined) {
+      const counts = new Map();
+      if (this.distinct.length < 20) for (let i = 0; i < this.rows; i += 1) counts.set(this.at(i), (counts.get(this.at(i)) ?? 0) + 1);
+      const [value, count] = [...counts].sort((a, b) => b[1] - a[1])[0] ?? [null, 0];
+      this.usual = value;
+      this.nearlyConstant = count > 0.95 * this.rows;
+    }
+    return this.nearlyConstant;
+  }
+
   get varies() {
     return this.distinct.length > 1;
   }

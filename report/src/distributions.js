@@ -17,9 +17,28 @@ function limitOf(study, metric) {
   return study.limits[name] ?? null;
 }
 
+/** Ascending, without those that do not exist. */
+function numbersOf(column, rows) {
+  const values = [];
+  for (const row of rows) if (column.at(row) !== null) values.push(column.at(row));
+  return values.sort((a, b) => a - b);
+}
+
+/** A robust study is spread over strategies too: only the best one's products tell how it varies. */
+function rowsOf(study) {
+  const { scenarios } = study;
+  const all = Array.from({ length: scenarios.rows }, (_, row) => row);
+  const best = study.tables.get("best");
+  if (study.kind !== "robust" || !best || best.rows === 0) return all;
+  const keys = best.columns.filter((column) => scenarios.inputs.some((input) => input.name === column.name));
+  const checks = scenarios.inputs.filter((column) => column.varies && column.isNearlyConstant && !keys.some((key) => key.name === column.name));
+  const rows = all.filter((row) => keys.every((key) => scenarios.at(key.name, row) === key.at(0)) && checks.every((column) => column.at(row) === column.usual));
+  return rows.length >= 8 ? rows : all;
+}
+
 /** Values by outcome; the far tail of a skewed metric is folded into the last bin. */
-function histogram(study, column) {
-  const values = column.numbers().sort((a, b) => a - b);
+function histogram(study, column, rows) {
+  const values = numbersOf(column, rows);
   const [least, most] = extent(values);
   const edge = quantile(values, 0.995);
   const folded = most > least + 3 * (edge - least) && edge > least;
@@ -27,7 +46,7 @@ function histogram(study, column) {
   const step = edges[1] - edges[0];
   const bins = edges.length - 1;
   const counts = Object.fromEntries(OUTCOMES.map((word) => [word, new Array(bins).fill(0)]));
-  for (let row = 0; row < column.rows; row += 1) {
+  for (const row of rows) {
     const value = column.at(row);
     if (value === null) continue;
     const bin = Math.max(0, Math.min(bins - 1, Math.floor((value - edges[0]) / step + 1e-9)));
@@ -45,8 +64,8 @@ function binTip(column, bins, index) {
   );
 }
 
-function histogramOption(study, theme, column) {
-  const bins = histogram(study, column);
+function histogramOption(study, theme, column, rows) {
+  const bins = histogram(study, column, rows);
   const { edges, step, counts } = bins;
   const limit = limitOf(study, column.name);
   const series = OUTCOMES.filter((word) => counts[word].some((count) => count > 0)).map((word) => ({
@@ -73,28 +92,28 @@ function histogramOption(study, theme, column) {
   };
 }
 
-function limitLine(theme, column, limit) {
+function limitLine(theme, column, limit, { upsideDown = false } = {}) {
   return {
     silent: true,
     symbol: "none",
     lineStyle: { color: theme.ink, width: 1.5, type: "dashed" },
-    label: { formatter: `limit ${quantity(limit, column.units)}`, color: theme.ink, fontSize: 12, position: "end" },
+    label: { formatter: `limit ${quantity(limit, column.units)}`, color: theme.ink, fontSize: 12, position: upsideDown ? "start" : "end" },
     data: [{ xAxis: limit }],
   };
 }
 
-function groupsOf(column, group) {
+function groupsOf(column, group, rows) {
   return group.distinct.map((value) => {
     const values = [];
-    for (let row = 0; row < column.rows; row += 1) if (group.at(row) === value && column.at(row) !== null) values.push(column.at(row));
+    for (const row of rows) if (group.at(row) === value && column.at(row) !== null) values.push(column.at(row));
     return { value, values: values.sort((a, b) => a - b) };
   });
 }
 
 const LEVELS = [0.05, 0.25, 0.5, 0.75, 0.95];
 
-function boxOption(study, theme, column, group) {
-  const groups = groupsOf(column, group);
+function boxOption(study, theme, column, group, rows) {
+  const groups = groupsOf(column, group, rows).filter((each) => each.values.length);
   const limit = limitOf(study, column.name);
   const scale = Math.max(...column.numbers().map(Math.abs));
   return {
@@ -111,23 +130,27 @@ function boxOption(study, theme, column, group) {
         boxWidth: [10, 26],
         itemStyle: { color: theme.faint, borderColor: theme.accent, borderWidth: 1.6 },
         data: groups.map((each) => LEVELS.map((level) => quantile(each.values, level))),
-        markLine: limit === null ? undefined : limitLine(theme, column, limit),
+        markLine: limit === null ? undefined : limitLine(theme, column, limit, { upsideDown: true }),
       },
     ],
   };
 }
 
-function quantileText(column) {
-  const values = column.numbers().sort((a, b) => a - b);
-  const missing = column.rows - values.length;
+function quantileText(column, rows) {
+  const values = numbersOf(column, rows);
+  const missing = rows.length - values.length;
+  if (values.length === 0) return "No scenario has this metric.";
   const scale = scaleFor(column.units, quantile(values, 0.5));
   const at = (level) => number(quantile(values, level) / scale.factor, 3);
   return `Median ${at(0.5)}, nine in ten between ${at(0.05)} and ${at(0.95)}${scale.unit ? ` ${scale.unit}` : ""}.${missing ? ` ${plural(missing, "scenario")} ${missing === 1 ? "does" : "do"} not have this metric.` : ""}`;
 }
 
 export function distributions(study) {
-  const metrics = study.scenarios.metrics.filter((column) => column.varies);
-  if (study.scenarios.rows < 8 || metrics.length === 0) return null;
+  // What a search tried is no sample of anything.
+  if (study.scenarios.rows < 8 || ["optimize", "pareto", "window"].includes(study.kind)) return null;
+  const rows = rowsOf(study);
+  const metrics = study.scenarios.metrics.filter((column) => column.varies && rows.some((row) => column.at(row) !== null));
+  if (metrics.length === 0) return null;
   let column = PREFERRED.map((name) => metrics.find((each) => each.name === name)).find(Boolean) ?? metrics[0];
   const groups = study.scenarios.inputs.filter((each) => each.varies && each.distinct.length <= 12 && (each.isText || each.distinct.length <= 8));
   let group = groups.find((each) => each.name === "candidate") ?? null;
@@ -138,9 +161,9 @@ export function distributions(study) {
   const chart = figure({
     height: () => (group ? 90 + 44 * group.distinct.length : 340),
     controls,
-    option: (theme) => (group ? boxOption(study, theme, column, group) : histogramOption(study, theme, column)),
-    describe: () => `Distribution of ${label(column.name)}. ${quantileText(column)}`,
-    note: () => `${quantileText(column)}${group ? " Boxes: the middle half; whiskers: from 5 % to 95 %." : ""}`,
+    option: (theme) => (group ? boxOption(study, theme, column, group, rows) : histogramOption(study, theme, column, rows)),
+    describe: () => `Distribution of ${label(column.name)}. ${quantileText(column, rows)}`,
+    note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${quantileText(column, rows)}${group ? " Boxes: the middle half; whiskers: from 5 % to 95 %." : ""}`,
   });
   return chart.element;
 }

@@ -87,12 +87,18 @@ export async function copy(text, message = "Copied the command") {
   say(done ? message : "The browser does not let this page copy; select the text instead");
 }
 
+/** A command that breaks between its words, and inside one only where it must. */
+export function commandText(text, properties = {}) {
+  const words = text.split(" ");
+  return h("code", properties, words.map((word, i) => [i ? " " : "", h("span", { class: "word" }, word)]));
+}
+
 /** A command that copies itself. */
 export function command(text) {
   return h(
     "div",
     { class: "command" },
-    h("code", {}, text),
+    commandText(text),
     h("button", { type: "button", class: "quiet", onclick: () => copy(text) }, "Copy"),
   );
 }

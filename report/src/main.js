@@ -33,6 +33,9 @@ const SECTIONS = [
   ["origin", "Inputs and origin", "What went in, and what it was computed with.", provenance],
 ];
 
+/** Tables take the whole width. */
+const WIDE = new Set(["scenarios", "tables"]);
+
 function sectionOf(study, [id, title, lead, content]) {
   let body;
   try {
@@ -42,7 +45,7 @@ function sectionOf(study, [id, title, lead, content]) {
     body = h("p", { class: "banner" }, `This part of the page could not be drawn: ${error.message}`);
   }
   if (!body) return null;
-  return h("section", { id, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, lead)), h("div", { class: "content" }, body));
+  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, lead)), h("div", { class: "content" }, body));
 }
 
 function header(study, sections) {

@@ -3,12 +3,14 @@
 import { axis, figure, logAxis, wantsLog } from "./chart.js";
 import { h, select } from "./dom.js";
 import { copyReplay, scenarioTip } from "./scenario.js";
-import { label, number, OUTCOMES, outcomeLabel, plural, quantity, SERIOUSNESS } from "./words.js";
+import { label, OUTCOMES, outcomeLabel, plural, quantity, SERIOUSNESS } from "./words.js";
 import { extent } from "./statistics.js";
 import { OUTCOME_SYMBOLS, outcomeColour } from "./theme.js";
 
 const GRIP = "strategy.grip_force_N";
 const SPEED = "strategy.approach_speed_m_s";
+const RANDOM_KINDS = new Set(["sample", "compare", "sensitivity", "robust"]);
+const TELLING = ["friction_margin_min", "contact_yield_ratio_max", "permanent_set_max_m", "cycle_time_s"];
 const GRID_MOST = 260;
 const SLICE_MOST = 60;
 
@@ -20,9 +22,16 @@ function choices(study) {
   return { inputs, metrics };
 }
 
-function defaults({ inputs, metrics }) {
+/** A random study is read as metric over the input with most values, a chosen one over its strategy. */
+function defaults(study, { inputs: all, metrics }) {
+  const inputs = all.filter((column) => !column.isNearlyConstant);
   const named = (name) => inputs.find((column) => column.name === name);
   const numeric = inputs.filter((column) => !column.isText);
+  if (RANDOM_KINDS.has(study.kind) && numeric.length) {
+    const y = TELLING.map((name) => metrics.find((column) => column.name === name)).find(Boolean);
+    const x = [...numeric].sort((a, b) => b.distinct.length - a.distinct.length)[0];
+    if (y) return { x: study.kind === "robust" ? named(GRIP) ?? numeric[0] : x, y };
+  }
   const x = named(GRIP) ?? numeric[0] ?? inputs[0] ?? metrics[0];
   const y = (x?.name !== SPEED ? named(SPEED) : null) ?? inputs.find((column) => column !== x) ?? metrics.find((column) => column.name === "cycle_time_s" && column !== x) ?? metrics.find((column) => column !== x);
   return { x, y };
@@ -34,10 +43,6 @@ function isGrid(study, x, y, slices) {
   if (study.kind !== "sweep" || !scenarios.inputs.includes(x) || !scenarios.inputs.includes(y)) return false;
   const cells = x.distinct.length * y.distinct.length * slices.reduce((product, column) => product * column.distinct.length, 1);
   return x.distinct.length <= GRID_MOST && y.distinct.length <= GRID_MOST && cells <= 2 * scenarios.rows;
-}
-
-function valueLabel(column, value) {
-  return typeof value === "number" ? number(value, 3) : value;
 }
 
 /** Rows of the chosen slice. */
@@ -71,10 +76,7 @@ function cellsOf(study, x, y, rows) {
 }
 
 function indexAxis(theme, column, vertical) {
-  const texts = column.distinct.map((value) => {
-    const { units } = column;
-    return typeof value === "number" ? value : valueLabel(column, value).replace(/^.*\//, "").replace(/\.toml$/, "") + (units ? "" : "");
-  });
+  const texts = column.distinct.map((value) => (typeof value === "number" ? String(value) : value.replace(/^.*\//, "").replace(/\.toml$/, "")));
   const base = axis(theme, { name: label(column.name), units: column.units, most: column.isText ? 0 : Math.max(...column.distinct.map(Math.abs)), type: "category", vertical });
   const format = base.axisLabel.formatter;
   return { ...base, data: texts, axisLabel: { ...base.axisLabel, formatter: (text) => format(column.isText ? text : Number(text)) }, axisLine: { show: false }, boundaryGap: true };
@@ -181,14 +183,27 @@ export function valueAxis(theme, column, name, vertical, values = null) {
   });
 }
 
+/** Few values of an input are places side by side, not points of a scale. */
+const PLACES_MOST = 12;
+
+function isPlaced(study, column) {
+  return column.isText || (study.scenarios.inputs.includes(column) && column.distinct.length <= PLACES_MOST);
+}
+
 function marksOption(study, theme, state) {
   const { x, y, slices, slice } = state;
+  const place = (column) => {
+    if (!isPlaced(study, column)) return (row) => column.at(row);
+    const index = new Map(column.distinct.map((value, i) => [value, i]));
+    return (row) => index.get(column.at(row)) ?? null;
+  };
+  const [xOf, yOf] = [place(x), place(y)];
   const rows = chosenRows(study, slices, slice);
   const series = OUTCOMES.map((word) => {
     const data = [];
     for (const row of rows) {
       if (study.scenarios.at("outcome", row) !== word) continue;
-      const [a, b] = [x.at(row), y.at(row)];
+      const [a, b] = [xOf(row), yOf(row)];
       if (a !== null && b !== null) data.push([a, b, row]);
     }
     const many = rows.length > 3000;
@@ -204,8 +219,7 @@ function marksOption(study, theme, state) {
       data,
     };
   }).filter((each) => each.data.length);
-  const typed = (column, vertical) =>
-    column.isText ? { ...axis(theme, { name: label(column.name), type: "category", vertical }), data: column.distinct } : valueAxis(theme, column, label(column.name), vertical);
+  const typed = (column, vertical) => (isPlaced(study, column) ? indexAxis(theme, column, vertical) : valueAxis(theme, column, label(column.name), vertical));
   return {
     grid: { left: 8, right: 20, top: 34, bottom: 44, containLabel: true },
     xAxis: typed(x, false),
@@ -250,7 +264,7 @@ function sliceControls(state, redraw) {
 
 export function outcomeMap(study) {
   const available = choices(study);
-  let { x, y } = defaults(available);
+  let { x, y } = defaults(study, available);
   if (!x || !y || study.scenarios.rows < 2) return null;
   let state = prepare(study, x, y);
   let cells = [];

@@ -15,7 +15,7 @@ function rangeAxis(study, theme, column, values, vertical) {
   return axis(theme, {
     name: objectiveLabel(study, column), units: objectiveUnits(study, column), most: Math.max(Math.abs(least), Math.abs(most)), vertical,
     scale: true, min: least - pad, max: most + pad,
-    splitNumber: 5,
+    splitNumber: 5, inner: true,
   });
 }
 
@@ -79,7 +79,7 @@ export function pareto(study) {
           { type: "scatter", name: "tried", symbolSize: 5, itemStyle: { color: theme.soft, opacity: 0.35 }, data: others },
           objectives.length === 2 ? { type: "line", name: "front", silent: true, symbol: "none", lineStyle: { color: theme.accent, width: 1.5, opacity: 0.55 }, data: staircase(points) } : null,
           { type: "scatter", name: "front", symbolSize: 11, itemStyle: { color: theme.accent, borderColor: theme.paper, borderWidth: 1.5 }, data: points, z: 4 },
-          { type: "scatter", name: "knee", symbolSize: 20, symbol: "circle", itemStyle: { color: "transparent", borderColor: theme.ink, borderWidth: 2 }, data: knees, z: 5, label: { show: knees.length === 1, formatter: "knee", position: "right", color: theme.ink, fontSize: 13, distance: 8 } },
+          { type: "scatter", name: "knee", symbolSize: 20, symbol: "circle", itemStyle: { color: "transparent", borderColor: theme.ink, borderWidth: 2 }, data: knees, z: 5, label: { show: knees.length === 1, formatter: "knee", position: "right", color: theme.ink, fontSize: 13, fontWeight: 600, distance: 8, textBorderColor: theme.paper, textBorderWidth: 4 } },
         ].filter(Boolean),
       };
     },

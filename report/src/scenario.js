@@ -1,6 +1,6 @@
 // What the page says about one scenario wherever the pointer meets it.
 
-import { copy, h } from "./dom.js";
+import { commandText, copy, h } from "./dom.js";
 import { label, outcomeLabel, quantity } from "./words.js";
 
 const SHOWN = ["cycle_time_s", "friction_margin_min", "permanent_set_max_m", "contact_yield_ratio_max", "peak_finger_force_N", "slip_max_m"];
@@ -36,10 +36,10 @@ export function scenarioTip(study, row, extra = []) {
     h("div", { class: "tip-head" }, h("i", { class: "swatch", style: `background:var(--${outcome.replaceAll("_", "-")})` }), h("b", {}, outcomeLabel(outcome)), h("span", {}, `scenario ${id}`)),
     cause ? h("p", {}, cause) : null,
     extra,
-    scenarios.inputs.slice(0, 8).map((column) => line(label(column.name), quantity(column.at(row), column.units))),
+    scenarios.inputs.filter((column) => !column.isNearlyConstant || scenarios.rows < 3 || column.at(row) !== column.usual).slice(0, 8).map((column) => line(label(column.name), quantity(column.at(row), column.units))),
     metrics.length ? h("hr") : null,
     metrics.map((name) => line(label(name), quantity(scenarios.at(name, row), scenarios.column(name).units))),
-    replay ? h("code", { class: "replay" }, replay) : null,
+    replay ? commandText(replay, { class: "replay" }) : null,
     replay ? h("p", { class: "hint" }, "Click copies the command.") : null,
   );
 }

@@ -77,7 +77,7 @@ export function sensitivity(study) {
       };
     },
     describe: () => `Effects on ${label(metric)}: ${effects(table, metric).map((each) => `${label(each.key)} ${text(each.value)}`).join(", ")}.`,
-    note: () => `${morris ? "Bars: how far the metric moves over the input's range, on average. Open diamonds: how much that depends on the other inputs." : "Pale: total effect, with everything the input interacts with. Full: on its own."} Lines: ${typeof table.attributes.confidence === "number" ? percent(table.attributes.confidence) : "confidence"} intervals; an effect whose line reaches zero is not shown.${leftOut(table)}`,
+    note: () => `${morris ? "Bars: how far the metric moves over the input's range, on average. Open diamonds: how much that depends on the other inputs." : "Pale: total effect, with everything the input interacts with. Full: on its own."} Lines: ${typeof table.attributes.confidence === "number" ? percent(table.attributes.confidence) : "confidence"} intervals; an interval that reaches zero shows no effect.${leftOut(table)}`,
   });
   return h("div", {}, chart.element, h("details", {}, h("summary", {}, "As a table"), genericTable(study, table, { name: "sensitivity" })));
 }

@@ -201,7 +201,6 @@ class DataTable {
             h("button", { type: "button", title: column.longName || column.name, "data-column": column.name, onclick: () => this.sortBy(column) }, this.titleOf(column), unit ? h("small", {}, ` ${unit}`) : null, h("span", { class: "arrow", "aria-hidden": "true" }, sorted ? (sorted === "ascending" ? " ↑" : " ↓") : "")),
           );
         }),
-        this.replay ? h("th", { scope: "col" }, h("span", { class: "hidden" }, "replay")) : null,
       ),
     );
   }
@@ -216,7 +215,7 @@ class DataTable {
   draw() {
     const from = this.page * PAGE;
     this.body.replaceChildren(...this.order.slice(from, from + PAGE).map((row) => this.rowElement(row)));
-    if (this.order.length === 0) this.body.append(h("tr", {}, h("td", { colspan: this.columns.length + 1, class: "empty" }, "No row fits the filter.")));
+    if (this.order.length === 0) this.body.append(h("tr", {}, h("td", { colspan: this.columns.length, class: "empty" }, "No row fits the filter.")));
     this.drawPager();
   }
 
@@ -228,10 +227,15 @@ class DataTable {
         const value = column.at(row);
         const text = this.formatOf(column).text(value);
         const swatch = column.name === "outcome" ? h("i", { class: "swatch", style: `background:var(--${String(value).replaceAll("_", "-")})` }) : null;
+        if (this.replay && value !== null && ["id", "scenario"].includes(column.name)) return h("td", { class: "number" }, this.replayButton(row, text));
         return h("td", { class: column.isText ? (column.name === "cause" ? "text" : null) : "number" }, swatch, text);
       }),
-      this.replay ? h("td", {}, h("button", { type: "button", class: "quiet small", "aria-label": `Copy the command that replays row ${row}`, onclick: () => this.replay(row) }, "Copy replay")) : null,
     );
+  }
+
+  /** The number of a scenario is a button that copies its command. */
+  replayButton(row, text) {
+    return h("button", { type: "button", class: "link", title: "copy the command that replays this scenario", "aria-label": `${text}, copy the command that replays this scenario`, onclick: () => this.replay(row) }, text);
   }
 
   drawPager() {
@@ -252,7 +256,8 @@ class DataTable {
 
 /** Any table of the study. */
 export function genericTable(study, table, { name, hide = [], titles = {} }) {
-  const columns = table.columns.filter((column) => !hide.includes(column.name));
+  const isEmpty = (column) => table.rows > 0 && column.isText && column.distinct.every((text) => text === "");
+  const columns = table.columns.filter((column) => !hide.includes(column.name) && !isEmpty(column));
   const scenario = table.column("scenario");
   const replay = scenario && study.replay_command ? (row) => scenario.at(row) !== null && copy(replayCommand(study, scenario.at(row))) : null;
   return new DataTable({ columns, all: table.columns.length > columns.length ? table.columns : columns, rows: table.rows, name, titles, replay, filterable: table.rows > 12 }).element;
@@ -266,11 +271,12 @@ export function scenarioTable(study) {
   const metrics = scenarios.metrics.filter(exists);
   const rest = [scenarios.column("outcome_time_s"), scenarios.column("cause")];
   const all = [scenarios.column("id"), scenarios.column("outcome"), ...scenarios.inputs, ...metrics, ...rest];
+  const shownInputs = scenarios.inputs.filter((column) => !column.isNearlyConstant || scenarios.rows < 3).slice(0, 6);
   const shownMetrics = SHOWN.map((name) => scenarios.column(name)).filter((column) => column && metrics.includes(column));
   const hasCause = scenarios.column("cause").distinct.some((text) => text !== "");
-  const columns = all.filter((column) => ["id", "outcome"].includes(column.name) || scenarios.inputs.slice(0, 6).includes(column) || shownMetrics.slice(0, 4).includes(column) || (column.name === "cause" && hasCause));
+  const columns = all.filter((column) => ["id", "outcome"].includes(column.name) || shownInputs.includes(column) || shownMetrics.slice(0, 4).includes(column) || (column.name === "cause" && hasCause));
   const chips = OUTCOMES.filter((word) => scenarios.counts[word]);
   const replay = study.replay_command ? (row) => copy(replayCommand(study, scenarios.at("id", row))) : null;
   const table = new DataTable({ columns, all, rows: scenarios.rows, name: `${study.name.replace(/[^\w.-]+/g, "_")}_scenarios`, chips: chips.length > 1 ? chips : null, replay, filterable: scenarios.rows > 1 });
-  return h("div", {}, table.element, scenarios.sevenDigits ? h("p", { class: "note" }, "This page keeps seven digits of each metric; results.h5 has all of them.") : null);
+  return h("div", {}, table.element, replay ? h("p", { class: "note" }, "The number of a scenario copies the command that replays it.") : null, scenarios.sevenDigits ? h("p", { class: "note" }, "This page keeps seven digits of each metric; results.h5 has all of them.") : null);
 }

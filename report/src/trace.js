@@ -34,7 +34,9 @@ function option(trace, shown, theme, width) {
   const narrow = width < 560;
   const [left, right] = [narrow ? 48 : 60, narrow ? 8 : 150];
   const times = Array.from({ length: trace.time.rows }, (_, row) => trace.time.at(row));
-  const colour = (index) => theme.series[index % theme.series.length];
+  // x, y and z keep their colours in every strip; the second finger is dashed.
+  const colour = (curve, index) => theme.series[/\b[xyz]$/.test(curve.name) ? "xyz".indexOf(curve.name.slice(-1)) : index % theme.series.length];
+  const dash = (curve) => (curve.name.startsWith("finger 2") ? [5, 3] : "solid");
   return {
     grid: shown.map((_, i) => ({ left, right, top: 26 + i * STRIP, height: STRIP - 44 })),
     axisPointer: { link: [{ xAxisIndex: "all" }], lineStyle: { color: theme.soft }, label: { show: false } },
@@ -51,7 +53,7 @@ function option(trace, shown, theme, width) {
       nameLocation: "middle",
       nameGap: 26,
       nameTextStyle: { color: theme.soft, fontSize: 13 },
-      axisLabel: { show: i === shown.length - 1, color: theme.soft, fontSize: 12, hideOverlap: true, formatter: (value) => number(value, 4) },
+      axisLabel: { show: i === shown.length - 1, color: theme.soft, fontSize: 12, hideOverlap: true, showMaxLabel: false, formatter: (value) => number(value, 4) },
     })),
     yAxis: shown.map((signal, i) => {
       const range = extent(signal.curves.flatMap((curve) => curve.numbers()));
@@ -63,6 +65,7 @@ function option(trace, shown, theme, width) {
         nameTextStyle: { color: theme.ink, align: "left", fontSize: 13, padding: [0, 0, 0, -left + 4] },
         nameGap: 9,
         splitNumber: 2,
+        axisTick: { show: false },
         axisLabel: { color: theme.soft, fontSize: 11, formatter: (value) => number(value / scale.factor, 3) },
         splitLine: { lineStyle: { color: theme.line, opacity: 0.7 } },
         axisLine: { show: false },
@@ -73,13 +76,11 @@ function option(trace, shown, theme, width) {
       : shown.map((signal, i) => ({
           show: signal.curves.length > 1,
           orient: "vertical",
-          right: 0,
-          width: right - 16,
+          left: width - right + 14,
           top: 22 + i * STRIP,
-          itemWidth: 14,
+          itemWidth: 22,
           itemHeight: 8,
           itemGap: 3,
-          icon: "roundRect",
           selectedMode: false,
           textStyle: { color: theme.soft, fontSize: 12 },
           data: signal.curves.map((curve) => `${signal.name}: ${curve.name}`),
@@ -102,8 +103,8 @@ function option(trace, shown, theme, width) {
         xAxisIndex: i,
         yAxisIndex: i,
         symbol: "none",
-        lineStyle: { width: 1.5, color: colour(k) },
-        itemStyle: { color: colour(k) },
+        lineStyle: { width: 1.6, color: colour(curve, k), type: dash(curve) },
+        itemStyle: { color: colour(curve, k) },
         data: times.map((time, row) => [time, curve.at(row)]),
       })),
     ),

@@ -1,10 +1,9 @@
 // The window of every combination: a bar from the force that holds to the force that damages.
 
 import { axis, figure } from "./chart.js";
-import { select } from "./dom.js";
 import { genericTable } from "./table.js";
 import { tip, tipLine } from "./scenario.js";
-import { h } from "./dom.js";
+import { h, select } from "./dom.js";
 import { label, number, percent, plural, quantity } from "./words.js";
 import { outcomeColour } from "./theme.js";
 
@@ -37,7 +36,7 @@ function rowsOf(window, x, others, slice) {
 }
 
 function forces(window) {
-  return ["hold_force_N", "damage_force_N", "hold_bracket_high_N", "damage_bracket_low_N", "hold_bracket_low_N"].flatMap((name) => window.column(name).numbers());
+  return ["hold_force_N", "damage_force_N", "hold_bracket_high_N", "damage_bracket_low_N", "hold_bracket_low_N", "damage_bracket_high_N"].flatMap((name) => window.column(name).numbers());
 }
 
 function barItem(window, theme, row, index, api, top) {
@@ -57,7 +56,7 @@ function barItem(window, theme, row, index, api, top) {
     if (low !== null) children.push(rect(low, hold, { fill: outcomeColour("held"), opacity: 0.28 }));
     if (high !== null) children.push(rect(damage, high, { fill: outcomeColour("held"), opacity: 0.28 }));
   } else {
-    children.push({ type: "text", style: { x: px + width / 2, y: y(top * 0.5), text: "no\nwindow", align: "center", verticalAlign: "middle", fill: theme.soft, font: `12px ${theme.font}` } });
+    children.push({ type: "text", style: { x: px + width / 2, y: y(top * 0.5), text: width > 46 ? "no\nwindow" : "no window", rotation: width > 46 ? 0 : Math.PI / 2, align: "center", verticalAlign: "middle", fill: theme.soft, fontSize: 12, fontFamily: theme.font, lineHeight: 16 } });
     children.push({ type: "rect", shape: { x: px, width, y: y(top), height: y(0) - y(top), r: 2 }, style: { fill: theme.soft, opacity: 0.06 } });
   }
   if (at("hold_force_N") !== null) children.push(rule(at("hold_force_N"), outcomeColour("dropped")));
@@ -69,13 +68,12 @@ export function windows(study) {
   const { window } = study;
   if (!window || window.rows === 0) return null;
   const inputs = window.inputs.filter((column) => column.varies);
-  const table = h("details", {}, h("summary", {}, "As a table"), () => null);
-  table.replaceChildren(h("summary", {}, "As a table"), genericTable(study, window, { name: "window", hide: ["exists"] }));
+  const table = h("details", {}, h("summary", {}, "As a table"), genericTable(study, window, { name: "window", hide: ["exists"] }));
   if (inputs.length === 0) return h("div", {}, genericTable(study, window, { name: "window", hide: ["exists"] }));
   let x = inputs.find((column) => !column.isText) ?? inputs[0];
   let others = [];
   const slice = new Map();
-  const top = 1.06 * Math.max(...forces(window), 1e-9);
+  const top = 1.04 * Math.max(...forces(window), 1e-9);
   const sliceBox = h("span", { class: "controls inner" });
   const prepare = () => {
     others = inputs.filter((column) => column !== x);

@@ -244,7 +244,7 @@ function paretoAnswer(study) {
     kicker: `Trade-off between ${names}`,
     headline: front.rows === 1 ? "One strategy" : `${thousands(front.rows)} strategies`,
     verdict: verdict("good", front.rows === 1 ? "One is best in everything" : "None of them is beaten in everything by another"),
-    sentence: sentenceOf(front, front.rows === 1 ? "No other strategy that was tried is better in any objective." : "Each is the best there is for some weighing of the objectives."),
+    sentence: sentenceOf(front, front.rows === 1 ? "No other strategy that was tried is better in any objective." : "To be better in one objective, each would have to give up something in another."),
     facts: [
       ...objectives.map((column) => {
         const values = column.numbers();
@@ -267,34 +267,42 @@ export function objectiveUnits(study, column) {
   return column.units || (study.scenarios.column(objectiveName(column))?.units ?? "");
 }
 
+/** The candidate that is held more often than any other, where that is shown: by intervals that do not meet, or said by the paired verdict. */
+function heldMost(candidates, text) {
+  const rows = Array.from({ length: candidates.rows }, (_, row) => row).sort((a, b) => (candidates.at("probability", b) ?? -1) - (candidates.at("probability", a) ?? -1));
+  const [best, second] = rows;
+  const name = String(candidates.at("name", best));
+  if (second === undefined) return name;
+  const apart = (candidates.at("probability_low", best) ?? 0) > (candidates.at("probability_high", second) ?? 1);
+  return apart || (candidates.rows === 2 && text.startsWith(`${name} is held more often`)) ? name : null;
+}
+
 function compareAnswer(study) {
   const candidates = study.tables.get("candidates");
   const comparison = study.tables.get("comparison");
-  let best = 0;
-  for (let row = 1; row < candidates.rows; row += 1) {
-    if ((candidates.at("probability", row) ?? -1) > (candidates.at("probability", best) ?? -1)) best = row;
-  }
-  const shown = comparison ? differenceShown(comparison) : false;
-  const text = comparison?.attributes?.verdict;
+  const text = typeof comparison?.attributes?.verdict === "string" ? comparison.attributes.verdict : "";
+  const most = heldMost(candidates, text);
+  const metric = comparison ? shownMetric(comparison) : null;
+  const count = plural(candidates.rows, "candidate");
   return {
-    kicker: `${plural(candidates.rows, "candidate")} on the same products`,
-    headline: shown ? candidates.at("name", best) : "No difference shown",
-    verdict: shown ? verdict("good", "A difference is shown") : verdict("none", "The intervals do not tell the candidates apart"),
-    sentence: typeof text === "string" ? text : "",
+    kicker: most === null ? `${count} on the same products` : `Held most often of ${count} on the same products`,
+    headline: most ?? (metric ? `A difference in ${label(metric)}` : "No difference shown"),
+    verdict: most !== null || metric ? verdict("good", "A difference is shown") : verdict("none", "The intervals do not tell the candidates apart"),
+    sentence: text ? `${text.replace(/\.$/, "")}.` : "",
     facts: Array.from({ length: Math.min(candidates.rows, 4) }, (_, row) =>
       probabilityFact(candidates.at("name", row), candidates.at("probability", row), candidates.at("probability_low", row), candidates.at("probability_high", row), `held; ${confidenceText(candidates)}`),
     ),
   };
 }
 
-/** Does any interval of a difference leave zero out? */
-function differenceShown(comparison) {
+/** The first metric with an interval that leaves zero out. */
+function shownMetric(comparison) {
   for (let row = 0; row < comparison.rows; row += 1) {
     const low = comparison.at("low", row);
     const high = comparison.at("high", row);
-    if (low !== null && high !== null && (low > 0 || high < 0)) return true;
+    if (low !== null && high !== null && (low > 0 || high < 0)) return comparison.at("metric", row);
   }
-  return false;
+  return null;
 }
 
 /** Rows of the first metric, most effective first, with the interval of the effect. */

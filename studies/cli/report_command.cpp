@@ -55,8 +55,8 @@ int report_command(const fs::path& path, const std::optional<fs::path>& output, 
   const fs::path page = output ? *output : page_of(*recorded);
   if (const auto error = write_report_of(*recorded, page, program)) return report_error(*error);
   std::error_code unknown;
-  print_line(joined({"report: ", page.string(), " (", bytes_text(static_cast<double>(fs::file_size(page, unknown))),
-                     ")"}));
+  print_line(joined(
+      {"report: ", page.string(), " (", bytes_text(static_cast<double>(fs::file_size(page, unknown))), ")"}));
   return kExitDone;
 }
 

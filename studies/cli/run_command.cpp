@@ -50,7 +50,8 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
   std::string line = joined({"lanes: ", short_number(100.0 * report.lane_use.occupancy()), " % busy"});
   if (is_search(study.kind())) line += " while searching";
   if (report.seconds > 0.0 && report.run_now > 0) {
-    line += joined({", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
+    line += joined(
+        {", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
   }
   if (report.from_memory > 0) line += joined({"; ", with_thousands(report.from_memory), " answered from memory"});
   return line;
@@ -163,10 +164,11 @@ int run_one_command(const RunArguments& arguments) {
     return report_error(
         {ResultsErrorKind::io, joined({"cannot create ", directory.string(), ": ", failed.message()}), {}});
   }
-  ScenarioRow row{.id = id,
-                  .result = *result,
-                  .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
-                  .place = {}};
+  ScenarioRow row{
+      .id = id,
+      .result = *result,
+      .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
+      .place = {}};
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
   const ResultsContent content{.meta = results_meta(*study, true),
                                .inputs = input_columns(*study),

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// Columns on their way into a page: short ones as JSON arrays, long ones as bytes that the page maps without parsing.
+/// Columns on their way into a page: short ones as JSON arrays, long ones as bytes that the page maps without
+/// parsing.
 
 #include <cstdint>
 #include <span>

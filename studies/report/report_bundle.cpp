@@ -3,12 +3,12 @@
 #include <cstddef>
 
 // A few hundred kB that no compiler has to read: the assembler copies the files into the read-only data.
-#define UNBRUISED_EMBED(symbol, file)                                                     \
+#define UNBRUISED_EMBED(symbol, file)                                                               \
   __asm__(".section .rodata\n.balign 16\n" #symbol ":\n.incbin \"" UNBRUISED_REPORT_BUNDLE "/" file \
-          "\"\n" #symbol "_end:\n.byte 0\n.previous\n");                                  \
-  extern "C" {                                                                            \
-  extern const char symbol[] __attribute__((visibility("hidden")));                       \
-  extern const char symbol##_end[] __attribute__((visibility("hidden")));                 \
+          "\"\n" #symbol "_end:\n.byte 0\n.previous\n");                                            \
+  extern "C" {                                                                                      \
+  extern const char symbol[] __attribute__((visibility("hidden")));                                 \
+  extern const char symbol##_end[] __attribute__((visibility("hidden")));                           \
   }
 
 UNBRUISED_EMBED(unbruised_report_js, "report.js")

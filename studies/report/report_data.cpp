@@ -27,7 +27,8 @@ json column(const std::string& name, const std::string& units, const std::string
 }
 
 /// A column of inputs: numbers, or texts as soon as one value is a text.
-json input_values(PackedColumns& packed, std::size_t rows, const std::function<const InputValue*(std::size_t)>& at) {
+json input_values(PackedColumns& packed, std::size_t rows,
+                  const std::function<const InputValue*(std::size_t)>& at) {
   std::vector<double> numbers;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < rows; ++i) {
@@ -45,11 +46,10 @@ template <class Row>
 json input_columns_of(PackedColumns& packed, const std::vector<ColumnInfo>& infos, const std::vector<Row>& rows) {
   json columns = json::array();
   for (std::size_t i = 0; i < infos.size(); ++i) {
-    columns.push_back(
-        column(infos[i].key, infos[i].units, infos[i].long_name,
-               input_values(packed, rows.size(), [&](std::size_t row) -> const InputValue* {
-                 return i < rows[row].inputs.size() ? &rows[row].inputs[i] : nullptr;
-               })));
+    columns.push_back(column(infos[i].key, infos[i].units, infos[i].long_name,
+                             input_values(packed, rows.size(), [&](std::size_t row) -> const InputValue* {
+                               return i < rows[row].inputs.size() ? &rows[row].inputs[i] : nullptr;
+                             })));
   }
   return columns;
 }
@@ -127,8 +127,9 @@ json common(const WindowTable& window) {
 json window_json(PackedColumns& packed, const WindowTable& window) {
   json columns = json::array();
   const auto add = [&](const char* name, const char* units, double WindowRow::*member) {
-    columns.push_back(column(name, units, "", packed.numbers(numbers_of<WindowRow>(
-                                                  window.rows, [&](const WindowRow& row) { return row.*member; }))));
+    columns.push_back(column(
+        name, units, "",
+        packed.numbers(numbers_of<WindowRow>(window.rows, [&](const WindowRow& row) { return row.*member; }))));
   };
   add("hold_force_N", "N", &WindowRow::hold_force_N);
   add("damage_force_N", "N", &WindowRow::damage_force_N);
@@ -137,11 +138,12 @@ json window_json(PackedColumns& packed, const WindowTable& window) {
   add("hold_bracket_high_N", "N", &WindowRow::hold_bracket_high_N);
   add("damage_bracket_low_N", "N", &WindowRow::damage_bracket_low_N);
   add("damage_bracket_high_N", "N", &WindowRow::damage_bracket_high_N);
-  columns.push_back(column("exists", "1", "", packed.numbers(numbers_of<WindowRow>(window.rows, [](const WindowRow& row) {
-                                                return row.exists ? 1.0 : 0.0;
-                                              }))));
-  columns.push_back(column("note", "", "", packed.texts(texts_of<WindowRow>(
-                                               window.rows, [](const WindowRow& row) { return row.note; }))));
+  columns.push_back(column("exists", "1", "",
+                           packed.numbers(numbers_of<WindowRow>(
+                               window.rows, [](const WindowRow& row) { return row.exists ? 1.0 : 0.0; }))));
+  columns.push_back(column("note", "", "", packed.texts(texts_of<WindowRow>(window.rows, [](const WindowRow& row) {
+    return row.note;
+  }))));
   return {{"rows", window.rows.size()},
           {"inputs", input_columns_of(packed, window.inputs, window.rows)},
           {"columns", std::move(columns)},
@@ -153,7 +155,8 @@ json table_json(PackedColumns& packed, const ResultTable& table) {
   std::size_t rows = 0;
   for (const ResultColumn& each : table.columns) {
     const auto* numbers = std::get_if<std::vector<double>>(&each.values);
-    const auto& texts = numbers != nullptr ? std::vector<std::string>{} : std::get<std::vector<std::string>>(each.values);
+    const auto& texts =
+        numbers != nullptr ? std::vector<std::string>{} : std::get<std::vector<std::string>>(each.values);
     rows = std::max(rows, numbers != nullptr ? numbers->size() : texts.size());
     columns.push_back(column(each.name, each.units, each.long_name,
                              numbers != nullptr ? packed.numbers(*numbers) : packed.texts(texts)));
@@ -306,7 +309,8 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   if (content.window != nullptr) page["window"] = window_json(packed, *content.window);
   page["tables"] = json::array();
   for (const ResultTable& table : content.tables) page["tables"].push_back(table_json(packed, table));
-  if (content.trace != nullptr && !content.trace->time_s.empty()) page["trace"] = trace_json(packed, *content.trace);
+  if (content.trace != nullptr && !content.trace->time_s.empty())
+    page["trace"] = trace_json(packed, *content.trace);
   // ASCII only: U+2028 and whatever else ends a line in a script becomes an escape.
   constexpr int kNoIndent = -1;
   constexpr bool kAsciiOnly = true;

@@ -14,11 +14,11 @@ namespace unbruised::studies {
 
 /// What the page says beside the study's own tables.
 struct ReportContext {
-  std::string replay_command;            ///< without the id; empty where there is no run directory to replay from
-  std::optional<std::uint64_t> wanted;   ///< scenarios of the whole study, where it is known
-  std::string source;                    ///< the file or directory that was read, as the user wrote it
-  std::string digest;                    ///< digest of digests, 16 hex digits; may stay empty
-  std::vector<std::string> summary;      ///< the lines `info` prints
+  std::string replay_command;           ///< without the id; empty where there is no run directory to replay from
+  std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
+  std::string source;                   ///< the file or directory that was read, as the user wrote it
+  std::string digest;                   ///< digest of digests, 16 hex digits; may stay empty
+  std::vector<std::string> summary;     ///< the lines `info` prints
 };
 
 struct ReportData {
@@ -36,8 +36,8 @@ std::string inert_json(const std::string& text);
 inline constexpr std::size_t kTraceRowsMost = 4000;
 
 /// For curves with more than kTraceRowsMost rows: which pairs of rows stand for the others. Rows are cut into
-/// kTraceRowsMost / 2 equal parts; each part becomes two rows, the lesser and the greater value of every curve in the
-/// order in which they occur, so that no peak is lost.
+/// kTraceRowsMost / 2 equal parts; each part becomes two rows, the lesser and the greater value of every curve in
+/// the order in which they occur, so that no peak is lost.
 std::vector<double> thinned_keeping_peaks(const std::vector<double>& values);
 /// The times that go with them: first and middle row of each part.
 std::vector<double> thinned_times(const std::vector<double>& time_s);

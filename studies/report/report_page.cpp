@@ -19,7 +19,8 @@ constexpr std::string_view kBegin = "<!doctype html>\n<!-- Unbruised report -->\
 
 constexpr std::string_view kIcon =
     "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'%3E%3Cpath fill='none' "
-    "stroke='%231b9e77' stroke-width='3.5' stroke-linecap='round' d='M5 7v18M27 7v18'/%3E%3Ccircle cx='16' cy='16' "
+    "stroke='%231b9e77' stroke-width='3.5' stroke-linecap='round' d='M5 7v18M27 7v18'/%3E%3Ccircle cx='16' "
+    "cy='16' "
     "r='7' fill='%231b9e77'/%3E%3C/svg%3E";
 
 /// Only the one script of the page runs, and nothing is loaded or sent.
@@ -31,12 +32,12 @@ std::string policy(std::string_view script) {
 }
 
 std::string head(const ResultsContent& content, std::string_view script) {
-  return joined({"<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"", policy(script),
-                 "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                 "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" content=\"Unbruised ",
-                 html_text(content.meta.unbruised_version), "\">\n<title>", html_text(content.meta.study_name),
-                 " - Unbruised</title>\n<link rel=\"icon\" href=\"", kIcon, "\">\n<style>\n", report_style(),
-                 "</style>\n"});
+  return joined(
+      {"<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"", policy(script),
+       "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+       "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" content=\"Unbruised ",
+       html_text(content.meta.unbruised_version), "\">\n<title>", html_text(content.meta.study_name),
+       " - Unbruised</title>\n<link rel=\"icon\" href=\"", kIcon, "\">\n<style>\n", report_style(), "</style>\n"});
 }
 
 /// What a reader without JavaScript gets: the lines `info` prints.

@@ -17,7 +17,8 @@ namespace unbruised::studies {
 /// @param content rows by id
 std::string report_page(const ResultsContent& content, const ReportContext& context);
 
-/// Writes the page atomically and durably. An earlier page is replaced, any other file refused (foreign). Errors: io.
+/// Writes the page atomically and durably. An earlier page is replaced, any other file refused (foreign). Errors:
+/// io.
 MaybeError write_report(const std::filesystem::path& path, const ResultsContent& content,
                         const ReportContext& context);
 

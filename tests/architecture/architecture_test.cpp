@@ -132,6 +132,8 @@ TEST(Architecture, TomlStaysInConfig) {
   expect_included_only_below("^toml(\\+\\+|\\.hpp|plusplus)", {"studies/config/"});
 }
 
+TEST(Architecture, JsonStaysInReport) { expect_included_only_below("^nlohmann/", {"studies/report/"}); }
+
 TEST(Architecture, TheCommandLineLibraryStaysInCli) { expect_included_only_below("^CLI/", {"studies/cli/"}); }
 
 TEST(Architecture, CoreAndOptimizerKnowNoThreadsLibrary) {

@@ -12,7 +12,8 @@ function verdict(tone, text) {
 }
 
 function fact(name, value, remark = null) {
-  return h("div", {}, h("dt", {}, name), h("dd", {}, value, remark ? h("small", {}, remark) : null));
+  const title = typeof name === "string" ? name.replace(/^./, (letter) => letter.toUpperCase()) : name;
+  return h("div", {}, h("dt", {}, title), h("dd", {}, value, remark ? h("small", {}, remark) : null));
 }
 
 /** "1.27 – 4.72", with the sign that says an end lies beyond what was tried. */
@@ -126,7 +127,7 @@ function strategyList(table, row) {
 
 function probabilityFact(name, value, low, high, remark) {
   if (value === null) return null;
-  return fact(name, percent(value), low === null ? remark : `${remark} ${percent(low)} to ${percent(high)}`);
+  return fact(name, percent(value), low === null ? null : `${remark} ${percent(low)} to ${percent(high)}`);
 }
 
 export function confidenceText(table) {
@@ -183,7 +184,7 @@ function bestVerdict(study) {
 
 function closest(best) {
   const violation = best.at("violation", 0);
-  return violation === null ? null : h("p", { class: "soft" }, `It breaks its worst constraint by ${number(violation, 3)} of the bound.`);
+  return violation === null ? null : h("p", { class: "soft" }, `It breaks its worst constraint by ${percent(violation)} of the bound.`);
 }
 
 /** Rows of `verification` that look at the strategy again; row 0 may be the strategy as found. */
@@ -287,10 +288,10 @@ function compareAnswer(study) {
   return {
     kicker: most === null ? `${count} on the same products` : `Held most often of ${count} on the same products`,
     headline: most ?? (metric ? `A difference in ${label(metric)}` : "No difference shown"),
-    verdict: most !== null || metric ? verdict("good", "A difference is shown") : verdict("none", "The intervals do not tell the candidates apart"),
+    verdict: most !== null || metric ? verdict("good", "A difference is shown") : verdict("none", comparison ? "The intervals do not tell the candidates apart" : "This study holds no paired differences"),
     sentence: text ? `${text.replace(/\.$/, "")}.` : "",
     facts: Array.from({ length: Math.min(candidates.rows, 4) }, (_, row) =>
-      probabilityFact(candidates.at("name", row), candidates.at("probability", row), candidates.at("probability_low", row), candidates.at("probability_high", row), `held; ${confidenceText(candidates)}`),
+      probabilityFact(h("span", {}, String(candidates.at("name", row))), candidates.at("probability", row), candidates.at("probability_low", row), candidates.at("probability_high", row), `held; ${confidenceText(candidates)}`),
     ),
   };
 }
@@ -373,7 +374,7 @@ function shareAnswer(study) {
   return {
     kicker: study.kind === "sample" ? "Probability of being held without damage" : "Held without damage",
     headline: run === 0 ? "Nothing has run" : study.kind === "sample" ? percent(held / run) : `${thousands(held)} of ${thousands(run)}`,
-    verdict: run === 0 ? verdict("none", "There is nothing to say yet") : none ? verdict("bad", "None feasible: no scenario was held without damage") : verdict("good", `${plural(held, "scenario")} held without damage`),
+    verdict: run === 0 ? verdict("none", "There is nothing to say yet") : none ? verdict("bad", "None feasible: no scenario was held without damage") : verdict("good", `${plural(held, "scenario")} held without damage${study.complete ? "" : " so far"}`),
     sentence: interval ? `${thousands(held)} of ${thousands(run)} products; the 95 % interval reaches from ${percent(interval.low)} to ${percent(interval.high)}.` : "",
     facts: [bestScenario(study)],
   };
@@ -435,7 +436,7 @@ function banners(study) {
   const lost = [["diverged", "diverged: a number stopped being finite or a solve did not converge"], ["out_of_range", "left the range of strains and rotations in which the model holds"]]
     .filter(([word]) => counts[word])
     .map(([word, text]) => `${plural(counts[word], "scenario")} ${text}`);
-  if (lost.length) found.push(h("p", { class: "remark" }, `${lost.join("; ")}. ${counts.diverged ? "Their numbers count for nothing." : "They are shown, but count neither as held nor as safe."}`));
+  if (lost.length) found.push(h("p", { class: "remark" }, `${lost.join("; ")}. Such scenarios count neither as held nor as safe.`));
   return found;
 }
 

@@ -71,7 +71,7 @@ function differenceOption(study, theme, table, metric, units) {
   const ratio = metric === "probability" || metric === "held";
   return {
     grid: { left: 8, right: 24, top: 8, bottom: 44, containLabel: true },
-    xAxis: axis(theme, { name: `difference in ${label(metric)}, product by product`, units, most, min: -1.15 * most, max: 1.15 * most, ...(ratio ? { axisLabel: { color: theme.soft, fontSize: 12, showMinLabel: false, showMaxLabel: false, formatter: (value) => percent(value) } } : {}) }),
+    xAxis: axis(theme, { name: `difference in ${label(metric)}, product by product`, units, most, min: -1.15 * most, max: 1.15 * most, inner: true, ...(ratio ? { axisLabel: { color: theme.soft, fontSize: 12, showMinLabel: false, showMaxLabel: false, formatter: (value) => percent(value) } } : {}) }),
     yAxis: { type: "category", inverse: true, data: rows.map(name), axisTick: { show: false }, axisLine: { show: false }, axisLabel: { color: theme.ink, fontSize: 13, width: 190, overflow: "break" } },
     tooltip: { trigger: "item", formatter: ({ value }) => differenceTip(table, rows[value[1]], units) },
     series: [
@@ -79,7 +79,7 @@ function differenceOption(study, theme, table, metric, units) {
         type: "custom",
         data: rows.map((row, i) => [table.at("mean_difference", row), i, table.at("low", row), table.at("high", row)]),
         encode: { x: [0, 2, 3], y: 1 },
-        markLine: { silent: true, symbol: "none", label: { show: false }, lineStyle: { color: theme.ink, type: "solid", width: 1 }, data: [{ xAxis: 0 }] },
+        markLine: { silent: true, symbol: "none", precision: 15, label: { show: false }, lineStyle: { color: theme.ink, type: "solid", width: 1 }, data: [{ xAxis: 0 }] },
         renderItem: (params, api) => {
           const row = rows[api.value(1)];
           const [x, y] = api.coord([api.value(0), api.value(1)]);

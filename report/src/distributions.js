@@ -96,6 +96,7 @@ function limitLine(theme, column, limit, { upsideDown = false } = {}) {
   return {
     silent: true,
     symbol: "none",
+    precision: 15, // the default rounds to hundredths of a metre
     lineStyle: { color: theme.ink, width: 1.5, type: "dashed" },
     label: { formatter: `limit ${quantity(limit, column.units)}`, color: theme.ink, fontSize: 12, position: upsideDown ? "start" : "end" },
     data: [{ xAxis: limit }],
@@ -140,9 +141,10 @@ function quantileText(column, rows) {
   const values = numbersOf(column, rows);
   const missing = rows.length - values.length;
   if (values.length === 0) return "No scenario has this metric.";
-  const scale = scaleFor(column.units, quantile(values, 0.5));
+  const scale = scaleFor(column.units, Math.max(...[0.05, 0.5, 0.95].map((level) => Math.abs(quantile(values, level)))));
   const at = (level) => number(quantile(values, level) / scale.factor, 3);
-  return `Median ${at(0.5)}, nine in ten between ${at(0.05)} and ${at(0.95)}${scale.unit ? ` ${scale.unit}` : ""}.${missing ? ` ${plural(missing, "scenario")} ${missing === 1 ? "does" : "do"} not have this metric.` : ""}`;
+  const unit = scale.unit ? ` ${scale.unit}` : "";
+  return `Median ${at(0.5)}${unit}, nine in ten between ${at(0.05)} and ${at(0.95)}${unit}.${missing ? ` ${plural(missing, "scenario")} ${missing === 1 ? "does" : "do"} not have this metric.` : ""}`;
 }
 
 export function distributions(study) {

@@ -64,11 +64,46 @@ function barItem(window, theme, row, index, api, top) {
   return { type: "group", children };
 }
 
+/** Does every combination of the inputs' values occur? Inputs that vary together do not. */
+function isProduct(window, inputs) {
+  return window.rows === inputs.reduce((product, column) => product * column.distinct.length, 1);
+}
+
+function windowAxis(theme, top) {
+  return axis(theme, { name: "grip force", units: "N", most: top, vertical: true, min: 0, max: top, axisLabel: { color: theme.soft, fontSize: 12, showMaxLabel: false, formatter: (value) => number(value, 3) } });
+}
+
+function shortValue(column, row) {
+  const value = column.at(row);
+  return typeof value === "number" ? quantity(value, column.units, 3) : value.replace(/^.*\//, "").replace(/\.toml$/, "");
+}
+
+/** Few combinations, side by side, each with all its values. */
+function allAtOnce(study, window, inputs) {
+  const top = 1.04 * Math.max(...forces(window), 1e-9);
+  const shown = Array.from({ length: Math.min(window.rows, 40) }, (_, row) => row);
+  return figure({
+    height: 380,
+    option: (theme) => ({
+      grid: { left: 8, right: 12, top: 34, bottom: 12, containLabel: true },
+      xAxis: { ...axis(theme, { name: "", type: "category" }), data: shown.map((row) => inputs.map((column) => shortValue(column, row)).join("\n")), axisLabel: { color: theme.soft, fontSize: 12, lineHeight: 17, interval: 0 } },
+      yAxis: windowAxis(theme, top),
+      tooltip: { trigger: "item", formatter: ({ data }) => windowTip(window, data[2]) },
+      series: [{ type: "custom", data: shown.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(window, theme, api.value(2), api.value(0), api, top) }],
+    }),
+    describe: () => `Grip windows of ${plural(window.rows, "combination")}. The table below holds the same values.`,
+    note: `Below each: ${inputs.map((column) => label(column.name)).join(", ")}. ${LEGEND}${shown.length < window.rows ? ` The first ${shown.length} of ${window.rows}.` : ""}`,
+  }).element;
+}
+
+const LEGEND = "Blue line: holding begins. Orange line: damage begins. Pale: the border lies somewhere here.";
+
 export function windows(study) {
   const { window } = study;
   if (!window || window.rows === 0) return null;
   const inputs = window.inputs.filter((column) => column.varies);
   const table = h("details", {}, h("summary", {}, "As a table"), genericTable(study, window, { name: "window", hide: ["exists"] }));
+  if (inputs.length > 1 && (window.rows <= 12 || !isProduct(window, inputs))) return h("div", {}, allAtOnce(study, window, inputs), table);
   if (inputs.length === 0) return h("div", {}, genericTable(study, window, { name: "window", hide: ["exists"] }));
   let x = inputs.find((column) => !column.isText) ?? inputs[0];
   let others = [];
@@ -97,13 +132,13 @@ export function windows(study) {
       return {
         grid: { left: 8, right: 12, top: 34, bottom: 44, containLabel: true },
         xAxis: { ...base, data: rows.map((row) => String(x.at(row))), axisLabel: { ...base.axisLabel, formatter: (text) => (x.isText ? text.replace(/^.*\//, "").replace(/\.toml$/, "") : format(Number(text))) } },
-        yAxis: axis(theme, { name: "grip force", units: "N", most: top, vertical: true, min: 0, max: top, axisLabel: { color: theme.soft, fontSize: 12, showMaxLabel: false, formatter: (value) => number(value, 3) } }),
+        yAxis: windowAxis(theme, top),
         tooltip: { trigger: "item", formatter: ({ data }) => windowTip(window, data[2]) },
         series: [{ type: "custom", data: rows.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(window, theme, api.value(2), api.value(0), api, top) }],
       };
     },
     describe: () => `Grip windows of ${plural(window.rows, "combination")} over ${label(x.name)}. The table below holds the same values.`,
-    note: "Blue line: holding begins. Orange line: damage begins. Pale: the border lies somewhere here.",
+    note: LEGEND,
   });
   prepare();
   return h("div", {}, chart.element, table);

@@ -148,8 +148,11 @@ function bestAnswer(study) {
   const units = study.scenarios.column(objective)?.units ?? best.column("objective")?.units ?? "";
   const known = (name) => best.at(name, 0) ?? best.attributes[name] ?? null;
   const event = typeof best.attributes.event === "string" ? best.attributes.event : "held";
+  // A Pareto study without a feasible strategy has several objectives.
+  const several = objectiveColumns(best).map((column) => fact(objectiveLabel(study, column), quantity(column.at(0), objectiveUnits(study, column))));
   const facts = [
-    fact(study.scenarios.column(objective) ? label(objective) : "Objective", quantity(value, units), study.scenarios.column(objective) ? "the objective, to be least" : objective),
+    ...several,
+    several.length ? null : fact(study.scenarios.column(objective) ? label(objective) : "Objective", quantity(value, units), study.scenarios.column(objective) ? "the objective, to be least" : objective),
     probabilityFact(`Probability of ${event}`, known("probability"), known("probability_low"), known("probability_high"), confidenceText(best)),
     typeof best.attributes.products === "number" ? fact("Judged on", plural(best.attributes.products, "product"), "the same ones for every strategy") : null,
     onOtherProducts(study),
@@ -365,17 +368,23 @@ function simulateAnswer(study) {
   };
 }
 
+/** What the program worked out, where it is there. */
+function intervalOfSample(study) {
+  const { probability_low: low, probability_high: high, confidence } = study.tables.get("statistics")?.attributes ?? {};
+  return typeof low === "number" && typeof high === "number" ? { low, high, confidence } : null;
+}
+
 function shareAnswer(study) {
   const { scenarios } = study;
   const run = scenarios.rows - (scenarios.counts.not_run ?? 0);
   const held = scenarios.counts.held ?? 0;
-  const interval = study.kind === "sample" ? wilson(held, run) : null;
+  const interval = study.kind === "sample" ? intervalOfSample(study) ?? wilson(held, run) : null;
   const none = held === 0;
   return {
     kicker: study.kind === "sample" ? "Probability of being held without damage" : "Held without damage",
     headline: run === 0 ? "Nothing has run" : study.kind === "sample" ? percent(held / run) : `${thousands(held)} of ${thousands(run)}`,
     verdict: run === 0 ? verdict("none", "There is nothing to say yet") : none ? verdict("bad", "None feasible: no scenario was held without damage") : verdict("good", `${plural(held, "scenario")} held without damage${study.complete ? "" : " so far"}`),
-    sentence: interval ? `${thousands(held)} of ${thousands(run)} products; the 95 % interval reaches from ${percent(interval.low)} to ${percent(interval.high)}.` : "",
+    sentence: interval ? `${thousands(held)} of ${thousands(run)} products; the ${number((interval.confidence ?? 0.95) * 100)} % interval reaches from ${percent(interval.low)} to ${percent(interval.high)}.` : "",
     facts: [bestScenario(study)],
   };
 }

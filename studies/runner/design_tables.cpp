@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/goals/goal.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/found_tables.hpp"
 #include "studies/runner/number_text.hpp"
@@ -20,6 +21,18 @@ constexpr std::uint64_t kBootstrap = 105;
 const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
 
 bool is_held(const ScenarioRow& row) { return row.result.outcome == Outcome::held; }
+
+/// P(held) of rows on products, in their order.
+Proportion held_proportion(const std::vector<const ScenarioRow*>& rows, const ProductSample& products,
+                           const LimitParameters& limits, double confidence) {
+  std::vector<bool> held;
+  std::vector<double> measure;
+  for (const ScenarioRow* row : rows) {
+    held.push_back(is_held(*row));
+    measure.push_back(event_measure(held_event(), row->result, limits));
+  }
+  return proportion(held, products.group, confidence, measure);
+}
 
 // -- compare. ----------------------------------------------------------------------------------------------
 
@@ -61,13 +74,14 @@ class Comparison {
     std::vector<double> high;
     for (std::size_t c = 0; c < n; ++c) {
       names.push_back(name(c));
-      std::vector<bool> held;
+      std::vector<const ScenarioRow*> own;
       for (std::size_t p = 0; p < products_.size(); ++p) {
         const Outcome outcome = row(p, c).result.outcome;
         if (outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(outcome)][c];
-        held.push_back(outcome == Outcome::held);
+        own.push_back(&row(p, c));
       }
-      const Proportion estimate = proportion(held, products_.group, study_.sampling().confidence);
+      const Proportion estimate = held_proportion(own, products_, study_.candidates()[c].scenario.limits,
+                                                  study_.sampling().confidence);
       probability.push_back(estimate.estimate);
       low.push_back(estimate.interval.low);
       high.push_back(estimate.interval.high);
@@ -122,7 +136,7 @@ class Comparison {
       } else if (!both || std::abs(difference) <= tie) {
         ++pair.ties;
       } else {
-        ++(difference > 0.0 ? pair.wins : pair.losses);
+        ++((difference > 0.0) != more_is_better(metric) ? pair.wins : pair.losses);
       }
     }
     pair.difference = differences.empty() ? MeanInterval{kAbsent, {kAbsent, kAbsent}, 0}
@@ -148,21 +162,23 @@ class Comparison {
   /// One sentence about a pair: who is held more often, who needs less of the metric, or that nothing is shown.
   std::string verdict_of(std::size_t a, std::size_t b, Metric metric, const PairedDifference& pair) const {
     const int held = sign_of(held_difference(a, b));
-    const int less = -sign_of(pair.difference);  // 1: b needs less
-    const std::string needs_less = less == 0 ? std::string() : difference_text(a, b, metric, pair.difference);
-    if (held == 0 && less == 0) return joined({name(a), " and ", name(b), ": no difference shown"});
-    if (held == 0) return needs_less;
+    const int better = (more_is_better(metric) ? 1 : -1) * sign_of(pair.difference);  // 1: b is better
+    const std::string is_better = better == 0 ? std::string() : difference_text(a, b, metric, pair.difference);
+    if (held == 0 && better == 0) return joined({name(a), " and ", name(b), ": no difference shown"});
+    if (held == 0) return is_better;
     const std::string more = joined({name(held > 0 ? b : a), " is held more often (",
                                      percent(std::abs(held_difference(a, b).mean)), " of the products)"});
-    if (less == 0) return joined({more, "; no difference shown in ", info_of(metric).name});
-    return joined({more, held == less ? ", and " : ", but ", needs_less});
+    if (better == 0) return joined({more, "; no difference shown in ", info_of(metric).name});
+    return joined({more, held == better ? ", and " : ", but ", is_better});
   }
 
   std::string difference_text(std::size_t a, std::size_t b, Metric metric, const MeanInterval& difference) const {
-    const bool b_less = difference.mean < 0.0;
+    const bool more = more_is_better(metric);
+    const bool b_better = (difference.mean > 0.0) == more;
     const double low = std::min(std::abs(difference.interval.low), std::abs(difference.interval.high));
     const double high = std::max(std::abs(difference.interval.low), std::abs(difference.interval.high));
-    return joined({name(b_less ? b : a), " needs less ", info_of(metric).name, " than ", name(b_less ? a : b), ": by ",
+    return joined({name(b_better ? b : a), more ? " has more " : " needs less ", info_of(metric).name, " than ",
+                   name(b_better ? a : b), ": by ",
                    short_number(std::abs(difference.mean)), " (", percent(study_.sampling().confidence),
                    " interval ", short_number(low), " to ", short_number(high), ")"});
   }
@@ -195,7 +211,7 @@ class Comparison {
             .row = "difference",
             .columns = {{"a", "", "one strategy", std::move(as)},
                         {"b", "", "the other strategy", std::move(bs)},
-                        {"metric", "", "compared metric; less is better", std::move(metrics)},
+                        {"metric", "", "compared metric", std::move(metrics)},
                         {"pairs", "1", "products that both hold", std::move(pairs)},
                         {"mean_difference", "", "b - a over these products", std::move(means)},
                         {"low", "", "lower end of its interval", std::move(lows)},
@@ -342,9 +358,10 @@ std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vecto
 std::vector<ResultTable> sample_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
   const ProductSample products = study_products(study);
   ResultTable statistics = statistics_table(rows);
-  std::vector<bool> held;
-  for (const ScenarioRow& row : rows) held.push_back(is_held(row));
-  const Proportion estimate = proportion(held, products.group, study.sampling().confidence);
+  std::vector<const ScenarioRow*> all;
+  for (const ScenarioRow& row : rows) all.push_back(&row);
+  const Proportion estimate =
+      held_proportion(all, products, study.scenario(0).limits, study.sampling().confidence);
   statistics.attributes = {{"probability", estimate.estimate},
                            {"probability_low", estimate.interval.low},
                            {"probability_high", estimate.interval.high},

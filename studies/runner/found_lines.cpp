@@ -15,6 +15,7 @@ namespace {
 constexpr double kSameOptimum = 0.01;
 /// Points of a front, effects and strategies that are listed one by one.
 constexpr std::size_t kLinesMost = 24;
+constexpr std::size_t kPointsMost = 12;
 
 std::string interval_text(double estimate, double low, double high, double confidence) {
   return joined({short_number(estimate), " (", percent(confidence), " interval ", short_number(low), " to ",
@@ -163,7 +164,7 @@ void add_front(const std::vector<ResultTable>& tables, std::vector<std::string>&
     if (number_in(*pareto, "knee", i) == 1.0) lines.push_back(joined({"knee: ", point_text(*pareto, i)}));
   }
   // Evenly chosen where there are too many to list.
-  const std::size_t shown = std::min(count, kLinesMost);
+  const std::size_t shown = std::min(count, kPointsMost);
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = shown == 1 ? 0 : k * (count - 1) / (shown - 1);
     lines.push_back(joined({"  ", point_text(*pareto, i)}));
@@ -242,7 +243,11 @@ void add_statistics(const std::vector<ResultTable>& tables, std::vector<std::str
                                                       number_attribute(*table, "probability_high").value_or(kAbsent),
                                                       number_attribute(*table, "confidence").value_or(0.95))}));
   for (std::size_t i = 0; i < row_count(*table); ++i) {
-    lines.push_back(joined({text_in(*table, "metric", i), ": mean ", short_number(number_in(*table, "mean", i)),
+    // What does not spread, and what only counts work, is left to /statistics.
+    const bool spreads = number_in(*table, "quantile_95", i) > number_in(*table, "quantile_05", i);
+    const std::string metric = text_in(*table, "metric", i);
+    if (!spreads || metric.ends_with("_count") || metric.ends_with("_iterations") || metric.ends_with("_error")) continue;
+    lines.push_back(joined({metric, ": mean ", short_number(number_in(*table, "mean", i)),
                             ", 5 to 95 % of the products ", short_number(number_in(*table, "quantile_05", i)), " to ",
                             short_number(number_in(*table, "quantile_95", i))}));
   }

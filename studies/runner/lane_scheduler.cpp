@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kGroupsLookedThrough = 64;
 /// Models that nobody works with but a growing study may need again.
 constexpr std::size_t kIdleModelsKept = 32;
+/// Lanes cost the same full or empty: a thread joins others in a growing group for at least this part of its lanes; fewer
+/// scenarios wait for the lanes there are.
+constexpr int kPartWorthAThread = 4;
 /// How often a waiting worker looks at the stop flag, which a signal handler sets without waking anybody.
 constexpr std::chrono::milliseconds kStopPoll{50};
 
@@ -305,6 +308,8 @@ LaneScheduler::Group* LaneScheduler::pick_group() {
     const bool is_free = group.seats.empty();
     if (!options_.grows && is_free) return &group;
     const std::size_t left = options_.grows ? uncovered(group) : group.waiting.size();
+    const auto worth_it = static_cast<std::size_t>(std::max(1, simulator_.lane_count() / kPartWorthAThread));
+    if (options_.grows && !is_free && left < worth_it) continue;
     if (left > most) {
       most = left;
       best = &group;

@@ -181,11 +181,10 @@ std::vector<PlannedSearch> plan_multistart(const Study& study, const StrategyJud
 
 ParetoBudget pareto_budget(const Study& study) {
   const SearchSettings& search = study.search();
-  // Anchors and ends of each objective, and the points between.
-  const std::size_t problems = 2 * search.objectives.size() + search.points;
   ParetoBudget budget;
+  budget.anchor_starts = std::max<std::size_t>(kAnchorStarts, search.starts);
   budget.starts = search.starts;
-  budget.evaluations_each = std::max<std::size_t>(1, search.budget / (problems * search.starts));
+  budget.evaluations_each = std::max<std::size_t>(1, search.budget / pareto_search_count(search.objectives.size(), search.points, search.starts));
   return budget;
 }
 

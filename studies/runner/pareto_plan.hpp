@@ -39,8 +39,9 @@ const Candidate* winner(const Study& study, const std::vector<Candidate>& candid
 
 /// How a pareto study spends its budget.
 struct ParetoBudget {
-  std::size_t starts = 1;                 ///< of each anchor and each point
-  std::size_t evaluations_each = 0;       ///< of one search
+  std::size_t anchor_starts = 1;     ///< of each anchor
+  std::size_t starts = 1;            ///< of each end and each point
+  std::size_t evaluations_each = 0;  ///< of one search
 };
 ParetoBudget pareto_budget(const Study& study);
 

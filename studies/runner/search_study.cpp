@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -16,8 +18,9 @@ namespace {
 /// Streams of the study's seed, one per use.
 enum Purpose : std::uint64_t { kProducts = 101, kOtherProducts = 102, kStarts = 103, kSearchSeeds = 1000 };
 
-/// The finer mesh of the check: cells this much smaller, about twice as many of them.
-constexpr double kFinerCell = 0.8;
+/// The finer mesh of the check has at least this many times the cells along the product's smallest extent: about twice
+/// as many in all.
+constexpr double kMoreCells = 1.25;
 /// Products on which the time step and the mesh are checked.
 constexpr std::size_t kCheckedProducts = 32;
 
@@ -51,6 +54,14 @@ optimizer::SearchSpace space_of(const Study& study) {
   return optimizer::SearchSpace(std::move(variables));
 }
 
+/// A cell size that really gives more cells: extents are divided into a whole number of them.
+double finer_cell_m(const Study& study, double cell_m) {
+  const auto& lattice = std::get<LatticeParameters>(study.scenario(0).product);
+  const double extent_m = *std::min_element(lattice.size_m.begin(), lattice.size_m.end());
+  const double cells = std::max(2.0, std::round(extent_m / cell_m));
+  return extent_m / std::ceil(kMoreCells * cells);
+}
+
 class SearchStudy {
  public:
   SearchStudy(const StrategyJudge& judge, EvaluationBroker& broker)
@@ -62,6 +73,7 @@ class SearchStudy {
   }
 
   SearchFindings run() {
+    const auto begin = std::chrono::steady_clock::now();
     if (study_.kind() == StudyKind::pareto) {
       run_pareto();
     } else if (study_.variables().empty()) {
@@ -71,6 +83,7 @@ class SearchStudy {
     }
     found_.candidates = log_.sorted();
     found_.searching = broker_.counts().lane_use;
+    found_.search_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!interrupted_) run_checks();
     found_.interrupted = interrupted_;
     return std::move(found_);
@@ -101,7 +114,7 @@ class SearchStudy {
   /// pareto: the best of each objective alone, then the points between them.
   void run_pareto() {
     const ParetoBudget budget = pareto_budget(study_);
-    run_planned(plan_anchors(study_, judge_, start_points(budget.starts, 0)));
+    run_planned(plan_anchors(study_, judge_, start_points(budget.anchor_starts, 0)));
     if (interrupted_) return;
     const std::vector<Candidate> anchors = log_.sorted();
     run_planned(plan_points(study_, judge_, anchors, start_points(budget.starts, 1)));
@@ -251,7 +264,7 @@ class SearchStudy {
     const std::optional<double> cell_m = study_.base_value(kCellSizeKey);
     const bool has_mesh = std::find(keys_.begin(), keys_.end(), kCellSizeKey) != keys_.end() && cell_m;
     if (going_on && has_mesh) {
-      going_on = check("finer mesh", Change{kCellSizeKey, kFinerCell * *cell_m}, points, products, generation++);
+      going_on = check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
     }
     if (going_on && is_sample) {
       const ProductSample others =

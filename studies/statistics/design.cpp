@@ -1,40 +1,67 @@
 #include "studies/statistics/design.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
+#include <Random123/philox.h>
 #include <boost/random/sobol.hpp>
 
 namespace unbruised::studies {
 namespace {
 
-/// Streams of a design's seed.
-enum Stream : std::uint64_t { kShift = 1, kJitter = 2, kOrder = 3, kPlain = 4 };
+constexpr std::size_t kSobolDimensionsMost = 1000;
+constexpr std::size_t kSobolPointsMost = std::size_t{1} << 32U;
+constexpr std::size_t kLatinPointsMost = (std::size_t{1} << 20U) - 1;
+constexpr unsigned kSobolBits = 32;
 
-/// SplitMix64's finaliser (Steele, Lea and Flood 2014): every bit of the input moves every bit of the output.
-std::uint64_t mixed(std::uint64_t z) {
-  z += 0x9E3779B97F4A7C15ULL;
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31U);
+/// Uses of a design's seed.
+enum Purpose : std::uint64_t { kScramble = 1, kOrder = 2, kJitter = 3, kIndependent = 4 };
+
+struct Bits128 {
+  std::uint64_t first = 0;
+  std::uint64_t second = 0;
+};
+
+/// One block of Philox 4x32-10, low words first.
+Bits128 philox(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
+  const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
+  const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
+  const r123::Philox4x32::ctr_type counter = {{low(stream), high(stream), low(k), high(k)}};
+  const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
+  const r123::Philox4x32::ctr_type block = r123::Philox4x32()(counter, key);
+  const auto join = [](std::uint32_t l, std::uint32_t h) { return (static_cast<std::uint64_t>(h) << 32U) | l; };
+  return {join(block[0], block[1]), join(block[2], block[3])};
 }
 
-/// 52 bits in the middle of their cells, so that neither 0 nor 1 comes out.
+/// The upper 52 bits, in the middle of their cell: neither 0 nor 1 comes out, and nothing is rounded.
 double open_unit(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1.0p-52; }
 
-std::uint64_t random_bits(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
-  return mixed(mixed(mixed(seed) ^ stream) ^ k);
+/// Owen's nested uniform scramble in base 2: bit b is flipped by a coin that belongs to (dimension, bits above b).
+/// Two points share coins as long as they share bits, so that elementary intervals go to elementary intervals;
+/// below the bits of the sequence all is random.
+std::uint64_t owen_scrambled(std::uint32_t point, std::uint64_t seed, std::uint64_t dimension) {
+  std::uint64_t scrambled = 0;
+  for (unsigned b = 0; b < kSobolBits; ++b) {
+    const std::uint64_t node = (std::uint64_t{1} << b) | (static_cast<std::uint64_t>(point) >> (kSobolBits - b));
+    const std::uint64_t bit = (point >> (kSobolBits - 1 - b)) & 1U;
+    scrambled = (scrambled << 1U) | (bit ^ (philox(seed, dimension, node).first & 1U));
+  }
+  const std::uint64_t leaf = (std::uint64_t{1} << kSobolBits) | point;
+  return (scrambled << 32U) | (philox(seed, dimension, leaf).first >> 32U);
 }
 
-/// A digital shift keeps every stratum of the sequence: all points are exclusive-ored with one number per dimension.
 UnitDesign sobol_design(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   UnitDesign design{dimensions, {}};
   design.values.reserve(count * dimensions);
-  boost::random::sobol_engine<std::uint64_t, 64> engine(dimensions);
+  boost::random::sobol_engine<std::uint32_t, kSobolBits> engine(dimensions);
+  const std::uint64_t scramble = derived_seed(seed, kScramble);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < dimensions; ++k) {
-      design.values.push_back(open_unit(engine() ^ random_bits(seed, kShift, k)));
+      // The engine begins at the second point; without the first, the origin, no net is whole (Owen 2020).
+      const std::uint32_t point = i == 0 ? 0 : engine();
+      design.values.push_back(open_unit(owen_scrambled(point, scramble, k)));
     }
   }
   return design;
@@ -42,49 +69,71 @@ UnitDesign sobol_design(std::size_t count, std::size_t dimensions, std::uint64_t
 
 UnitDesign latin_hypercube(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   UnitDesign design{dimensions, std::vector<double>(count * dimensions)};
-  std::vector<std::size_t> order(count);
   for (std::size_t k = 0; k < dimensions; ++k) {
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = count; i > 1; --i) {
-      const double random = unit_random(derived_seed(seed, kOrder), k, i);
-      std::swap(order[i - 1], order[static_cast<std::size_t>(random * static_cast<double>(i))]);
-    }
+    const std::vector<std::size_t> stratum = random_order(count, derived_seed(seed, kOrder), k);
     for (std::size_t i = 0; i < count; ++i) {
-      const double inside = unit_random(derived_seed(seed, kJitter), k, i);
-      design.values[i * dimensions + k] = (static_cast<double>(order[i]) + inside) / static_cast<double>(count);
+      // 32 bits inside the stratum: with its number below 2^20 the sum is exact.
+      const std::uint64_t bits = philox(derived_seed(seed, kJitter), k, i).first >> 32U;
+      const double inside = (static_cast<double>(bits) + 0.5) * 0x1.0p-32;
+      design.values[i * dimensions + k] = (static_cast<double>(stratum[i]) + inside) / static_cast<double>(count);
     }
   }
   return design;
 }
 
-UnitDesign random_design(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
+UnitDesign independent_design(std::size_t count, std::size_t dimensions, std::uint64_t seed) {
   UnitDesign design{dimensions, {}};
+  design.values.reserve(count * dimensions);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < dimensions; ++k) {
-      design.values.push_back(unit_random(derived_seed(seed, kPlain), k, i));
+      design.values.push_back(unit_random(derived_seed(seed, kIndependent), k, i));
     }
   }
   return design;
+}
+
+void require(bool holds, const char* rule) {
+  if (!holds) throw std::invalid_argument(std::string("unit_design: ") + rule);
 }
 
 }  // namespace
 
 UnitDesign unit_design(DesignKind kind, std::size_t count, std::size_t dimensions, std::uint64_t seed) {
+  require(count > 0, "count must be > 0");
+  require(dimensions > 0, "dimensions must be > 0");
   switch (kind) {
     case DesignKind::sobol:
+      require(dimensions <= kSobolDimensionsMost, "a Sobol' design has at most 1,000 dimensions");
+      require(count <= kSobolPointsMost, "a Sobol' design has at most 2^32 points");
       return sobol_design(count, dimensions, seed);
     case DesignKind::latin_hypercube:
+      require(count <= kLatinPointsMost, "a Latin hypercube has less than 2^20 points");
       return latin_hypercube(count, dimensions, seed);
     case DesignKind::random:
-      return random_design(count, dimensions, seed);
+      return independent_design(count, dimensions, seed);
   }
   return {};
 }
 
 double unit_random(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
-  return open_unit(random_bits(seed, stream, k));
+  return open_unit(philox(seed, stream, k).first);
 }
 
-std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t purpose) { return mixed(mixed(seed) + purpose); }
+std::size_t random_index(std::uint64_t seed, std::uint64_t stream, std::uint64_t k, std::size_t count) {
+  // u <= 1 - 2^-53, so u * count rounds to less than count.
+  return static_cast<std::size_t>(unit_random(seed, stream, k) * static_cast<double>(count));
+}
+
+std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed, std::uint64_t stream) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random_index(seed, stream, i, i)]);
+  return order;
+}
+
+std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t purpose) {
+  // The half of the block that unit_random leaves.
+  return philox(seed, purpose, 0).second;
+}
 
 }  // namespace unbruised::studies

@@ -2,61 +2,73 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <numeric>
 
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/distributions/uniform.hpp>
 
+#include "studies/statistics/boost_policy.hpp"
+
 namespace unbruised::studies {
 namespace {
 
 namespace bm = boost::math;
 
-/// Plain doubles, and no exceptions: arguments are kept inside their ranges here.
-using Policy = bm::policies::policy<bm::policies::promote_double<false>,
-                                    bm::policies::domain_error<bm::policies::ignore_error>,
-                                    bm::policies::pole_error<bm::policies::ignore_error>,
-                                    bm::policies::overflow_error<bm::policies::ignore_error>,
-                                    bm::policies::evaluation_error<bm::policies::ignore_error>>;
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::min();
+/// Least probability that truncation may leave: below it the ends of the truncated part have no digits in common.
+constexpr double kLeastPart = 1e-12;
+/// Widest lognormal: beyond, values run over more decades than any property has.
+constexpr double kWidestLognormal = 1e6;
 
-/// Calls `use` with the distribution before it is truncated; a spread of zero is handled before.
+bool has_moments(const Distribution& d) {
+  return d.kind == DistributionKind::normal || d.kind == DistributionKind::lognormal;
+}
+
+bool is_point(const Distribution& d) { return has_moments(d) && d.standard_deviation == 0.0; }
+
+/// Mean and standard deviation of the logarithm: s^2 = log(1 + (sd / mean)^2), m = log(mean) - s^2 / 2.
+struct Logarithm {
+  double mean = 0.0;
+  double standard_deviation = 0.0;
+};
+Logarithm logarithm_of(const Distribution& d) {
+  const double ratio = d.standard_deviation / d.mean;
+  // log(1 + r^2) = r^2 to all digits where r^2 could underflow.
+  const double s = ratio < 1e-9 ? ratio : std::sqrt(std::log1p(ratio * ratio));
+  return {std::log(d.mean) - 0.5 * s * s, s};
+}
+
+/// Calls `use` with the distribution before it is truncated. Points are handled before.
 template <class Use>
 double with_whole(const Distribution& d, Use use) {
   switch (d.kind) {
     case DistributionKind::uniform:
-      return use(bm::uniform_distribution<double, Policy>(d.from, d.to));
+      return use(bm::uniform_distribution<double, QuietPolicy>(d.from, d.to));
     case DistributionKind::triangular:
-      return use(bm::triangular_distribution<double, Policy>(d.from, d.mode, d.to));
+      return use(bm::triangular_distribution<double, QuietPolicy>(d.from, d.mode, d.to));
     case DistributionKind::normal:
-      return use(bm::normal_distribution<double, Policy>(d.mean, d.standard_deviation));
+      return use(bm::normal_distribution<double, QuietPolicy>(d.mean, d.standard_deviation));
     case DistributionKind::lognormal: {
-      const double ratio = d.standard_deviation / d.mean;
-      const double variance = std::log1p(ratio * ratio);
-      return use(bm::lognormal_distribution<double, Policy>(std::log(d.mean) - 0.5 * variance, std::sqrt(variance)));
+      const Logarithm logarithm = logarithm_of(d);
+      return use(bm::lognormal_distribution<double, QuietPolicy>(logarithm.mean, logarithm.standard_deviation));
     }
   }
-  return 0.0;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
-bool by_moments(const Distribution& d) {
-  return d.kind == DistributionKind::normal || d.kind == DistributionKind::lognormal;
-}
-
-bool is_point(const Distribution& d) { return by_moments(d) && d.standard_deviation == 0.0; }
-
-/// Where the whole distribution begins and ends.
+/// Where the whole distribution begins and ends, as finite numbers.
 double support_low(const Distribution& d) {
-  if (d.kind == DistributionKind::normal) return -std::numeric_limits<double>::infinity();
+  if (d.kind == DistributionKind::normal) return -kLargest;
   return d.kind == DistributionKind::lognormal ? 0.0 : d.from;
 }
-double support_high(const Distribution& d) {
-  return by_moments(d) ? std::numeric_limits<double>::infinity() : d.to;
-}
+double support_high(const Distribution& d) { return has_moments(d) ? kLargest : d.to; }
 
-/// F(x) and 1 - F(x), each accurate where it is small.
+/// F(x) and 1 - F(x), each with all its digits where it is small.
 double below(const Distribution& d, double x) {
   if (x <= support_low(d)) return 0.0;
   if (x >= support_high(d)) return 1.0;
@@ -68,54 +80,105 @@ double above(const Distribution& d, double x) {
   return with_whole(d, [x](const auto& whole) { return bm::cdf(bm::complement(whole, x)); });
 }
 
-/// The truncated part lies in the upper half: work with complements there.
-bool is_upper(const Distribution& d) { return below(d, d.at_least) > 0.5; }
+/// Where quantiles go over from F to 1 - F.
+double center(const Distribution& d) {
+  switch (d.kind) {
+    case DistributionKind::uniform:
+      return std::midpoint(d.from, d.to);
+    case DistributionKind::triangular:
+      return d.mode;
+    case DistributionKind::normal:
+      return d.mean;
+    case DistributionKind::lognormal:
+      return std::exp(logarithm_of(d).mean);
+  }
+  return 0.0;
+}
 
-std::string number(double value) {
+/// F(high) - F(low) of the whole distribution, from the side where the two are small.
+double part_between(const Distribution& d, double low, double high) {
+  return low >= center(d) ? above(d, low) - above(d, high) : below(d, high) - below(d, low);
+}
+
+std::string number_text(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr;
+  return {text.data(), end};
+}
+
+std::string kind_text(const Distribution& d) {
+  const std::string moments = "(mean " + number_text(d.mean) + ", sd " + number_text(d.standard_deviation) + ")";
+  const std::string range = number_text(d.from) + " to " + number_text(d.to);
+  switch (d.kind) {
+    case DistributionKind::uniform:
+      return "uniform(" + range + ")";
+    case DistributionKind::triangular:
+      return "triangular(" + range + ", mode " + number_text(d.mode) + ")";
+    case DistributionKind::normal:
+      return "normal" + moments;
+    case DistributionKind::lognormal:
+      return "lognormal" + moments;
+  }
+  return {};
+}
+
+std::string truncation_text(const Distribution& d) {
+  const bool low = std::isfinite(d.at_least);
+  const bool high = std::isfinite(d.at_most);
+  if (low && high) return ", " + number_text(d.at_least) + " to " + number_text(d.at_most);
+  if (low) return ", at least " + number_text(d.at_least);
+  return high ? ", at most " + number_text(d.at_most) : "";
+}
+
+const char* broken_rule_of_moments(const Distribution& d) {
+  if (!std::isfinite(d.mean)) return "mean must be finite";
+  if (!(d.standard_deviation >= 0.0)) return "standard_deviation must be >= 0";
+  if (!std::isfinite(d.standard_deviation)) return "standard_deviation must be finite";
+  if (d.kind != DistributionKind::lognormal) return nullptr;
+  if (!(d.mean > 0.0)) return "mean of a lognormal must be > 0";
+  const bool narrow = d.standard_deviation / kWidestLognormal <= d.mean;
+  return narrow ? nullptr : "standard_deviation of a lognormal must be at most 1e6 times its mean";
+}
+
+const char* broken_rule_of_range(const Distribution& d) {
+  if (!(d.from < d.to)) return "from must be < to";
+  if (!std::isfinite(d.to - d.from)) return "from and to must be finite";
+  const bool mode_inside = d.from <= d.mode && d.mode <= d.to;
+  return d.kind == DistributionKind::triangular && !mode_inside ? "mode must lie between from and to" : nullptr;
+}
+
+const char* broken_rule_of_truncation(const Distribution& d) {
+  if (!(d.at_least < d.at_most)) return "at_least must be < at_most";
+  const bool something = is_point(d) ? d.at_least <= d.mean && d.mean <= d.at_most
+                                     : part_between(d, d.at_least, d.at_most) > kLeastPart;
+  return something ? nullptr : "nothing lies between at_least and at_most";
 }
 
 }  // namespace
 
 std::optional<std::string> broken_rule(const Distribution& d) {
-  if (by_moments(d)) {
-    if (!std::isfinite(d.mean)) return "mean must be finite";
-    if (!(d.standard_deviation >= 0.0) || !std::isfinite(d.standard_deviation)) {
-      return "standard_deviation must be >= 0";
-    }
-    if (d.kind == DistributionKind::lognormal && !(d.mean > 0.0)) return "mean of a lognormal must be > 0";
-  } else {
-    if (!(d.from < d.to)) return "from must be < to";
-    if (d.kind == DistributionKind::triangular && !(d.from <= d.mode && d.mode <= d.to)) {
-      return "mode must lie between from and to";
-    }
-  }
-  if (!(d.at_least < d.at_most)) return "at_least must be < at_most";
-  if (is_point(d)) {
-    const bool inside = d.at_least <= d.mean && d.mean <= d.at_most;
-    return inside ? std::nullopt : std::optional<std::string>("nothing lies between at_least and at_most");
-  }
-  const double left = is_upper(d) ? above(d, d.at_least) - above(d, d.at_most)
-                                  : below(d, d.at_most) - below(d, d.at_least);
-  if (!(left > 1e-12)) return "nothing lies between at_least and at_most";
-  return std::nullopt;
+  const char* broken = has_moments(d) ? broken_rule_of_moments(d) : broken_rule_of_range(d);
+  if (broken == nullptr) broken = broken_rule_of_truncation(d);
+  return broken == nullptr ? std::nullopt : std::optional<std::string>(broken);
 }
 
 double quantile(const Distribution& d, double u) {
   if (is_point(d)) return d.mean;
   const double low = std::max(d.at_least, support_low(d));
   const double high = std::min(d.at_most, support_high(d));
+  const double middle = center(d);
+  const double low_below = below(d, low);
+  const double p = low_below + u * (below(d, high) - low_below);
+  // Both sides stop at the middle, so that rounding does not break the order there.
   double value = 0.0;
-  if (is_upper(d)) {
-    const double q = above(d, d.at_least) + u * (above(d, d.at_most) - above(d, d.at_least));
-    value = q <= 0.0 ? high : with_whole(d, [q](const auto& whole) { return bm::quantile(bm::complement(whole, q)); });
+  if (p <= below(d, middle)) {
+    const double part = std::max(p, kSmallest);
+    value = std::min(middle, with_whole(d, [=](const auto& whole) { return bm::quantile(whole, part); }));
   } else {
-    const double p = below(d, d.at_least) + u * (below(d, d.at_most) - below(d, d.at_least));
-    value = p <= 0.0   ? low
-            : p >= 1.0 ? high
-                       : with_whole(d, [p](const auto& whole) { return bm::quantile(whole, p); });
+    const double high_above = above(d, high);
+    const double part = std::max(high_above + (1.0 - u) * (above(d, low) - high_above), kSmallest);
+    value = std::max(middle,
+                     with_whole(d, [=](const auto& whole) { return bm::quantile(bm::complement(whole, part)); }));
   }
   return std::clamp(value, low, high);
 }
@@ -124,40 +187,20 @@ double cumulative(const Distribution& d, double value) {
   if (is_point(d)) return value >= d.mean ? 1.0 : 0.0;
   if (value <= d.at_least) return 0.0;
   if (value >= d.at_most) return 1.0;
-  if (is_upper(d)) {
-    const double all = above(d, d.at_least) - above(d, d.at_most);
-    return (above(d, d.at_least) - above(d, value)) / all;
-  }
-  return (below(d, value) - below(d, d.at_least)) / (below(d, d.at_most) - below(d, d.at_least));
+  return std::clamp(part_between(d, d.at_least, value) / part_between(d, d.at_least, d.at_most), 0.0, 1.0);
 }
 
-std::string distribution_text(const Distribution& d) {
-  std::string text;
-  switch (d.kind) {
-    case DistributionKind::uniform:
-      text = "uniform(" + number(d.from) + " to " + number(d.to) + ")";
-      break;
-    case DistributionKind::triangular:
-      text = "triangular(" + number(d.from) + ", " + number(d.mode) + ", " + number(d.to) + ")";
-      break;
-    case DistributionKind::normal:
-    case DistributionKind::lognormal:
-      text = std::string(d.kind == DistributionKind::normal ? "normal" : "lognormal") + "(mean " + number(d.mean) +
-             ", sd " + number(d.standard_deviation) + ")";
-      break;
-  }
-  if (std::isfinite(d.at_least)) text += ", >= " + number(d.at_least);
-  if (std::isfinite(d.at_most)) text += ", <= " + number(d.at_most);
-  return text;
-}
+std::string distribution_text(const Distribution& d) { return kind_text(d) + truncation_text(d); }
 
 MeanAndSpread mean_and_spread(std::span<const double> values) {
-  double mean = 0.0;
-  for (const double value : values) mean += value;
-  mean /= static_cast<double>(values.size());
+  if (values.empty()) {
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  }
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, values.size() < 2 ? 0.0 : std::sqrt(squares / static_cast<double>(values.size() - 1))};
+  return {mean, values.size() < 2 ? 0.0 : std::sqrt(squares / (n - 1.0))};
 }
 
 }  // namespace unbruised::studies

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// Distributions of product properties, sampled by their quantile function alone, so that one number in (0, 1) gives
-/// one value and the same numbers give common random products.
+/// Distributions of product properties, sampled by their quantile function alone, so that one number in (0, 1)
+/// gives one value and the same numbers give common random products.
 
 #include <limits>
 #include <optional>
@@ -29,18 +29,21 @@ struct Distribution {
   double at_most = std::numeric_limits<double>::infinity();
 };
 
-/// The broken rule ("standard_deviation must be >= 0"); nothing when the distribution is sound.
+/// The broken rule ("standard_deviation must be >= 0"); nothing when the distribution is sound. Sound ones keep
+/// more than 1e-12 of their probability between at_least and at_most.
 std::optional<std::string> broken_rule(const Distribution& distribution);
 
-/// The value below which the part `u` of the truncated distribution lies; 0 < u < 1. Monotone in u. Finite.
+/// The value below which the part `u` of the truncated distribution lies; 0 < u < 1. Monotone in u. Finite, and
+/// never beyond at_least and at_most. With F the distribution before it is truncated: F^-1(F(at_least) + u
+/// (F(at_most) - F(at_least))), taken from 1 - F in the upper part, so that far tails keep their digits.
 double quantile(const Distribution& distribution, double u);
 /// The part of the truncated distribution at or below `value`.
 double cumulative(const Distribution& distribution, double value);
 
-/// "normal(mean 0.095, sd 0.01), 0.08 to 0.12"
+/// "normal(mean 0.095, sd 0.01), 0.08 to 0.12"; "uniform(1 to 2)"; "triangular(1 to 3, mode 2), at least 1.5"
 std::string distribution_text(const Distribution& distribution);
 
-/// Mean and standard deviation (n - 1) of measured values; at least two.
+/// Mean and standard deviation (n - 1) of measured values. One value: standard deviation 0. None: NaN.
 struct MeanAndSpread {
   double mean = 0.0;
   double standard_deviation = 0.0;

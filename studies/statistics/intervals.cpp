@@ -5,143 +5,213 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "studies/statistics/boost_policy.hpp"
 #include "studies/statistics/design.hpp"
 
 namespace unbruised::studies {
 namespace {
 
 namespace bm = boost::math;
-using Policy = bm::policies::policy<bm::policies::promote_double<false>>;
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// p n this close above a whole number is that number, but for the rounding of p.
+constexpr double kRankRounding = 1e-9;
+
+/// The z or t that a symmetric distribution exceeds on either side with (1 - confidence) / 2.
+template <class BoostDistribution>
+double two_sided(const BoostDistribution& distribution, double confidence) {
+  return bm::quantile(bm::complement(distribution, 0.5 * (1.0 - confidence)));
+}
 
 double normal_score(double confidence) {
-  return bm::quantile(bm::normal_distribution<double, Policy>(0.0, 1.0), 0.5 + 0.5 * confidence);
+  return two_sided(bm::normal_distribution<double, QuietPolicy>(0.0, 1.0), confidence);
+}
+
+double student_score(double degrees_of_freedom, double confidence) {
+  return two_sided(bm::students_t_distribution<double, QuietPolicy>(degrees_of_freedom), confidence);
 }
 
 struct Cluster {
   double sum = 0.0;
-  std::size_t count = 0;
+  double size = 0.0;
+  [[nodiscard]] double mean() const { return sum / size; }
 };
 
-std::map<std::size_t, Cluster> clusters_of(std::span<const double> values, std::span<const std::size_t> cluster) {
-  std::map<std::size_t, Cluster> clusters;
+/// In the order of their numbers, whatever the order of the values.
+std::vector<Cluster> clusters_of(std::span<const double> values, std::span<const std::size_t> cluster) {
+  if (cluster.size() != values.size()) throw std::invalid_argument("statistics: one cluster per value");
+  std::map<std::size_t, Cluster> by_number;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    Cluster& own = clusters[cluster[i]];
+    Cluster& own = by_number[cluster[i]];
     own.sum += values[i];
-    ++own.count;
+    own.size += 1.0;
   }
+  std::vector<Cluster> clusters;
+  for (const auto& [number, own] : by_number) clusters.push_back(own);
   return clusters;
 }
 
-/// Student's interval of the mean of equally weighted observations.
-MeanInterval student_interval(std::span<const double> values, double confidence) {
-  MeanInterval out;
-  out.count = values.size();
-  const auto n = static_cast<double>(values.size());
-  out.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  if (values.size() < 2) {
-    out.interval = {-kInfinity, kInfinity};
-    return out;
-  }
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// m = sum m_i^2 / n: the size of the cluster that a value is in, on average.
+double mean_size_of(const std::vector<Cluster>& clusters) {
+  double n = 0.0;
   double squares = 0.0;
-  for (const double value : values) squares += (value - out.mean) * (value - out.mean);
-  const double error = std::sqrt(squares / (n - 1.0) / n);
-  const double t = bm::quantile(bm::students_t_distribution<double, Policy>(n - 1.0), 0.5 + 0.5 * confidence);
-  out.interval = {out.mean - t * error, out.mean + t * error};
-  return out;
+  for (const Cluster& own : clusters) {
+    n += own.size;
+    squares += own.size * own.size;
+  }
+  return squares / n;
+}
+
+/// Correlation of two values of one cluster, from the one-way analysis of variance; 0 where nothing varies.
+double intraclass_correlation(std::span<const double> values, const std::vector<Cluster>& clusters) {
+  const auto n = static_cast<double>(values.size());
+  const auto g = static_cast<double>(clusters.size());
+  const double mean = mean_of(values);
+  double total = 0.0;
+  for (const double value : values) total += (value - mean) * (value - mean);
+  double between = 0.0;
+  for (const Cluster& own : clusters) between += own.size * (own.mean() - mean) * (own.mean() - mean);
+  const double B = between / (g - 1.0);
+  const double W = std::max(0.0, total - between) / (n - g);
+  const double m_0 = (n - mean_size_of(clusters)) / (g - 1.0);
+  const double denominator = B + (m_0 - 1.0) * W;
+  return denominator > 0.0 ? (B - W) / denominator : 0.0;
+}
+
+/// Two clusters at least, and one of them with two values.
+bool is_clustered(std::span<const double> values, const std::vector<Cluster>& clusters) {
+  return clusters.size() >= 2 && clusters.size() < values.size();
+}
+
+double effective_size_of(std::span<const double> values, const std::vector<Cluster>& clusters) {
+  const auto n = static_cast<double>(values.size());
+  if (!is_clustered(values, clusters)) return n;
+  const double icc = std::clamp(intraclass_correlation(values, clusters), 0.0, 1.0);
+  return n / (1.0 + (mean_size_of(clusters) - 1.0) * icc);
+}
+
+bool all_alike(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+}
+
+/// The effective size that a proportion may claim; intervals.hpp says why.
+double claimed_size(std::span<const double> values, std::span<const double> measure,
+                    std::span<const std::size_t> cluster, double confidence) {
+  const auto n = static_cast<double>(values.size());
+  const std::vector<Cluster> clusters = clusters_of(values, cluster);
+  if (!is_clustered(values, clusters)) return n;
+  const double least = n / mean_size_of(clusters);
+  const bool tells = !measure.empty() && !all_alike(measure);
+  if (all_alike(values) && !tells) return least;
+  double size = n;
+  if (!all_alike(values)) size = effective_size_of(values, clusters);
+  if (tells) size = std::min(size, effective_size_of(measure, clusters_of(measure, cluster)));
+  const auto g = static_cast<double>(clusters.size());
+  const double t_ratio = student_score(n - 1.0, confidence) / student_score(g - 1.0, confidence);
+  return std::max(least, size * t_ratio * t_ratio);
 }
 
 }  // namespace
 
 Interval wilson_interval(double successes, double trials, double confidence) {
+  if (!(trials > 0.0)) return {0.0, 1.0};
   const double z = normal_score(confidence);
   const double p = successes / trials;
-  const double center = (p + z * z / (2.0 * trials)) / (1.0 + z * z / trials);
-  const double half =
-      z / (1.0 + z * z / trials) * std::sqrt(p * (1.0 - p) / trials + z * z / (4.0 * trials * trials));
+  const double z2_n = z * z / trials;
+  const double center = (p + 0.5 * z2_n) / (1.0 + z2_n);
+  const double half = std::sqrt(z2_n * (p * (1.0 - p) + 0.25 * z2_n)) / (1.0 + z2_n);
   return {p <= 0.0 ? 0.0 : std::max(0.0, center - half), p >= 1.0 ? 1.0 : std::min(1.0, center + half)};
 }
 
 std::size_t trials_to_show(double probability, double confidence) {
-  // All successes: the lower end is n / (n + z^2).
+  if (!(probability < 1.0)) return std::numeric_limits<std::size_t>::max();
   const double z = normal_score(confidence);
-  return static_cast<std::size_t>(std::ceil(z * z * probability / (1.0 - probability)));
+  const double least = z * z * std::max(0.0, probability) / (1.0 - probability);
+  if (least >= 1e18) return std::numeric_limits<std::size_t>::max();
+  return static_cast<std::size_t>(std::floor(least)) + 1;
 }
 
 double effective_size(std::span<const double> values, std::span<const std::size_t> cluster) {
-  const auto n = static_cast<double>(values.size());
-  const auto clusters = clusters_of(values, cluster);
-  const auto g = static_cast<double>(clusters.size());
-  if (clusters.size() < 2 || clusters.size() >= values.size()) return n;
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double between = 0.0;
-  double sizes_squared = 0.0;
-  for (const auto& [key, own] : clusters) {
-    const auto size = static_cast<double>(own.count);
-    const double off = own.sum / size - mean;
-    between += size * off * off;
-    sizes_squared += size * size;
-  }
-  double total = 0.0;
-  for (const double value : values) total += (value - mean) * (value - mean);
-  if (!(total > 0.0)) return n;
-  const double mean_between = between / (g - 1.0);
-  const double mean_within = std::max(0.0, total - between) / (n - g);
-  const double size = (n - sizes_squared / n) / (g - 1.0);
-  const double icc = (mean_between - mean_within) / (mean_between + (size - 1.0) * mean_within);
-  const double effect = 1.0 + (n / g - 1.0) * std::clamp(icc, 0.0, 1.0);
-  return n / effect;
+  if (cluster.empty()) return static_cast<double>(values.size());
+  return effective_size_of(values, clusters_of(values, cluster));
 }
 
-Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster, double confidence) {
-  std::vector<double> values(successes.begin(), successes.end());
+Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster, double confidence,
+                      std::span<const double> measure) {
+  if (successes.empty()) return {kNaN, {0.0, 1.0}, 0.0};
+  const std::vector<double> values(successes.begin(), successes.end());
   Proportion out;
-  const auto n = static_cast<double>(values.size());
-  out.estimate = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  out.effective_size = cluster.empty() ? n : effective_size(values, cluster);
+  out.estimate = mean_of(values);
+  out.effective_size = cluster.empty() ? static_cast<double>(values.size())
+                                       : claimed_size(values, measure, cluster, confidence);
   out.interval = wilson_interval(out.estimate * out.effective_size, out.effective_size, confidence);
   return out;
 }
 
-MeanInterval mean_interval(std::span<const double> values, std::span<const std::size_t> cluster, double confidence) {
-  if (values.empty()) return {std::numeric_limits<double>::quiet_NaN(), {-kInfinity, kInfinity}, 0};
-  if (cluster.empty()) return student_interval(values, confidence);
-  std::vector<double> means;
-  for (const auto& [key, own] : clusters_of(values, cluster)) means.push_back(own.sum / static_cast<double>(own.count));
-  if (means.size() < 2) return student_interval(values, confidence);
-  MeanInterval out = student_interval(means, confidence);
-  out.count = values.size();
+MeanInterval mean_interval(std::span<const double> values, std::span<const std::size_t> cluster,
+                           double confidence) {
+  if (values.empty()) return {kNaN, {-kInfinity, kInfinity}, 0};
+  const auto n = static_cast<double>(values.size());
+  std::vector<Cluster> observations;
+  if (!cluster.empty()) observations = clusters_of(values, cluster);
+  if (observations.size() < 2) {
+    observations.clear();
+    for (const double value : values) observations.push_back({value, 1.0});
+  }
+  MeanInterval out{mean_of(values), {-kInfinity, kInfinity}, values.size()};
+  if (observations.size() < 2) return out;
+  const auto g = static_cast<double>(observations.size());
+  double squares = 0.0;
+  for (const Cluster& own : observations) {
+    const double off = own.size / n * (own.mean() - out.mean);
+    squares += off * off;
+  }
+  const double half = student_score(g - 1.0, confidence) * std::sqrt(g / (g - 1.0) * squares);
+  out.interval = {out.mean - half, out.mean + half};
   return out;
+}
+
+std::vector<std::size_t> bootstrap_rows(std::size_t count, std::uint64_t seed, std::uint64_t replicate) {
+  std::vector<std::size_t> rows(count);
+  for (std::size_t i = 0; i < count; ++i) rows[i] = random_index(seed, replicate, i, count);
+  return rows;
+}
+
+Interval percentile_interval(std::vector<double> replicates, double confidence) {
+  const bool has_nan = std::any_of(replicates.begin(), replicates.end(), [](double v) { return std::isnan(v); });
+  if (replicates.empty() || has_nan) return {kNaN, kNaN};
+  std::sort(replicates.begin(), replicates.end());
+  const double part = 0.5 * (1.0 - confidence) * static_cast<double>(replicates.size());
+  const auto k = static_cast<std::size_t>(std::max(1.0, std::floor(part + kRankRounding)));
+  return {replicates[k - 1], replicates[replicates.size() - k]};
 }
 
 Interval bootstrap_interval(std::size_t count, std::size_t replicates, std::uint64_t seed, double confidence,
                             const std::function<double(std::span<const std::size_t>)>& statistic) {
   std::vector<double> values;
-  std::vector<std::size_t> drawn(count);
-  for (std::size_t b = 0; b < replicates; ++b) {
-    for (std::size_t i = 0; i < count; ++i) {
-      drawn[i] = static_cast<std::size_t>(unit_random(seed, b, i) * static_cast<double>(count));
-    }
-    values.push_back(statistic(drawn));
-  }
-  return {sample_quantile(values, 0.5 - 0.5 * confidence), sample_quantile(values, 0.5 + 0.5 * confidence)};
+  values.reserve(replicates);
+  for (std::size_t b = 0; b < replicates; ++b) values.push_back(statistic(bootstrap_rows(count, seed, b)));
+  return percentile_interval(std::move(values), confidence);
 }
 
 double sample_quantile(std::vector<double> values, double p) {
-  if (values.empty() || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  const bool has_nan = std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+  if (values.empty() || has_nan) return kNaN;
   const auto n = static_cast<double>(values.size());
-  // A part that is a whole number but for rounding is that number.
-  const double k = std::clamp(std::ceil(p * n - 1e-9), 1.0, n);
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(k) - 1;
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
+  const double k = std::clamp(std::ceil(p * n - kRankRounding), 1.0, n);
+  const auto kth = values.begin() + static_cast<std::ptrdiff_t>(k) - 1;
+  std::nth_element(values.begin(), kth, values.end());
+  return *kth;
 }
 
 }  // namespace unbruised::studies

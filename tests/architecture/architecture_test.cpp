@@ -134,6 +134,22 @@ TEST(Architecture, TomlStaysInConfig) {
 
 TEST(Architecture, JsonStaysInReport) { expect_included_only_below("^nlohmann/", {"studies/report/"}); }
 
+TEST(Architecture, BoostAndRandom123StayInTheSourcesOfStatistics) {
+  expect_included_only_below("^(boost|Random123)/", {"studies/statistics/"});
+  // Nor do they come in by another way: no public header of the folder passes them on.
+  for_every_include([](const IncludeLine& include) {
+    if (include.target != "studies/statistics/boost_policy.hpp") return;
+    EXPECT_TRUE(include.file.starts_with("studies/statistics/") && include.file.ends_with(".cpp"))
+        << place(include);
+  });
+  const std::regex library("^(boost|Random123)/");
+  for_every_include([&](const IncludeLine& include) {
+    const bool is_policy = include.file == "studies/statistics/boost_policy.hpp";
+    if (house_of(include.file) == "tests" || is_policy || !std::regex_search(include.target, library)) return;
+    EXPECT_TRUE(include.file.ends_with(".cpp")) << place(include) << ": not in a header";
+  });
+}
+
 TEST(Architecture, TheCommandLineLibraryStaysInCli) { expect_included_only_below("^CLI/", {"studies/cli/"}); }
 
 TEST(Architecture, CoreAndOptimizerKnowNoThreadsLibrary) {

@@ -132,6 +132,8 @@ TEST(Architecture, TomlStaysInConfig) {
   expect_included_only_below("^toml(\\+\\+|\\.hpp|plusplus)", {"studies/config/"});
 }
 
+TEST(Architecture, JsonStaysInReport) { expect_included_only_below("^nlohmann/", {"studies/report/"}); }
+
 TEST(Architecture, BoostAndRandom123StayInTheSourcesOfStatistics) {
   expect_included_only_below("^(boost|Random123)/", {"studies/statistics/"});
   // Nor do they come in by another way: no public header of the folder passes them on.

@@ -50,14 +50,15 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
   std::string line = joined({"lanes: ", short_number(100.0 * report.lane_use.occupancy()), " % busy"});
   if (is_search(study.kind())) line += " while searching";
   if (report.seconds > 0.0 && report.run_now > 0) {
-    line += joined({", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
+    line += joined(
+        {", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
   }
   if (report.from_memory > 0) line += joined({"; ", with_thousands(report.from_memory), " answered from memory"});
   return line;
 }
 
 int report_finished(const RunArguments& arguments, const Study& study, const RunDirectory& run,
-                    const StudyReport& report, int threads) {
+                    const StudyReport& report, int threads, const std::optional<fs::path>& page) {
   const std::size_t count = report.tables.rows.size();
   print_line(joined({study.name(), ": ", study_kind_word(study.kind()), ", ", with_thousands(count),
                      count == 1 ? " scenario, " : " scenarios, ", with_thousands(report.run_now), " run now in ",
@@ -71,6 +72,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
     print_line(line);
   }
   print_line(joined({"results: ", run.results_path().string()}));
+  if (page) print_line(joined({"report: ", page->string()}));
   print_line(joined({"digest ", rows_digest(report.tables.rows)}));
   std::size_t diverged = 0;
   for (const ScenarioRow& row : report.tables.rows) diverged += row.result.outcome == Outcome::diverged ? 1 : 0;
@@ -136,8 +138,9 @@ int run_command(const RunArguments& arguments) {
                                 {.threads = threads, .stop = &interrupt_requested(), .progress = &progress});
   progress.close();
   if (!report) return report_error(report.error());
+  const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
   return report->interrupted ? report_interrupted(arguments, run, *report)
-                             : report_finished(arguments, *study, run, *report, threads);
+                             : report_finished(arguments, *study, run, *report, threads, page);
 }
 
 int run_one_command(const RunArguments& arguments) {
@@ -161,10 +164,11 @@ int run_one_command(const RunArguments& arguments) {
     return report_error(
         {ResultsErrorKind::io, joined({"cannot create ", directory.string(), ": ", failed.message()}), {}});
   }
-  ScenarioRow row{.id = id,
-                  .result = *result,
-                  .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
-                  .place = {}};
+  ScenarioRow row{
+      .id = id,
+      .result = *result,
+      .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
+      .place = {}};
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
   const ResultsContent content{.meta = results_meta(*study, true),
                                .inputs = input_columns(*study),

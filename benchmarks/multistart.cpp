@@ -1,7 +1,7 @@
 /// @file
-/// What lockstep lanes are worth to a search: the shipped kiwi_optimize on coarse cells, 16 searches at once, against the
-/// same searches one after the other, where each scenario has a lane and a core to itself. One thread both times; the
-/// digests must be equal.
+/// What lockstep lanes are worth to a search: the shipped kiwi_optimize on coarse cells, 16 searches at once,
+/// against the same searches one after the other, where each scenario has a lane and a core to itself. One thread
+/// both times; the digests must be equal.
 
 #include <cstdio>
 #include <filesystem>
@@ -22,8 +22,9 @@ StudyReport run_with(const Study& study, std::size_t concurrent_searches) {
   const auto directory = std::filesystem::temp_directory_path() / "unbruised_benchmark_multistart";
   std::filesystem::remove_all(directory);
   auto run = RunDirectory::open({directory, study.resolved_toml(), build_line(), true});
-  auto report = run_study(study, **run, core_simulator(),
-                          {.threads = 1, .stop = nullptr, .progress = nullptr, .concurrent_searches = concurrent_searches});
+  auto report =
+      run_study(study, **run, core_simulator(),
+                {.threads = 1, .stop = nullptr, .progress = nullptr, .concurrent_searches = concurrent_searches});
   std::filesystem::remove_all(directory);
   return report ? std::move(*report) : StudyReport{};
 }
@@ -44,7 +45,8 @@ int main(int argc, char** argv) {
   const StudyOrError read = read_study(root + "/kiwi_optimize.toml", sets, root);
   const auto* study = std::get_if<Study>(&read);
   if (study == nullptr) {
-    std::fprintf(stderr, "usage: benchmark_multistart [CONFIG_ROOT]; %s/kiwi_optimize.toml cannot be read\n", root.c_str());
+    std::fprintf(stderr, "usage: benchmark_multistart [CONFIG_ROOT]; %s/kiwi_optimize.toml cannot be read\n",
+                 root.c_str());
     return 2;
   }
   const StudyReport together = run_with(*study, 256);
@@ -55,7 +57,7 @@ int main(int argc, char** argv) {
               static_cast<int>(study->search().starts), together.tables.rows.size());
   print("together", together);
   print("one by one", one_by_one);
-  std::printf("together is %.1f x sooner; digest %s, %s\n", one_by_one.search_seconds / together.search_seconds, digest.c_str(),
-              same ? "same bits" : "DIFFERENT BITS");
+  std::printf("together is %.1f x sooner; digest %s, %s\n", one_by_one.search_seconds / together.search_seconds,
+              digest.c_str(), same ? "same bits" : "DIFFERENT BITS");
   return same ? 0 : 1;
 }

@@ -38,7 +38,8 @@ bool write_all(const Study& study, const std::map<std::uint64_t, ScenarioResult>
   auto run = RunDirectory::open({directory, study.resolved_toml(), build_line(), true});
   if (!run.has_value()) return false;
   for (const auto& [id, result] : results) {
-    if ((*run)->append({id, result, grid_inputs(study, static_cast<std::size_t>(id)), std::nullopt}).has_value()) return false;
+    if ((*run)->append({id, result, grid_inputs(study, static_cast<std::size_t>(id)), std::nullopt}).has_value())
+      return false;
   }
   ResultsContent content;
   content.meta = results_meta(study, true);

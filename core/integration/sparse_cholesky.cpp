@@ -103,8 +103,8 @@ cholmod_sparse borrow(const SymmetricMatrix& matrix) {
   return view;
 }
 
-/// The ordering draws from METIS' random numbers, which are one state of the whole process: two orderings at a time
-/// would mix their draws, and the order, so the bits of the factor, would depend on the timing of threads.
+/// The ordering draws from METIS' random numbers, which are one state of the whole process: two orderings at a
+/// time would mix their draws, and the order, so the bits of the factor, would depend on the timing of threads.
 cholmod_factor* analyze_alone(cholmod_sparse& matrix, cholmod_common& common) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);

@@ -20,10 +20,9 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
     has_product_yield_ = lattice->yield_stress_Pa.has_value();
   }
   if (has_gripper_) {
-    for (Metric metric :
-         {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m, Metric::slip_max_m,
-          Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m, Metric::peak_acceleration_m_s2,
-          Metric::grip_impulse_N_s}) {
+    for (Metric metric : {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m,
+                          Metric::slip_max_m, Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m,
+                          Metric::peak_acceleration_m_s2, Metric::grip_impulse_N_s}) {
       metrics[metric] = 0.0;
     }
     if (has_product_yield_) metrics[Metric::contact_yield_ratio_max] = 0.0;
@@ -90,8 +89,8 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
               "contact_yield_ratio_max > limits.contact_yield_ratio", now.time_s);
 }
 
-/// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as continuous
-/// in the strategy as the force is.
+/// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as
+/// continuous in the strategy as the force is.
 void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingCycle& cycle) {
   const double normal_N = 0.5 * (now.finger[0].normal_N + now.finger[1].normal_N);
   const double step_s = now.time_s - impulse_time_s_;

@@ -76,7 +76,8 @@ StudyCost cost_of(const ScenarioSet& set) {
   return cost;
 }
 
-/// Evaluations per scenario known beforehand: of a window study from a rehearsal with made-up ends inside the range.
+/// Evaluations per scenario known beforehand: of a window study from a rehearsal with made-up ends inside the
+/// range.
 double evaluations_per_known(const Study& study, const StudyCost& cost) {
   if (is_search(study.kind())) {
     return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(cost.group_of.size());
@@ -186,7 +187,8 @@ int check_command(const StudyArguments& arguments) {
     print_line(joined({"combinations: ", with_thousands(study->scenario_count()), ", scenarios: about ",
                        with_thousands(static_cast<unsigned long long>(std::llround(evaluations)))}));
   } else if (is_search(study->kind())) {
-    print_line(joined({"scenarios: at most ", with_thousands(evaluations_at_most(*study)), ", checks of the best included"}));
+    print_line(joined(
+        {"scenarios: at most ", with_thousands(evaluations_at_most(*study)), ", checks of the best included"}));
   } else {
     print_line(joined({"scenarios: ", with_thousands(set.count)}));
   }

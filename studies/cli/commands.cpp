@@ -98,7 +98,7 @@ int list_command() {
   for (const LibraryEntry& entry : entries) {
     if (kind != entry.kind) {
       kind = entry.kind;
-      print_line(entry.kind == LibraryEntry::Kind::product   ? "\nproducts"
+      print_line(entry.kind == LibraryEntry::Kind::product    ? "\nproducts"
                  : entry.kind == LibraryEntry::Kind::gripper  ? "\ngrippers"
                  : entry.kind == LibraryEntry::Kind::strategy ? "\nstrategies"
                                                               : "\nstudies");

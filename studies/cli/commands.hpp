@@ -56,9 +56,10 @@ void print_line(const std::string& line);
 int report_error(const ResultsError& error);
 
 inline constexpr const char* kReportName = "report.html";
-/// Writes report.html into a run directory. @return the page; nothing, after a note, when it fails: the results are
-/// safe without it.
-std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory, const std::string& program);
+/// Writes report.html into a run directory. @return the page; nothing, after a note, when it fails: the results
+/// are safe without it.
+std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory,
+                                                         const std::string& program);
 
 /// Reads a study with its warnings printed; otherwise prints what is wrong with it and returns nothing.
 std::optional<Study> read_or_explain(const StudyArguments& arguments);

@@ -29,8 +29,8 @@ Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);
 
 /// The run directory it was read from, as the user wrote it; "." where that is the working directory.
 std::filesystem::path directory_of(const RecordedStudy& recorded);
-/// The command that replays a scenario of a run directory, without the id; empty where there is no config to replay
-/// from.
+/// The command that replays a scenario of a run directory, without the id; empty where there is no config to
+/// replay from.
 std::string replay_command(const RecordedStudy& recorded, const std::string& program);
 
 /// The recorded row of an id in the run directory of this very study; nothing when there is none.

@@ -176,9 +176,11 @@ void write_places(Hdf5File& file, const Dimension& scenarios, const std::vector<
   if (rows.empty() || !rows.front().place) return;
   for (const auto& [name, field] : kPlaceColumns) {
     const auto member = field;
-    file.write(name, column_of(rows, [member](const ScenarioRow& row) {
-                 return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
-               }),
+    file.write(name,
+               column_of(rows,
+                         [member](const ScenarioRow& row) {
+                           return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
+                         }),
                {rows.size()});
     file.attach_scale(name, scenarios.scale, 0);
   }
@@ -534,7 +536,8 @@ void read_places(const Hdf5File& file, std::vector<ScenarioRow>& rows) {
 
 ResultTable read_table(const Hdf5File& file, const std::string& name) {
   const std::string group = joined({"/", name});
-  ResultTable table{.name = name, .row = file.text_attribute(group, "row").value_or(""), .columns = {}, .attributes = {}};
+  ResultTable table{
+      .name = name, .row = file.text_attribute(group, "row").value_or(""), .columns = {}, .attributes = {}};
   const std::size_t count = file.extents(joined({group, "/", table.row})).at(0);
   std::map<std::int64_t, std::string> order;
   for (const std::string& dataset : file.datasets(group)) {

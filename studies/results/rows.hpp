@@ -29,7 +29,8 @@ struct ColumnInfo {
   std::string long_name;  ///< may stay empty
 };
 
-/// Which question of a search a scenario answered. Its numbers depend on the study alone, never on when it was asked.
+/// Which question of a search a scenario answered. Its numbers depend on the study alone, never on when it was
+/// asked.
 struct SearchPlace {
   std::uint64_t search = 0;      ///< < 2^23
   std::uint64_t generation = 0;  ///< < 2^24; questions asked together belong to one
@@ -52,7 +53,7 @@ constexpr SearchPlace search_place(std::uint64_t journal_id) {
 struct ScenarioRow {
   std::uint64_t id = 0;  ///< in the study's order; of a search's rows in the journal: journal_id of the place
   ScenarioResult result;
-  std::vector<InputValue> inputs;  ///< as long as, and in the order of, the study's input columns
+  std::vector<InputValue> inputs;      ///< as long as, and in the order of, the study's input columns
   std::optional<SearchPlace> place{};  ///< of searches, once their rows are numbered
 };
 

@@ -39,8 +39,8 @@ struct BatchReport {
   LaneUse lane_use;
 };
 
-/// Runs a batch; an exception of the sink comes out of it. A model that cannot be built and an exception inside the simulator become `diverged` rows
-/// with the cause; the other scenarios go on.
+/// Runs a batch; an exception of the sink comes out of it. A model that cannot be built and an exception inside
+/// the simulator become `diverged` rows with the cause; the other scenarios go on.
 BatchReport run_batch(const Simulator& simulator, const Batch& batch, const BatchOptions& options,
                       const ResultSink& sink);
 

@@ -63,7 +63,9 @@ class Comparison {
   [[nodiscard]] const ScenarioRow& row(std::size_t product, std::size_t candidate) const {
     return rows_[product * study_.candidates().size() + candidate];
   }
-  [[nodiscard]] const std::string& name(std::size_t candidate) const { return study_.candidates()[candidate].name; }
+  [[nodiscard]] const std::string& name(std::size_t candidate) const {
+    return study_.candidates()[candidate].name;
+  }
 
   ResultTable candidates() const {
     const std::size_t n = study_.candidates().size();
@@ -80,8 +82,8 @@ class Comparison {
         if (outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(outcome)][c];
         own.push_back(&row(p, c));
       }
-      const Proportion estimate = held_proportion(own, products_, study_.candidates()[c].scenario.limits,
-                                                  study_.sampling().confidence);
+      const Proportion estimate =
+          held_proportion(own, products_, study_.candidates()[c].scenario.limits, study_.sampling().confidence);
       probability.push_back(estimate.estimate);
       low.push_back(estimate.interval.low);
       high.push_back(estimate.interval.high);
@@ -178,9 +180,9 @@ class Comparison {
     const double low = std::min(std::abs(difference.interval.low), std::abs(difference.interval.high));
     const double high = std::max(std::abs(difference.interval.low), std::abs(difference.interval.high));
     return joined({name(b_better ? b : a), more ? " has more " : " needs less ", info_of(metric).name, " than ",
-                   name(b_better ? a : b), ": by ",
-                   short_number(std::abs(difference.mean)), " (", percent(study_.sampling().confidence),
-                   " interval ", short_number(low), " to ", short_number(high), ")"});
+                   name(b_better ? a : b), ": by ", short_number(std::abs(difference.mean)), " (",
+                   percent(study_.sampling().confidence), " interval ", short_number(low), " to ",
+                   short_number(high), ")"});
   }
 
   ResultTable comparison() const {
@@ -273,8 +275,8 @@ ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows
   const UnitDesign design = sensitivity_design(study);
   const SensitivitySettings& settings = study.sensitivity();
   for (const Metric metric : settings.metrics) {
-    const SobolResult found = sobol_indices(design, answers_of(rows, metric), settings.bootstrap, settings.confidence,
-                                            derived_seed(study.seed(), kBootstrap));
+    const SobolResult found = sobol_indices(design, answers_of(rows, metric), settings.bootstrap,
+                                            settings.confidence, derived_seed(study.seed(), kBootstrap));
     used = std::min(used, found.used);
     for (std::size_t k = 0; k < found.indices.size(); ++k) {
       const SobolIndex& index = found.indices[k];

@@ -117,8 +117,8 @@ EvaluationBroker::Counts EvaluationBroker::counts() const {
 }
 
 /// Answers a question at once where it can be, else joins or starts the flight of its scenario.
-void EvaluationBroker::take_in(const BrokerQuestion& question, const std::shared_ptr<Call>& call, std::size_t index,
-                               std::vector<std::uint64_t>& to_run) {
+void EvaluationBroker::take_in(const BrokerQuestion& question, const std::shared_ptr<Call>& call,
+                               std::size_t index, std::vector<std::uint64_t>& to_run) {
   ++counts_.questions;
   const Asker asker{call, index, question.place};
   if (const auto found = recorded_.find(journal_id(question.place)); found != recorded_.end()) {

@@ -2,8 +2,8 @@
 
 /// @file
 /// Answers the questions of many searches at once: what is recorded is not run again, what was asked before is
-/// answered from memory, and the rest shares lanes with whatever else waits. An answer depends on its question alone, so
-/// each search takes the same way whatever the timing and the threads.
+/// answered from memory, and the rest shares lanes with whatever else waits. An answer depends on its question
+/// alone, so each search takes the same way whatever the timing and the threads.
 
 #include <atomic>
 #include <condition_variable>
@@ -35,8 +35,8 @@ struct BrokerQuestion {
 
 class EvaluationBroker {
  public:
-  /// Keeps a finished evaluation; called once per question, calls are serialised. An exception ends all searches and
-  /// comes out of `run`.
+  /// Keeps a finished evaluation; called once per question, calls are serialised. An exception ends all searches
+  /// and comes out of `run`.
   using Recorder = std::function<void(const ScenarioRow& row, bool from_memory)>;
 
   struct Options {

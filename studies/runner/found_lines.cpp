@@ -24,7 +24,8 @@ std::string interval_text(double estimate, double low, double high, double confi
 
 std::string scenario_text(const ResultTable& table, std::size_t row) {
   const double scenario = number_in(table, "scenario", row);
-  return std::isnan(scenario) ? std::string() : joined({" (scenario ", std::to_string(static_cast<long long>(scenario)), ")"});
+  return std::isnan(scenario) ? std::string()
+                              : joined({" (scenario ", std::to_string(static_cast<long long>(scenario)), ")"});
 }
 
 std::string at_keys(const ResultTable& table, std::size_t row) {
@@ -36,8 +37,8 @@ std::string at_keys(const ResultTable& table, std::size_t row) {
 
 std::string best_sentence(const ResultTable& best) {
   if (number_in(best, "feasible", 0) == 1.0) {
-    return joined({"best: ", text_attribute(best, "objective"), " = ", short_number(number_in(best, "objective", 0)),
-                   at_keys(best, 0), scenario_text(best, 0)});
+    return joined({"best: ", text_attribute(best, "objective"), " = ",
+                   short_number(number_in(best, "objective", 0)), at_keys(best, 0), scenario_text(best, 0)});
   }
   return joined({"none feasible: of all strategies tried the least violated breaks a constraint by ",
                  percent(number_in(best, "violation", 0)), at_keys(best, 0), scenario_text(best, 0),
@@ -68,43 +69,49 @@ void add_active(const std::vector<ResultTable>& tables, std::vector<std::string>
 
 void add_bounds(const ResultTable& best, std::vector<std::string>& lines) {
   const std::string bounds = text_attribute(best, "at_bounds");
-  if (!bounds.empty()) lines.push_back(joined({"at the end of its range: ", bounds, "; a wider range may do better"}));
+  if (!bounds.empty())
+    lines.push_back(joined({"at the end of its range: ", bounds, "; a wider range may do better"}));
 }
 
 std::string check_text(const ResultTable& checks, std::size_t i) {
   const double change = number_in(checks, "objective_change", i);
-  std::string text = joined({text_in(checks, "check", i), ": objective ",
-                             std::isnan(change) ? std::string("does not exist")
-                                                : joined({change < 0.0 ? "" : "+", percent(change)})});
+  std::string text = joined(
+      {text_in(checks, "check", i), ": objective ",
+       std::isnan(change) ? std::string("does not exist") : joined({change < 0.0 ? "" : "+", percent(change)})});
   const double probability = number_in(checks, "probability", i);
   if (!std::isnan(probability)) {
-    text += joined({", P = ", short_number(probability), " (", short_number(number_in(checks, "probability_low", i)),
-                    " to ", short_number(number_in(checks, "probability_high", i)), ")"});
+    text +=
+        joined({", P = ", short_number(probability), " (", short_number(number_in(checks, "probability_low", i)),
+                " to ", short_number(number_in(checks, "probability_high", i)), ")"});
   }
   const bool keeps = number_in(checks, "feasible", i) == 1.0;
-  return text + (keeps ? ", every constraint kept" : joined({", BREAKS ", text_in(checks, "binding", i), " by ",
-                                                             percent(number_in(checks, "violation", i))}));
+  return text + (keeps ? ", every constraint kept"
+                       : joined({", BREAKS ", text_in(checks, "binding", i), " by ",
+                                 percent(number_in(checks, "violation", i))}));
 }
 
 void add_checks(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
   const ResultTable* checks = find_table(tables, "verification");
   if (checks == nullptr) return;
   // Row 0 is the strategy as found: what the others are compared with.
-  for (std::size_t i = 1; i < row_count(*checks); ++i) lines.push_back(joined({"checked, ", check_text(*checks, i)}));
+  for (std::size_t i = 1; i < row_count(*checks); ++i)
+    lines.push_back(joined({"checked, ", check_text(*checks, i)}));
 }
 
 void add_terminations(const ResultTable& searches, std::vector<std::string>& lines) {
   std::vector<std::pair<std::string, std::size_t>> reasons;
   for (std::size_t i = 0; i < row_count(searches); ++i) {
     const std::string reason = text_in(searches, "termination", i);
-    const auto known = std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == reason; });
+    const auto known =
+        std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == reason; });
     if (known != reasons.end()) {
       ++known->second;
     } else {
       reasons.emplace_back(reason, 1);
     }
   }
-  for (const auto& [reason, count] : reasons) lines.push_back(joined({"  ", std::to_string(count), " ended: ", reason}));
+  for (const auto& [reason, count] : reasons)
+    lines.push_back(joined({"  ", std::to_string(count), " ended: ", reason}));
 }
 
 void add_searches(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
@@ -122,8 +129,9 @@ void add_searches(const std::vector<ResultTable>& tables, std::vector<std::strin
     const double objective = number_in(*searches, "best_objective", i);
     agreeing += objective - least <= kSameOptimum * std::abs(least) ? 1U : 0U;
   }
-  std::string line = joined({"searches: ", std::to_string(count), ", ",
-                             with_thousands(static_cast<unsigned long long>(evaluations)), " strategies evaluated"});
+  std::string line =
+      joined({"searches: ", std::to_string(count), ", ",
+              with_thousands(static_cast<unsigned long long>(evaluations)), " strategies evaluated"});
   const bool one_problem = find_table(tables, "pareto") == nullptr;
   if (one_problem && std::isfinite(least) && count > 1) {
     line += joined({"; ", std::to_string(agreeing), " of ", std::to_string(count), " end within 1 % of the best"});
@@ -148,7 +156,8 @@ std::string point_text(const ResultTable& pareto, std::size_t i) {
   std::string text;
   for (const ResultColumn& column : pareto.columns) {
     if (!column.name.starts_with("objective_")) continue;
-    text += joined({text.empty() ? "" : ", ", column.long_name, " = ", short_number(number_in(pareto, column.name, i))});
+    text += joined(
+        {text.empty() ? "" : ", ", column.long_name, " = ", short_number(number_in(pareto, column.name, i))});
   }
   return text + joined({at_keys(pareto, i), scenario_text(pareto, i)});
 }
@@ -158,8 +167,9 @@ void add_front(const std::vector<ResultTable>& tables, std::vector<std::string>&
   if (pareto == nullptr) return;
   const std::size_t count = row_count(*pareto);
   if (count == 0) return;
-  lines.push_back(joined({"front: ", std::to_string(count), " strategies that no other beats in every objective; hypervolume ",
-                          short_number(number_attribute(*pareto, "hypervolume").value_or(0.0))}));
+  lines.push_back(
+      joined({"front: ", std::to_string(count), " strategies that no other beats in every objective; hypervolume ",
+              short_number(number_attribute(*pareto, "hypervolume").value_or(0.0))}));
   for (std::size_t i = 0; i < count; ++i) {
     if (number_in(*pareto, "knee", i) == 1.0) lines.push_back(joined({"knee: ", point_text(*pareto, i)}));
   }
@@ -180,13 +190,14 @@ void add_comparison(const std::vector<ResultTable>& tables, std::vector<std::str
   if (candidates == nullptr || comparison == nullptr) return;
   const double confidence = number_attribute(*candidates, "confidence").value_or(0.95);
   for (std::size_t i = 0; i < row_count(*candidates); ++i) {
-    std::string line = joined({text_in(*candidates, "name", i), ": P(held) = ",
-                               interval_text(number_in(*candidates, "probability", i),
-                                             number_in(*candidates, "probability_low", i),
-                                             number_in(*candidates, "probability_high", i), confidence)});
+    std::string line = joined(
+        {text_in(*candidates, "name", i), ": P(held) = ",
+         interval_text(number_in(*candidates, "probability", i), number_in(*candidates, "probability_low", i),
+                       number_in(*candidates, "probability_high", i), confidence)});
     for (const ResultColumn& column : candidates->columns) {
       if (!column.name.starts_with("mean_")) continue;
-      line += joined({", mean ", column.name.substr(5), " = ", short_number(number_in(*candidates, column.name, i))});
+      line +=
+          joined({", mean ", column.name.substr(5), " = ", short_number(number_in(*candidates, column.name, i))});
     }
     lines.push_back(std::move(line));
   }
@@ -230,26 +241,29 @@ void add_effects(const std::vector<ResultTable>& tables, std::vector<std::string
   }
   const double left_out = number_attribute(*table, "left_out").value_or(0.0);
   if (left_out > 0.0) {
-    lines.push_back(joined({short_number(left_out), " of ", short_number(number_attribute(*table, "samples").value_or(0.0)),
-                            " samples are left out: a metric does not exist in them"}));
+    lines.push_back(
+        joined({short_number(left_out), " of ", short_number(number_attribute(*table, "samples").value_or(0.0)),
+                " samples are left out: a metric does not exist in them"}));
   }
 }
 
 void add_statistics(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
   const ResultTable* table = find_table(tables, "statistics");
   if (table == nullptr) return;
-  lines.push_back(joined({"P(held) = ", interval_text(number_attribute(*table, "probability").value_or(kAbsent),
-                                                      number_attribute(*table, "probability_low").value_or(kAbsent),
-                                                      number_attribute(*table, "probability_high").value_or(kAbsent),
-                                                      number_attribute(*table, "confidence").value_or(0.95))}));
+  lines.push_back(
+      joined({"P(held) = ", interval_text(number_attribute(*table, "probability").value_or(kAbsent),
+                                          number_attribute(*table, "probability_low").value_or(kAbsent),
+                                          number_attribute(*table, "probability_high").value_or(kAbsent),
+                                          number_attribute(*table, "confidence").value_or(0.95))}));
   for (std::size_t i = 0; i < row_count(*table); ++i) {
     // What does not spread, and what only counts work, is left to /statistics.
     const bool spreads = number_in(*table, "quantile_95", i) > number_in(*table, "quantile_05", i);
     const std::string metric = text_in(*table, "metric", i);
-    if (!spreads || metric.ends_with("_count") || metric.ends_with("_iterations") || metric.ends_with("_error")) continue;
+    if (!spreads || metric.ends_with("_count") || metric.ends_with("_iterations") || metric.ends_with("_error"))
+      continue;
     lines.push_back(joined({metric, ": mean ", short_number(number_in(*table, "mean", i)),
-                            ", 5 to 95 % of the products ", short_number(number_in(*table, "quantile_05", i)), " to ",
-                            short_number(number_in(*table, "quantile_95", i))}));
+                            ", 5 to 95 % of the products ", short_number(number_in(*table, "quantile_05", i)),
+                            " to ", short_number(number_in(*table, "quantile_95", i))}));
   }
 }
 

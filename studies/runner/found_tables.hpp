@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// What the kinds beside sweep and window found, as tables for results.h5, `info` and the report (docs/results.md).
+/// What the kinds beside sweep and window found, as tables for results.h5, `info` and the report
+/// (docs/results.md).
 
 #include <vector>
 

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kGroupsLookedThrough = 64;
 /// Models that nobody works with but a growing study may need again.
 constexpr std::size_t kIdleModelsKept = 32;
-/// Lanes cost the same full or empty: a thread joins others in a growing group for at least this part of its lanes; fewer
-/// scenarios wait for the lanes there are.
+/// Lanes cost the same full or empty: a thread joins others in a growing group for at least this part of its
+/// lanes; fewer scenarios wait for the lanes there are.
 constexpr int kPartWorthAThread = 4;
 /// How often a waiting worker looks at the stop flag, which a signal handler sets without waking anybody.
 constexpr std::chrono::milliseconds kStopPoll{50};
@@ -255,9 +255,7 @@ void LaneScheduler::work() {
   }
 }
 
-bool LaneScheduler::stopping() const {
-  return is_set(options_.stop) || aborted_.load(std::memory_order_relaxed);
-}
+bool LaneScheduler::stopping() const { return is_set(options_.stop) || aborted_.load(std::memory_order_relaxed); }
 
 std::size_t LaneScheduler::group_count() const {
   const std::lock_guard lock(mutex_);
@@ -381,8 +379,8 @@ void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::ui
   if (group.waiting.empty() && count > 0) open_.erase(group.index);
 }
 
-/// What is left is shared among the workers of the group and those about to join it, so that no thread is left with
-/// a long tail of its own.
+/// What is left is shared among the workers of the group and those about to join it, so that no thread is left
+/// with a long tail of its own.
 std::size_t LaneScheduler::fair_share(const Group& group) const {
   std::size_t share = group.seats.size();
   if (unassigned_workers_ > 0) {

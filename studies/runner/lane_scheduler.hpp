@@ -1,9 +1,9 @@
 #pragma once
 
 /// @file
-/// Which thread runs which scenarios in which lanes. Scenarios of one factor key share a model; more of them may be
-/// added while others run (a search that asks), until the scheduler is closed. A scenario's result depends on the
-/// scenario alone; only the order in which results arrive depends on the schedule.
+/// Which thread runs which scenarios in which lanes. Scenarios of one factor key share a model; more of them may
+/// be added while others run (a search that asks), until the scheduler is closed. A scenario's result depends on
+/// the scenario alone; only the order in which results arrive depends on the schedule.
 
 #include <atomic>
 #include <condition_variable>
@@ -48,8 +48,9 @@ class LaneScheduler {
     int threads = 1;
     /// When it becomes true no more scenarios are handed out and those in flight are dropped; may be null.
     const std::atomic<bool>* stop = nullptr;
-    /// More work may come while some is done (see `close`). Then lanes of one thread are filled before those of the
-    /// next are used, and models stay for the questions that follow; otherwise the threads share what there is.
+    /// More work may come while some is done (see `close`). Then lanes of one thread are filled before those of
+    /// the next are used, and models stay for the questions that follow; otherwise the threads share what there
+    /// is.
     bool grows = false;
   };
 
@@ -121,7 +122,7 @@ class LaneScheduler {
   std::condition_variable changed_;
   std::deque<Group> groups_;
   std::unordered_map<std::string, std::size_t> group_of_key_;
-  std::set<std::size_t> open_;  ///< groups with scenarios to hand out, and those being built
+  std::set<std::size_t> open_;    ///< groups with scenarios to hand out, and those being built
   std::deque<std::size_t> idle_;  ///< groups with a model that nobody works with, the longest idle first
   int unassigned_workers_;
   bool closed_ = false;

@@ -13,9 +13,9 @@ namespace {
 
 using Point = std::vector<double>;
 
-/// The other objectives enter with this weight, scaled to the front, so that of strategies equal in what is asked for
-/// the search takes the one that no other beats (augmented epsilon-constraint, Mavrotas 2009; augmented Chebyshev norm,
-/// Steuer and Choo 1983).
+/// The other objectives enter with this weight, scaled to the front, so that of strategies equal in what is asked
+/// for the search takes the one that no other beats (augmented epsilon-constraint, Mavrotas 2009; augmented
+/// Chebyshev norm, Steuer and Choo 1983).
 constexpr double kAugmentation = 1e-3;
 
 /// The box that the anchors span: where each objective is best, and how far it is given up for the others.
@@ -184,7 +184,8 @@ ParetoBudget pareto_budget(const Study& study) {
   ParetoBudget budget;
   budget.anchor_starts = std::max<std::size_t>(kAnchorStarts, search.starts);
   budget.starts = search.starts;
-  budget.evaluations_each = std::max<std::size_t>(1, search.budget / pareto_search_count(search.objectives.size(), search.points, search.starts));
+  budget.evaluations_each = std::max<std::size_t>(
+      1, search.budget / pareto_search_count(search.objectives.size(), search.points, search.starts));
   return budget;
 }
 

@@ -34,7 +34,8 @@ std::vector<PlannedSearch> plan_multistart(const Study& study, const StrategyJud
 
 /// The strategies that no other beats in every objective, by their objectives; feasible ones only.
 std::vector<const Candidate*> front_of(const std::vector<Candidate>& candidates);
-/// The strategy that is checked again: the best, of a pareto study the knee of the front; nullptr: none is feasible.
+/// The strategy that is checked again: the best, of a pareto study the knee of the front; nullptr: none is
+/// feasible.
 const Candidate* winner(const Study& study, const std::vector<Candidate>& candidates);
 
 /// How a pareto study spends its budget.
@@ -48,8 +49,8 @@ ParetoBudget pareto_budget(const Study& study);
 /// Each objective alone: the ends of the front.
 std::vector<PlannedSearch> plan_anchors(const Study& study, const StrategyJudge& judge,
                                         const std::vector<std::vector<double>>& starts);
-/// The points between the ends, by epsilon-constraint or weighted Chebyshev norm, each from the nearest candidate known
-/// and from further starts. @param known candidates of the anchors; none feasible: no searches
+/// The points between the ends, by epsilon-constraint or weighted Chebyshev norm, each from the nearest candidate
+/// known and from further starts. @param known candidates of the anchors; none feasible: no searches
 std::vector<PlannedSearch> plan_points(const Study& study, const StrategyJudge& judge,
                                        const std::vector<Candidate>& known,
                                        const std::vector<std::vector<double>>& starts);

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// Random products: one value per random key and product, the same products for every strategy that is judged on them.
+/// Random products: one value per random key and product, the same products for every strategy that is judged on
+/// them.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +15,8 @@
 
 namespace unbruised::studies {
 
-/// A drawn set of products. Keys that change the factored matrix (stiffness, size, mass) take few joint values, so that
-/// the products form few factor groups; all other keys take a value of their own in each product.
+/// A drawn set of products. Keys that change the factored matrix (stiffness, size, mass) take few joint values, so
+/// that the products form few factor groups; all other keys take a value of their own in each product.
 struct ProductSample {
   std::vector<std::string> keys;
   std::vector<double> values;      ///< [product][key]
@@ -29,7 +30,8 @@ struct ProductSample {
   [[nodiscard]] std::vector<double> column(std::size_t key) const;
 };
 
-/// Draws `count` products by the study's [sampling] and [[random]]. @param seed products of other seeds are independent
+/// Draws `count` products by the study's [sampling] and [[random]]. @param seed products of other seeds are
+/// independent
 ProductSample draw_products(const Study& study, std::size_t count, std::uint64_t seed);
 
 /// Table `random`: the keys, their distributions, and mean and standard deviation of what was drawn.

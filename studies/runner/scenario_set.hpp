@@ -41,8 +41,8 @@ CompareIndex compare_index(const Study& study, std::size_t id);
 /// The random products of a sample or compare study.
 ProductSample study_products(const Study& study);
 
-/// The design of a sensitivity study in the unit cube, before it is mapped onto values. Keys that change the factored
-/// matrix are moved to the middles of `levels` equally likely parts.
+/// The design of a sensitivity study in the unit cube, before it is mapped onto values. Keys that change the
+/// factored matrix are moved to the middles of `levels` equally likely parts.
 UnitDesign sensitivity_design(const Study& study);
 
 /// The input column of a compare study that names the strategy.

@@ -18,8 +18,8 @@ namespace {
 /// Streams of the study's seed, one per use.
 enum Purpose : std::uint64_t { kProducts = 101, kOtherProducts = 102, kStarts = 103, kSearchSeeds = 1000 };
 
-/// The finer mesh of the check has at least this many times the cells along the product's smallest extent: about twice
-/// as many in all.
+/// The finer mesh of the check has at least this many times the cells along the product's smallest extent: about
+/// twice as many in all.
 constexpr double kMoreCells = 1.25;
 /// Products on which the time step and the mesh are checked.
 constexpr std::size_t kCheckedProducts = 32;
@@ -65,10 +65,13 @@ double finer_cell_m(const Study& study, double cell_m) {
 class SearchStudy {
  public:
   SearchStudy(const StrategyJudge& judge, EvaluationBroker& broker)
-      : judge_(judge), study_(judge.study()), broker_(broker), keys_(numeric_keys(study_)), space_(space_of(study_)) {
+      : judge_(judge),
+        study_(judge.study()),
+        broker_(broker),
+        keys_(numeric_keys(study_)),
+        space_(space_of(study_)) {
     if (study_.kind() == StudyKind::robust) {
-      found_.products =
-          draw_products(study_, study_.sampling().count, derived_seed(study_.seed(), kProducts));
+      found_.products = draw_products(study_, study_.sampling().count, derived_seed(study_.seed(), kProducts));
     }
   }
 
@@ -163,8 +166,8 @@ class SearchStudy {
       points.emplace_back(question.point.begin(), question.point.begin() + static_cast<std::ptrdiff_t>(variables));
     }
     const SearchPlace place{number, questions.front().generation, 0};
-    const auto candidates = found_.products ? ask(place, points, *found_.products, {})
-                                            : ask(place, points, ProductSample{}, {});
+    const auto candidates =
+        found_.products ? ask(place, points, *found_.products, {}) : ask(place, points, ProductSample{}, {});
     if (!candidates) return std::nullopt;
     std::vector<optimizer::Evaluation> evaluations;
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -215,7 +218,8 @@ class SearchStudy {
                           const std::optional<Change>& change) const {
     std::vector<double> values = point;
     values.insert(values.end(), product.begin(), product.end());
-    for (std::size_t k = values.size(); k < keys_.size(); ++k) values.push_back(study_.base_value(keys_[k]).value());
+    for (std::size_t k = values.size(); k < keys_.size(); ++k)
+      values.push_back(study_.base_value(keys_[k]).value());
     for (std::size_t k = 0; change && k < keys_.size(); ++k) {
       if (keys_[k] == change->key) values[k] = change->value;
     }
@@ -259,12 +263,14 @@ class SearchStudy {
     bool going_on = check("as found", {}, points, products, generation++);
     if (going_on) {
       const double time_step_s = study_.base_value(kTimeStepKey).value();
-      going_on = check("half the time step", Change{kTimeStepKey, 0.5 * time_step_s}, points, products, generation++);
+      going_on =
+          check("half the time step", Change{kTimeStepKey, 0.5 * time_step_s}, points, products, generation++);
     }
     const std::optional<double> cell_m = study_.base_value(kCellSizeKey);
     const bool has_mesh = std::find(keys_.begin(), keys_.end(), kCellSizeKey) != keys_.end() && cell_m;
     if (going_on && has_mesh) {
-      going_on = check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
+      going_on =
+          check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
     }
     if (going_on && is_sample) {
       const ProductSample others =
@@ -322,7 +328,8 @@ ScenarioSet search_probes(const Study& study, std::size_t count) {
   const std::vector<std::string> keys = numeric_keys(study);
   ProductSample products;
   if (study.kind() == StudyKind::robust) {
-    products = first_products(draw_products(study, study.sampling().count, derived_seed(study.seed(), kProducts)), count);
+    products =
+        first_products(draw_products(study, study.sampling().count, derived_seed(study.seed(), kProducts)), count);
   }
   ScenarioSet set;
   set.count = std::max<std::size_t>(1, products.size());

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// The study kinds that search: optimize, robust and pareto. Searches run at once and ask one broker; what they find is
-/// a function of the study alone.
+/// The study kinds that search: optimize, robust and pareto. Searches run at once and ask one broker; what they
+/// find is a function of the study alone.
 
 #include <cstddef>
 #include <functional>
@@ -41,7 +41,7 @@ struct SearchFindings {
   std::vector<Check> checks;           ///< none where nothing is feasible
   std::optional<ProductSample> products;
   bool interrupted = false;
-  LaneUse searching;  ///< how full the lanes were while the searches ran, checks not counted
+  LaneUse searching;            ///< how full the lanes were while the searches ran, checks not counted
   double search_seconds = 0.0;  ///< until the answer was there, before it was checked
 };
 
@@ -54,7 +54,8 @@ Scenario scenario_of_search_inputs(const Study& study, const std::vector<InputVa
 /// Runs all searches and checks. Throws what the broker throws.
 SearchFindings run_searches(const StrategyJudge& judge, EvaluationBroker& broker);
 
-/// Scenarios such as the study will ask for: the strategy as written on the first products, at most `count` of them.
+/// Scenarios such as the study will ask for: the strategy as written on the first products, at most `count` of
+/// them.
 ScenarioSet search_probes(const Study& study, std::size_t count);
 
 /// Evaluations that the study may ask for, at most, checks included; for progress and `check`.

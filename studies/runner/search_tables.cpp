@@ -80,20 +80,21 @@ class SearchTables {
   }
 
   void add_verdicts(ResultTable& table, const std::vector<const Candidate*>& candidates) const {
-    table.columns.push_back(column("violation", "1", "largest violation of a constraint, <= 0: feasible", candidates,
-                                   [](const Candidate& c) { return c.violation; }));
-    table.columns.push_back(
-        column("feasible", "1", "1: every constraint is met", candidates, [](const Candidate& c) { return c.feasible(); }));
+    table.columns.push_back(column("violation", "1", "largest violation of a constraint, <= 0: feasible",
+                                   candidates, [](const Candidate& c) { return c.violation; }));
+    table.columns.push_back(column("feasible", "1", "1: every constraint is met", candidates,
+                                   [](const Candidate& c) { return c.feasible(); }));
     std::vector<std::string> binding;
     for (const Candidate* c : candidates) {
       binding.push_back(c->components.empty() ? "" : judge_.component_names()[c->binding]);
     }
-    table.columns.push_back({"binding", "", "the constraint that is nearest to being broken, or most broken", binding});
+    table.columns.push_back(
+        {"binding", "", "the constraint that is nearest to being broken, or most broken", binding});
     table.columns.push_back(column("scenario", "1", "row of its (first) scenario", candidates,
                                    [this](const Candidate& c) { return row_of(c.first_scenario); }));
     if (study_.kind() != StudyKind::robust) return;
-    table.columns.push_back(column("probability", "1", joined({"estimated P(", judge_.event_text(), ")"}), candidates,
-                                   [](const Candidate& c) { return c.probability->estimate; }));
+    table.columns.push_back(column("probability", "1", joined({"estimated P(", judge_.event_text(), ")"}),
+                                   candidates, [](const Candidate& c) { return c.probability->estimate; }));
     table.columns.push_back(column("probability_low", "1", "lower end of its interval", candidates,
                                    [](const Candidate& c) { return c.probability->interval.low; }));
     table.columns.push_back(column("probability_high", "1", "upper end of its interval", candidates,
@@ -134,8 +135,8 @@ class SearchTables {
         column("search", "1", "number of the search", all, [](const Candidate& c) { return c.place.search; }));
     table.columns.push_back(column("generation", "1", "number of the question inside its search", all,
                                    [](const Candidate& c) { return c.place.generation; }));
-    table.columns.push_back(column("index", "1", "number inside the question", all,
-                                   [](const Candidate& c) { return c.place.index; }));
+    table.columns.push_back(
+        column("index", "1", "number inside the question", all, [](const Candidate& c) { return c.place.index; }));
     add_variables(table, all);
     add_objectives(table, all);
     add_verdicts(table, all);
@@ -168,7 +169,8 @@ class SearchTables {
       const double room = kAtBound * (v.to - v.from);
       const bool lower = shown.values[k] - v.from < room;
       const bool upper = v.to - shown.values[k] < room;
-      if (lower || upper) text += joined({text.empty() ? "" : ", ", key_leaf(v.key), lower ? " (lower)" : " (upper)"});
+      if (lower || upper)
+        text += joined({text.empty() ? "" : ", ", key_leaf(v.key), lower ? " (lower)" : " (upper)"});
     }
     return text;
   }
@@ -218,7 +220,8 @@ class SearchTables {
     add_objectives(table, front);
     std::vector<double> is_knee(front.size(), 0.0);
     if (!front.empty()) is_knee[optimizer::knee(front_points)] = 1.0;
-    table.columns.push_back({"knee", "1", "1: the best bargain: farthest from the line through the ends", is_knee});
+    table.columns.push_back(
+        {"knee", "1", "1: the best bargain: farthest from the line through the ends", is_knee});
     add_verdicts(table, front);
     table.columns.push_back(
         column("search", "1", "number of the search", front, [](const Candidate& c) { return c.place.search; }));

@@ -8,14 +8,13 @@ namespace unbruised::studies {
 
 bool Candidate::feasible() const {
   // An objective that does not exist cannot be the answer, whatever the constraints say.
-  const bool exists = std::none_of(objectives.begin(), objectives.end(), [](double f) { return !std::isfinite(f); });
+  const bool exists =
+      std::none_of(objectives.begin(), objectives.end(), [](double f) { return !std::isfinite(f); });
   return exists && violation <= 0.0;
 }
 
 StrategyJudge::StrategyJudge(const Study& study)
-    : study_(study),
-      sampled_(study.kind() == StudyKind::robust),
-      limits_(study.scenario(0).limits) {
+    : study_(study), sampled_(study.kind() == StudyKind::robust), limits_(study.scenario(0).limits) {
   const SearchSettings& search = study.search();
   objectives_ = study.kind() == StudyKind::pareto ? search.objectives : std::vector<Objective>{search.objective};
   bool has_event = false;
@@ -45,7 +44,8 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
     if (sampled_) {
       candidate.components.push_back(violation(constraint, results, limits_));
     } else {
-      for (const double part : violations(constraint, results.front(), limits_)) candidate.components.push_back(part);
+      for (const double part : violations(constraint, results.front(), limits_))
+        candidate.components.push_back(part);
     }
   }
   if (!candidate.components.empty()) {
@@ -73,9 +73,8 @@ void CandidateLog::add(Candidate candidate) {
 std::vector<Candidate> CandidateLog::sorted() const {
   const std::lock_guard lock(mutex_);
   std::vector<Candidate> all = candidates_;
-  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-    return journal_id(a.place) < journal_id(b.place);
-  });
+  std::sort(all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return journal_id(a.place) < journal_id(b.place); });
   return all;
 }
 

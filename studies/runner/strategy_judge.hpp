@@ -21,13 +21,13 @@ namespace unbruised::studies {
 
 /// A strategy that a search tried.
 struct Candidate {
-  SearchPlace place;               ///< index: the point inside its generation
+  SearchPlace place;                 ///< index: the point inside its generation
   std::uint64_t first_scenario = 0;  ///< journal id of its (first) scenario
-  std::vector<double> values;      ///< of the study's variables
-  std::vector<double> objectives;  ///< one, of a pareto study two or three; NaN where a metric does not exist
-  std::vector<double> components;  ///< of all constraints; met when <= 0
-  double violation = 0.0;          ///< the largest of them; 0 without constraints
-  std::size_t binding = 0;         ///< which one that is
+  std::vector<double> values;        ///< of the study's variables
+  std::vector<double> objectives;    ///< one, of a pareto study two or three; NaN where a metric does not exist
+  std::vector<double> components;    ///< of all constraints; met when <= 0
+  double violation = 0.0;            ///< the largest of them; 0 without constraints
+  std::size_t binding = 0;           ///< which one that is
   std::optional<Proportion> probability;  ///< robust: of `StrategyJudge::event`
 
   [[nodiscard]] bool feasible() const;

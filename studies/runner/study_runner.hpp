@@ -36,8 +36,8 @@ struct StudyReport {
   StudyTables tables;
   bool interrupted = false;
   double seconds = 0.0;
-  std::size_t run_now = 0;  ///< scenarios that were not in the journal
-  LaneUse lane_use;         ///< how full the lanes were; of a search: while it searched
+  std::size_t run_now = 0;      ///< scenarios that were not in the journal
+  LaneUse lane_use;             ///< how full the lanes were; of a search: while it searched
   std::size_t from_memory = 0;  ///< questions of a search that had been asked before
   double search_seconds = 0.0;  ///< of a search, until its answer was there and before it was checked
 };
@@ -50,11 +50,11 @@ Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Sim
 /// What the root of a results file says about this study.
 ResultsMeta results_meta(const Study& study, bool complete);
 
-/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched and
-/// drawn.
+/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
+/// and drawn.
 std::vector<ColumnInfo> input_columns(const Study& study);
-/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are known
-/// once they have been asked for.
+/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are
+/// known once they have been asked for.
 bool has_fixed_scenarios(StudyKind kind);
 
 /// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds

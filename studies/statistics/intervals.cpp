@@ -152,8 +152,8 @@ Proportion proportion(const std::vector<bool>& successes, std::span<const std::s
   const std::vector<double> values(successes.begin(), successes.end());
   Proportion out;
   out.estimate = mean_of(values);
-  out.effective_size = cluster.empty() ? static_cast<double>(values.size())
-                                       : claimed_size(values, measure, cluster, confidence);
+  out.effective_size =
+      cluster.empty() ? static_cast<double>(values.size()) : claimed_size(values, measure, cluster, confidence);
   out.interval = wilson_interval(out.estimate * out.effective_size, out.effective_size, confidence);
   return out;
 }

@@ -111,8 +111,6 @@ TEST_F(CommandLine, ListsTheLibrary) {
   EXPECT_NE(answer.out.find("grippers/parallel_jaw.toml"), std::string::npos);
 }
 
-TEST_F(CommandLine, SaysThatReportIsNotInThisVersion) { expect_refused("report results", "not in this version"); }
-
 TEST_F(CommandLine, InfoRefusesWhatIsNoRunDirectory) {
   expect_refused("info nowhere", "nowhere does not exist");
   expect_refused("info .", "no run directory");

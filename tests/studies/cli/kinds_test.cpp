@@ -1,5 +1,6 @@
 /// @file
-/// The shipped study of each kind, on coarse cells, as a user would try it: run, info, verify, interrupted and continued.
+/// The shipped study of each kind, on coarse cells, as a user would try it: run, info, verify, interrupted and
+/// continued.
 
 #include <string>
 #include <vector>
@@ -35,8 +36,8 @@ class ShippedKind : public testing::ProgramTest, public ::testing::WithParamInte
   }
 
   [[nodiscard]] static std::string run_words() {
-    return "run " + quoted(std::string(UNBRUISED_SOURCE_DIR) + "/configs/" + GetParam().name + ".toml") + kCoarse + " " +
-           GetParam().sets;
+    return "run " + quoted(std::string(UNBRUISED_SOURCE_DIR) + "/configs/" + GetParam().name + ".toml") + kCoarse +
+           " " + GetParam().sets;
   }
 };
 
@@ -64,8 +65,8 @@ TEST_P(ShippedKind, EndsWithTheSameDigestAfterAnInterruption) {
   // Until it ends by itself; each piece is a little longer, so that it does.
   for (int piece = 1; digest.empty() && piece < 40; ++piece) {
     const std::string seconds = std::to_string(0.15 * piece);
-    const Answer part = shell("timeout --preserve-status -s INT " + seconds + " " + quoted(UNBRUISED_PROGRAM) + " " +
-                              run_words() + " --threads 1 --output pieces");
+    const Answer part = shell("timeout --preserve-status -s INT " + seconds + " " + quoted(UNBRUISED_PROGRAM) +
+                              " " + run_words() + " --threads 1 --output pieces");
     if (part.status == 0) {
       digest = line_after(part.out, "digest ");
       break;
@@ -85,9 +86,10 @@ INSTANTIATE_TEST_SUITE_P(
     Each, ShippedKind,
     ::testing::Values(
         Shipped{"kiwi_optimize", "--set search.starts=4 --set search.budget=48", "best: cycle_time_s = "},
-        Shipped{"kiwi_robust",
-                "--set search.starts=2 --set search.budget=6 --set sampling.count=16 --set sampling.factor_groups=4",
-                "best: mean(cycle_time_s) = "},
+        Shipped{
+            "kiwi_robust",
+            "--set search.starts=2 --set search.budget=6 --set sampling.count=16 --set sampling.factor_groups=4",
+            "best: mean(cycle_time_s) = "},
         Shipped{"kiwi_pareto", "--set search.starts=1 --set search.points=4 --set search.budget=88", "front: "},
         Shipped{"kiwi_compare", "--set sampling.count=12 --set sampling.factor_groups=3", "gentle: P(held) = "},
         Shipped{"kiwi_sensitivity", "--set sensitivity.samples=8", "contact_yield_ratio_max, "},

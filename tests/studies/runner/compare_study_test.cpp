@@ -1,5 +1,6 @@
 /// @file
-/// compare, sensitivity and sample over formulas: no difference where there is none, a planted one found, known indices.
+/// compare, sensitivity and sample over formulas: no difference where there is none, a planted one found, known
+/// indices.
 
 #include <cmath>
 #include <string>
@@ -25,7 +26,8 @@ name = "a"
 grip_force_N = 2.0
 [[candidate]]
 name = "b"
-grip_force_N = )" + b_force + "\n" + kFormulaCell;
+grip_force_N = )" +
+         b_force + "\n" + kFormulaCell;
 }
 
 /// Cycle time that varies by 10 % from product to product, and is less by 5 % at 2.1 N.
@@ -72,7 +74,8 @@ TEST(CompareStudy, AProductThatIsNotHeldLoses) {
   const ResultTable& comparison = table_of(report, "comparison");
   EXPECT_EQ(number_in(comparison, "wins", 0), 20.0);
   EXPECT_EQ(number_in(comparison, "pairs", 0), 0.0);
-  EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("a is held more often")) << text_attribute(comparison, "verdict");
+  EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("a is held more often"))
+      << text_attribute(comparison, "verdict");
   EXPECT_EQ(number_in(table_of(report, "candidates"), "dropped", 1), 20.0);
 }
 
@@ -86,8 +89,10 @@ ScenarioResult ishigami(const Scenario& s) {
 }
 
 std::string ishigami_text(const std::string& method, int samples) {
-  std::string text = "[study]\nname = \"ishigami\"\nkind = \"sensitivity\"\n[sensitivity]\nmetrics = [\"cycle_time_s\"]\nmethod = \"" +
-                     method + "\"\nsamples = " + std::to_string(samples) + "\n";
+  std::string text =
+      "[study]\nname = \"ishigami\"\nkind = \"sensitivity\"\n[sensitivity]\nmetrics = [\"cycle_time_s\"]\nmethod "
+      "= \"" +
+      method + "\"\nsamples = " + std::to_string(samples) + "\n";
   for (const char* key : {"strategy.grip_force_N", "strategy.lift_acceleration_m_s2", "strategy.hold_s"}) {
     text += std::string("[[random]]\nkey = \"") + key +
             "\"\ndistribution = \"uniform\"\nfrom = 6.858407346410207\nto = 13.141592653589793\n";
@@ -120,12 +125,16 @@ TEST(SensitivityStudy, ScreensByMorrisWithoutSquareTerms) {
   const StudyReport report = run_fresh(study_of(ishigami_text("morris", 64)), FormulaSimulator(ishigami));
   const ResultTable& table = table_of(report, "sensitivity");
   ASSERT_EQ(row_count(table), 3U);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(number_in(table, "mean_absolute_high", k), number_in(table, "mean_absolute_low", k));
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_GT(number_in(table, "mean_absolute_high", k), number_in(table, "mean_absolute_low", k));
   EXPECT_EQ(report.tables.rows.size(), 64U * 4U);
 }
 
 TEST(SampleStudy, ReportsHowOftenProductsAreHeldAndHowMetricsSpread) {
-  const std::string text = "[study]\nname = \"sample\"\nkind = \"sample\"\n[sampling]\ncount = 200\n[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.6\n" + kFormulaCell;
+  const std::string text =
+      "[study]\nname = \"sample\"\nkind = \"sample\"\n[sampling]\ncount = 200\n[[random]]\nkey = "
+      "\"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.6\n" +
+      kFormulaCell;
   const FormulaSimulator simulator([](const Scenario& s) {
     const double friction = std::get<LatticeParameters>(s.product).friction;
     ScenarioResult result = held_with({{Metric::cycle_time_s, friction}});

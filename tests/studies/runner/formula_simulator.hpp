@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// A simulator whose results are a formula of the scenario, and whose runs take different numbers of steps, so that
-/// searches meet every possible timing.
+/// A simulator whose results are a formula of the scenario, and whose runs take different numbers of steps, so
+/// that searches meet every possible timing.
 
 #include <cstddef>
 #include <cstdint>

@@ -59,8 +59,9 @@ TEST(HeavySearchPhysics, NothingIsFeasibleForTofuAndTheForceLimitOrTheHoldBinds)
 }
 
 TEST(SearchPhysics, CoarseTofuIsNotFeasibleEither) {
-  const Study study = shipped("tofu_optimize.toml", {"product.cell_size_m=0.025", "search.starts=2", "search.budget=32",
-                                                     "cell.transfer_m=[0.0,0.0]", "simulation.time_step_s=2e-3"});
+  const Study study =
+      shipped("tofu_optimize.toml", {"product.cell_size_m=0.025", "search.starts=2", "search.budget=32",
+                                     "cell.transfer_m=[0.0,0.0]", "simulation.time_step_s=2e-3"});
   const StudyReport report = run_fresh(study, core_simulator());
   EXPECT_EQ(number_in(table_of(report, "best"), "feasible", 0), 0.0);
 }

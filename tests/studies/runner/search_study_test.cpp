@@ -1,6 +1,6 @@
 /// @file
-/// Whole studies of the kinds that search, over simulators whose answers are formulas: known optima, known fronts, the
-/// same bits whatever the timing, resumed anywhere.
+/// Whole studies of the kinds that search, over simulators whose answers are formulas: known optima, known fronts,
+/// the same bits whatever the timing, resumed anywhere.
 
 #include <algorithm>
 #include <atomic>
@@ -30,7 +30,8 @@ scale = "log"
 )";
 
 std::string study_text(const std::string& kind, const std::string& search, const std::string& more = "") {
-  return "[study]\nname = \"test\"\nkind = \"" + kind + "\"\n[search]\n" + search + kTwoVariables + more + kFormulaCell;
+  return "[study]\nname = \"test\"\nkind = \"" + kind + "\"\n[search]\n" + search + kTwoVariables + more +
+         kFormulaCell;
 }
 
 /// Time 1 / a, friction margin 2 mu N / (m (g + a)) - 1, yield ratio N / 4: the best has both constraints active,
@@ -39,11 +40,12 @@ ScenarioResult grip_formula(const Scenario& s) {
   const double N = s.strategy.grip_force_N;
   const double a = s.strategy.lift_acceleration_m_s2;
   const auto& product = std::get<LatticeParameters>(s.product);
-  ScenarioResult result = held_with({{Metric::cycle_time_s, 1.0 + 1.0 / a},
-                                     {Metric::friction_margin_min, 2.0 * product.friction * N / (*product.mass_kg * (9.80665 + a)) - 1.0},
-                                     {Metric::contact_yield_ratio_max, N / 4.0},
-                                     {Metric::peak_finger_force_N, N},
-                                     {Metric::slip_max_m, 0.0}});
+  ScenarioResult result = held_with(
+      {{Metric::cycle_time_s, 1.0 + 1.0 / a},
+       {Metric::friction_margin_min, 2.0 * product.friction * N / (*product.mass_kg * (9.80665 + a)) - 1.0},
+       {Metric::contact_yield_ratio_max, N / 4.0},
+       {Metric::peak_finger_force_N, N},
+       {Metric::slip_max_m, 0.0}});
   if (result.metrics[Metric::friction_margin_min] < 0.0) {
     result.outcome = Outcome::slipped;
     result.metrics[Metric::slip_max_m] = 2e-3 * (1.0 - result.metrics[Metric::friction_margin_min]);
@@ -56,7 +58,8 @@ ScenarioResult grip_formula(const Scenario& s) {
 }
 
 const std::string kGripSearch =
-    "constraints = [\"held\", \"friction_margin_min >= 0.2\", \"contact_yield_ratio_max <= 1.0\"]\nstarts = 8\nbudget = 800\n";
+    "constraints = [\"held\", \"friction_margin_min >= 0.2\", \"contact_yield_ratio_max <= 1.0\"]\nstarts = "
+    "8\nbudget = 800\n";
 
 TEST(OptimizeStudy, FindsTheStrategyWhereBothConstraintsAreActive) {
   const StudyReport report = run_fresh(study_of(study_text("optimize", kGripSearch), {"product.mass_kg=0.15"}),
@@ -91,10 +94,11 @@ TEST(OptimizeStudy, NamesTheActiveConstraintsAndChecksTheWinnerTwice) {
 }
 
 TEST(OptimizeStudy, SaysNoneFeasibleAndWhichConstraintBinds) {
-  const std::string search = "constraints = [\"held\", \"peak_finger_force_N <= 0.4\"]\nstarts = 4\nbudget = 200\n";
+  const std::string search =
+      "constraints = [\"held\", \"peak_finger_force_N <= 0.4\"]\nstarts = 4\nbudget = 200\n";
   // So light that every force holds it: the force limit alone is broken, least at 0.5 N, by a quarter.
-  const StudyReport report =
-      run_fresh(study_of(study_text("optimize", search), {"product.mass_kg=0.005"}), FormulaSimulator(grip_formula));
+  const StudyReport report = run_fresh(study_of(study_text("optimize", search), {"product.mass_kg=0.005"}),
+                                       FormulaSimulator(grip_formula));
   const ResultTable& best = table_of(report, "best");
   EXPECT_EQ(number_in(best, "feasible", 0), 0.0);
   EXPECT_NEAR(number_in(best, "violation", 0), 0.25, 0.01);
@@ -115,11 +119,13 @@ TEST(OptimizeStudy, TakesTheSameWayWhateverTheThreadsAndTheTiming) {
   }
   EXPECT_EQ(rows_digest(run_fresh(study, simulator, {.threads = 2, .concurrent_searches = 1}).tables.rows), digest)
       << "one search after the other";
-  EXPECT_EQ(rows_digest(run_fresh(study, simulator, {.threads = 2, .concurrent_searches = 3}).tables.rows), digest);
+  EXPECT_EQ(rows_digest(run_fresh(study, simulator, {.threads = 2, .concurrent_searches = 3}).tables.rows),
+            digest);
 }
 
 TEST(OptimizeStudy, NumbersItsScenariosBySearchAndQuestion) {
-  const StudyReport report = run_fresh(study_of(study_text("optimize", kGripSearch)), FormulaSimulator(grip_formula));
+  const StudyReport report =
+      run_fresh(study_of(study_text("optimize", kGripSearch)), FormulaSimulator(grip_formula));
   std::uint64_t expected = 0;
   std::uint64_t last = 0;
   for (const ScenarioRow& row : report.tables.rows) {
@@ -148,8 +154,10 @@ std::string run_in_pieces(const Study& study, const Formula& formula, int scenar
 
 TEST(SearchStudies, EndWithTheSameDigestHoweverOftenTheyAreInterrupted) {
   const std::string randoms =
-      "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.45\nto = 0.55\n[sampling]\ncount = 8\n";
-  const std::string pareto = "objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]\npoints = 3\nbudget = 200\n";
+      "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.45\nto = "
+      "0.55\n[sampling]\ncount = 8\n";
+  const std::string pareto =
+      "objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]\npoints = 3\nbudget = 200\n";
   const std::string robust = "constraints = [\"P(held) >= 0.9\"]\nbudget = 40\n";
   for (const Study& study : {study_of(study_text("optimize", kGripSearch)), study_of(study_text("pareto", pareto)),
                              study_of(study_text("robust", robust, randoms))}) {
@@ -173,8 +181,8 @@ TEST(OptimizeStudy, RefusesARecordOfAnotherSearch) {
   EXPECT_THROW(run_in(folder.path(), study, FormulaSimulator(grip_formula)), std::runtime_error);
 }
 
-/// ZDT1 (Zitzler, Deb and Thiele 2000) in two variables: the front is f2 = 1 - sqrt(f1), 0 <= f1 <= 1, where the second
-/// variable is at its lower bound.
+/// ZDT1 (Zitzler, Deb and Thiele 2000) in two variables: the front is f2 = 1 - sqrt(f1), 0 <= f1 <= 1, where the
+/// second variable is at its lower bound.
 ScenarioResult zdt1_formula(const Scenario& s) {
   const double x = (s.strategy.grip_force_N - 1.0) / 2.0;
   const double g = 1.0 + 9.0 * (s.strategy.lift_acceleration_m_s2 - 1.0);
@@ -189,7 +197,8 @@ name = "zdt1"
 kind = "pareto"
 [search]
 objectives = ["cycle_time_s", "peak_finger_force_N"]
-method = ")" + method + R"("
+method = ")" +
+         method + R"("
 points = 100
 starts = 1
 budget = 9000
@@ -244,10 +253,12 @@ count = 100
 )";
 
 TEST(RobustStudy, KeepsTheProbabilityThatWasAskedFor) {
-  // Held when 2 mu N >= m (g + a): on 90 % of the products mu >= 0.42, so the best a at N = 8 is 2 x 0.42 x 8 / m - g.
+  // Held when 2 mu N >= m (g + a): on 90 % of the products mu >= 0.42, so the best a at N = 8 is 2 x 0.42 x 8 / m
+  // - g.
   const std::string search = "constraints = [\"P(held) >= 0.9\"]\nstarts = 4\nbudget = 320\ntolerance = 1e-4\n";
-  const StudyReport report = run_fresh(
-      study_of(study_text("robust", search, kFrictionVaries), {"product.mass_kg=0.4"}), FormulaSimulator(grip_formula));
+  const StudyReport report =
+      run_fresh(study_of(study_text("robust", search, kFrictionVaries), {"product.mass_kg=0.4"}),
+                FormulaSimulator(grip_formula));
   const ResultTable& best = table_of(report, "best");
   EXPECT_GE(number_in(best, "probability", 0), 0.9);
   EXPECT_LT(number_in(best, "probability_low", 0), 0.9);  // 100 products do not show it
@@ -259,7 +270,8 @@ TEST(RobustStudy, KeepsTheProbabilityThatWasAskedFor) {
 }
 
 TEST(RobustStudy, JudgesTheStrategyAsWrittenWhenNothingIsSearched) {
-  const std::string text = "[study]\nname = \"as_written\"\nkind = \"robust\"\n[strategy]\ngrip_force_N = 1.5\n" + kFrictionVaries + kFormulaCell;
+  const std::string text = "[study]\nname = \"as_written\"\nkind = \"robust\"\n[strategy]\ngrip_force_N = 1.5\n" +
+                           kFrictionVaries + kFormulaCell;
   const StudyReport report = run_fresh(study_of(text), FormulaSimulator(grip_formula));
   const ResultTable& best = table_of(report, "best");
   // 2 mu 1.5 >= 0.1 (g + 2): mu >= 0.3936: all of them.

@@ -383,9 +383,9 @@ function shareAnswer(study) {
   return {
     kicker: study.kind === "sample" ? "Probability of being held without damage" : "Held without damage",
     headline: run === 0 ? "Nothing has run" : study.kind === "sample" ? percent(held / run) : `${thousands(held)} of ${thousands(run)}`,
-    verdict: run === 0 ? verdict("none", "There is nothing to say yet") : none ? verdict("bad", "None feasible: no scenario was held without damage") : verdict("good", `${plural(held, "scenario")} held without damage${study.complete ? "" : " so far"}`),
+    verdict: run === 0 ? verdict("none", "There is nothing to say yet") : none ? verdict("bad", "None feasible: no scenario was held without damage") : verdict("good", `${plural(held, study.kind === "sample" ? "product" : "scenario")} held without damage${study.complete ? "" : " so far"}`),
     sentence: interval ? `${thousands(held)} of ${thousands(run)} products; the ${number((interval.confidence ?? 0.95) * 100)} % interval reaches from ${percent(interval.low)} to ${percent(interval.high)}.` : "",
-    facts: [bestScenario(study)],
+    facts: [study.kind === "sample" ? null : bestScenario(study)],
   };
 }
 

@@ -39,7 +39,9 @@ function drawLater(draw) {
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What every chart has in common. */
-function withDefaults(option, theme) {
+function withDefaults(option, theme, width) {
+  // On a phone three numbers along the axis are enough.
+  if (width < 520 && option.xAxis?.type === "value" && option.xAxis.splitNumber === undefined) option.xAxis.splitNumber = 3;
   const tooltip = {
     confine: true,
     backgroundColor: theme.raised,
@@ -137,7 +139,7 @@ export function figure({ option, describe, height = 420, controls = [], note = n
       }).observe(canvas);
     }
     chart.resize({ height: heightOf(), silent: true });
-    chart.setOption(withDefaults(option(theme, canvas.clientWidth), theme), { notMerge: true });
+    chart.setOption(withDefaults(option(theme, canvas.clientWidth), theme, canvas.clientWidth), { notMerge: true });
     canvas.dataset.drawn = "yes";
   }
   drawLater(draw);

@@ -150,7 +150,7 @@ function gridOption(study, theme, state) {
           const [px, py] = api.coord([cell.i, cell.j]);
           const [width, height] = api.size([1, 1]);
           const gap = dense ? 0 : 1;
-          const best = cell.row === study.bestRow;
+          const best = cell.row === study.bestRow && study.kind === "sweep";
           const rect = {
             type: "rect",
             shape: { x: px - width / 2 + gap / 2, y: py - height / 2 + gap / 2, width: width - gap, height: height - gap, r: dense ? 0 : 1.5 },

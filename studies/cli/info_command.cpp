@@ -57,7 +57,11 @@ int info_command(const fs::path& path, const std::string& program) {
   print_line(
       joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));
   print_line(joined({"digest ", rows_digest(recorded->tables.rows)}));
-  return kExitDone;
+  for (const std::string& note : recorded->notes) print_note(note);
+  if (recorded->damage.empty()) return kExitDone;
+  for (const std::string& damage : recorded->damage) print_error(joined({"damage: ", damage}));
+  print_note("damaged records are left out above; the `run` command of this study runs their scenarios again");
+  return exit_status(ResultsErrorKind::damaged);
 }
 
 }  // namespace unbruised::studies

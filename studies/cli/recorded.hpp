@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "studies/config/study.hpp"
 #include "studies/results/expected.hpp"
@@ -20,10 +22,13 @@ struct RecordedStudy {
   bool has_trace = false;
   std::filesystem::path source;  ///< the results file, or the run directory when read from its journal
   bool from_journal = false;
+  std::vector<std::string> notes;       ///< of the journals: what a kill left unfinished, results.h5 written anew
+  std::vector<std::string> damage;      ///< of the journals: what cannot be believed and is left out
   std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
 };
 
-/// Reads a results file, or a run directory: its complete results.h5, else its config and journals.
+/// Reads a results file, or a run directory: its complete results.h5, else its config and journals. Where no
+/// process holds the directory and the journals know more than results.h5, that one is brought up to date.
 Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);
 
 /// The recorded row of an id in the run directory of this very study; nothing when there is none.

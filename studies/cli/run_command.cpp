@@ -1,3 +1,5 @@
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <string_view>
 #include <system_error>
@@ -13,6 +15,7 @@
 #include "studies/results/text.hpp"
 #include "studies/runner/batch_runner.hpp"
 #include "studies/runner/build_info.hpp"
+#include "studies/runner/memory_need.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/scenario_set.hpp"
@@ -37,6 +40,23 @@ void write_to_stderr(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
+/// Ten minutes, or what tests ask for.
+std::chrono::milliseconds compaction_interval() {
+  const char* text = std::getenv("UNBRUISED_COMPACTION_MS");
+  const long wanted = text == nullptr ? 0 : std::strtol(text, nullptr, 10);
+  return wanted > 0 ? std::chrono::milliseconds(wanted) : StudyRunOptions{}.compaction_interval;
+}
+
+/// A failing disk ends a study; what is safe, and what to do.
+int report_failed(const RunArguments& arguments, const RunDirectory& run, const ResultsError& error) {
+  const int status = report_error(error);
+  if (error.kind != ResultsErrorKind::io) return status;
+  print_note(joined({with_thousands(run.acknowledged()), " scenarios are safe in ", run.directory().string(),
+                     "; once it can be written to again, continue with"}));
+  std::cerr << joined({"  ", command_of(arguments), "\n"});
+  return status;
+}
+
 int report_interrupted(const RunArguments& arguments, RunDirectory& run, const StudyReport& report) {
   print_note(joined({"interrupted: ", with_thousands(report.tables.rows.size()), " scenarios are safe in ",
                      run.directory().string(), "; continue with"}));
@@ -50,7 +70,8 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
   std::string line = joined({"lanes: ", short_number(100.0 * report.lane_use.occupancy()), " % busy"});
   if (is_search(study.kind())) line += " while searching";
   if (report.seconds > 0.0 && report.run_now > 0) {
-    line += joined({", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
+    line += joined(
+        {", ", short_number(static_cast<double>(report.run_now) / report.seconds), " scenarios per second"});
   }
   if (report.from_memory > 0) line += joined({"; ", with_thousands(report.from_memory), " answered from memory"});
   return line;
@@ -121,6 +142,11 @@ std::optional<Scenario> scenario_of_id(const Study& study, const fs::path& direc
 int run_command(const RunArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
+  const int threads = thread_count_of(arguments.threads);
+  if (const auto refusal = too_much_memory(*study, threads)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
   auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
                                     .config_toml = study->resolved_toml(),
                                     .build = build_line(),
@@ -130,12 +156,14 @@ int run_command(const RunArguments& arguments) {
   for (const std::string& note : run.notes()) print_note(note);
 
   listen_for_interrupts();
-  const int threads = thread_count_of(arguments.threads);
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet), write_to_stderr);
   const auto report = run_study(*study, run, core_simulator(),
-                                {.threads = threads, .stop = &interrupt_requested(), .progress = &progress});
+                                {.threads = threads,
+                                 .stop = &interrupt_requested(),
+                                 .progress = &progress,
+                                 .compaction_interval = compaction_interval()});
   progress.close();
-  if (!report) return report_error(report.error());
+  if (!report) return report_failed(arguments, run, report.error());
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads);
 }
@@ -161,10 +189,11 @@ int run_one_command(const RunArguments& arguments) {
     return report_error(
         {ResultsErrorKind::io, joined({"cannot create ", directory.string(), ": ", failed.message()}), {}});
   }
-  ScenarioRow row{.id = id,
-                  .result = *result,
-                  .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
-                  .place = {}};
+  ScenarioRow row{
+      .id = id,
+      .result = *result,
+      .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
+      .place = {}};
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
   const ResultsContent content{.meta = results_meta(*study, true),
                                .inputs = input_columns(*study),

@@ -176,9 +176,11 @@ void write_places(Hdf5File& file, const Dimension& scenarios, const std::vector<
   if (rows.empty() || !rows.front().place) return;
   for (const auto& [name, field] : kPlaceColumns) {
     const auto member = field;
-    file.write(name, column_of(rows, [member](const ScenarioRow& row) {
-                 return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
-               }),
+    file.write(name,
+               column_of(rows,
+                         [member](const ScenarioRow& row) {
+                           return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
+                         }),
                {rows.size()});
     file.attach_scale(name, scenarios.scale, 0);
   }
@@ -362,6 +364,13 @@ void write_content(Hdf5File& file, const ResultsContent& content) {
   write_events(file, content.trace->events);
 }
 
+// The error, with the file that it left unfinished removed.
+ResultsError without(const fs::path& unfinished, ResultsError error) {
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  return error;
+}
+
 ResultsContent sorted_by_id(const ResultsContent& content) {
   ResultsContent sorted = content;
   std::stable_sort(sorted.rows.begin(), sorted.rows.end(),
@@ -379,12 +388,11 @@ MaybeError write_results_file(const fs::path& path, const ResultsContent& conten
     write_content(file, sorted_by_id(content));
     file.close();
   } catch (const std::exception& failure) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return ResultsError{ResultsErrorKind::io, failure.what(), {}};
+    return without(temporary, {ResultsErrorKind::io, failure.what(), {}});
   }
-  if (auto error = sync_file(temporary)) return error;
-  return publish_temporary(path);
+  if (auto error = sync_file(temporary)) return without(temporary, *error);
+  if (auto error = publish_temporary(path)) return without(temporary, *error);
+  return {};
 }
 
 std::string ResultsSummary::digest() const { return digest_text(digest_of_digests(digests)); }
@@ -534,7 +542,8 @@ void read_places(const Hdf5File& file, std::vector<ScenarioRow>& rows) {
 
 ResultTable read_table(const Hdf5File& file, const std::string& name) {
   const std::string group = joined({"/", name});
-  ResultTable table{.name = name, .row = file.text_attribute(group, "row").value_or(""), .columns = {}, .attributes = {}};
+  ResultTable table{
+      .name = name, .row = file.text_attribute(group, "row").value_or(""), .columns = {}, .attributes = {}};
   const std::size_t count = file.extents(joined({group, "/", table.row})).at(0);
   std::map<std::int64_t, std::string> order;
   for (const std::string& dataset : file.datasets(group)) {

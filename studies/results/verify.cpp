@@ -8,6 +8,7 @@
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
+#include "studies/results/suspect_results.hpp"
 #include "studies/results/text.hpp"
 
 namespace unbruised::studies {
@@ -81,7 +82,7 @@ class Verifier {
       return;
     }
     const auto bytes = read_text_file(results);
-    if (!bytes || stored->substr(0, 64) != sha256_hex(*bytes)) {
+    if (!bytes || *stored != hash_line(*bytes)) {
       report_.damage.push_back(joined({results.string(), " does not match results.h5.sha256"}));
     }
   }
@@ -89,7 +90,7 @@ class Verifier {
   void check_results() {
     const fs::path results = directory_ / "results.h5";
     check_file_hash(results);
-    const auto summary = read_results_summary(results);
+    const auto summary = read_suspect_summary(results);
     if (!summary) {
       report_.damage.push_back(summary.error().message);
       return;

@@ -5,6 +5,7 @@
 /// comes, results.h5 at the end.
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -30,14 +31,16 @@ struct StudyRunOptions {
   Progress* progress = nullptr;             ///< may be null
   /// > 0; searches that run at the same time (one: one after the other, for benchmarks; the same results)
   std::size_t concurrent_searches = 256;
+  /// > 0; how often results.h5 is brought up to date while the study runs
+  std::chrono::milliseconds compaction_interval = std::chrono::minutes(10);
 };
 
 struct StudyReport {
   StudyTables tables;
   bool interrupted = false;
   double seconds = 0.0;
-  std::size_t run_now = 0;  ///< scenarios that were not in the journal
-  LaneUse lane_use;         ///< how full the lanes were; of a search: while it searched
+  std::size_t run_now = 0;      ///< scenarios that were not in the journal
+  LaneUse lane_use;             ///< how full the lanes were; of a search: while it searched
   std::size_t from_memory = 0;  ///< questions of a search that had been asked before
 };
 
@@ -46,14 +49,18 @@ struct StudyReport {
 Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
                                 const StudyRunOptions& options);
 
+/// results.h5 of a study that is not finished: scenarios not run yet are rows too where they are known beforehand,
+/// what the kind finds beside is missing.
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run);
+
 /// What the root of a results file says about this study.
 ResultsMeta results_meta(const Study& study, bool complete);
 
-/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched and
-/// drawn.
+/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
+/// and drawn.
 std::vector<ColumnInfo> input_columns(const Study& study);
-/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are known
-/// once they have been asked for.
+/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are
+/// known once they have been asked for.
 bool has_fixed_scenarios(StudyKind kind);
 
 /// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds

@@ -20,16 +20,16 @@ CONFIGS = HERE.parent.parent / "configs"
 STATUS_OF_SIGNAL = 128
 
 # Every study kind, as small as it can be and still take some tenths of a second.
-COARSE = ["product.cell_size_m=0.0125", "simulation.time_step_s=2e-3"]
+COARSE = ["product.cell_size_m=0.0125", "simulation.time_step_s=4e-3"]
 KINDS = {
     "simulate": [str(HERE / "studies/simulate.toml")],
     "sweep": [str(HERE / "studies/sweep.toml")],
-    "window": [str(CONFIGS / "kiwi_window.toml")],
+    "window": [str(CONFIGS / "kiwi_window.toml"), "window.tolerance=0.05"],
     "sample": [str(CONFIGS / "kiwi_sample.toml"), "sampling.count=64", "sampling.factor_groups=4"],
-    "optimize": [str(CONFIGS / "kiwi_optimize.toml"), "search.starts=8", "search.budget=64"],
-    "robust": [str(CONFIGS / "kiwi_robust.toml"), "search.starts=2", "search.budget=8", "sampling.count=12",
-               "sampling.factor_groups=3"],
-    "pareto": [str(CONFIGS / "kiwi_pareto.toml"), "search.points=4", "search.starts=1", "search.budget=100"],
+    "optimize": [str(CONFIGS / "kiwi_optimize.toml"), "search.starts=4", "search.budget=32"],
+    "robust": [str(CONFIGS / "kiwi_robust.toml"), "search.starts=2", "search.budget=4", "sampling.count=10",
+               "sampling.factor_groups=2"],
+    "pareto": [str(CONFIGS / "kiwi_pareto.toml"), "search.points=4", "search.starts=1", "search.budget=60"],
     "compare": [str(CONFIGS / "kiwi_compare.toml"), "sampling.count=24", "sampling.factor_groups=4"],
     "sensitivity": [str(CONFIGS / "kiwi_sensitivity.toml"), "sensitivity.samples=8"],
 }
@@ -213,9 +213,10 @@ class Figures:
         sys.exit(1 if self.complaints else 0)
 
 
-def in_parallel(trial, items, workers=None):
+def in_parallel(trial, items):
     """Calls trial(item) for each; an exception is the test's own fault and ends it."""
-    with concurrent.futures.ThreadPoolExecutor(workers or min(2, os.cpu_count() or 1)) as pool:
+    workers = int(os.environ.get("UNBRUISED_TRIALS_AT_ONCE", min(2, os.cpu_count() or 1)))
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         for _ in pool.map(trial, items):
             pass
 

@@ -342,23 +342,6 @@ Expected<T> read_in_child(const fs::path& path, Expected<T> (*read)(const fs::pa
 /// A running study may replace the file between the reading of hash and file, so a mismatch is looked at again.
 constexpr int kLooksAtTheHash = 5;
 
-MaybeError check_hash(const fs::path& path) {
-  for (int look = 1; look <= kLooksAtTheHash; ++look) {
-    const auto before = read_text_file(hash_path(path));
-    const auto bytes = before ? read_text_file(path) : before;
-    if (!before || !bytes) return {};  // no hash, or nothing to read: what reads the file says so
-    if (*before == hash_line(*bytes)) return {};
-    const auto after = read_text_file(hash_path(path));
-    if (after && *after == *before && look > 1) {
-      return ResultsError{ResultsErrorKind::damaged,
-                          joined({path.string(), " is damaged: it does not match ", hash_path(path).string()}),
-                          {}};
-    }
-    ::usleep(20000);
-  }
-  return {};
-}
-
 }  // namespace
 
 Expected<std::string> in_child_process(const fs::path& path, const std::function<std::string()>& body) {
@@ -389,8 +372,25 @@ Expected<ResultsSummary> read_suspect_summary(const fs::path& path) {
   return read_in_child<ResultsSummary>(path, read_results_summary);
 }
 
+MaybeError check_file_hash(const fs::path& path) {
+  for (int look = 1; look <= kLooksAtTheHash; ++look) {
+    const auto before = read_text_file(hash_path(path));
+    const auto bytes = before ? read_text_file(path) : before;
+    if (!before || !bytes) return {};  // no hash, or nothing to read: what reads the file says so
+    if (*before == hash_line(*bytes)) return {};
+    const auto after = read_text_file(hash_path(path));
+    if (after && *after == *before && look > 1) {
+      return ResultsError{ResultsErrorKind::damaged,
+                          joined({path.string(), " is damaged: it does not match ", hash_path(path).string()}),
+                          {}};
+    }
+    ::usleep(20000);
+  }
+  return {};
+}
+
 Expected<ResultsSummary> read_hashed_summary(const fs::path& path) {
-  if (auto error = check_hash(path)) return *error;
+  if (auto error = check_file_hash(path)) return *error;
   return read_suspect_summary(path);
 }
 

@@ -17,6 +17,10 @@ namespace unbruised::studies {
 /// `read_results_summary` in a child process. Errors: as there; damaged when the library crashes or hangs.
 Expected<ResultsSummary> read_suspect_summary(const std::filesystem::path& path);
 
+/// Compares a file with the hash in `<path>.sha256`: damaged when they differ; nothing also where there is no
+/// hash. A running study that replaces both meanwhile does no harm.
+MaybeError check_file_hash(const std::filesystem::path& path);
+
 /// The same after the hash of the whole file, where `<path>.sha256` stands beside it; damaged when it does not
 /// match.
 Expected<ResultsSummary> read_hashed_summary(const std::filesystem::path& path);

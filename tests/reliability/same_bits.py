@@ -31,7 +31,7 @@ class SameBits:
         """The rows whose replay `info` prints, by its words, and some others by their number."""
         info = self.program.call("info", directory)
         printed = [line.strip() for line in info.out.splitlines() if " --scenario " in line]
-        commands = [shlex.split(line[line.index(self.program.path):])[1:] for line in printed]
+        commands = [shlex.split(line[line.index(self.program.path):], comments=True)[1:] for line in printed]
         count = int(re.search(r"([\d,]+) scenarios?", info.out).group(1).replace(",", ""))
         dice = random.Random(kind)
         for number in sorted(dice.sample(range(count), min(ROWS_OF_A_KIND, count))):

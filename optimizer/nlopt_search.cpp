@@ -170,9 +170,11 @@ class Search {
     return code;
   }
 
-  /// Gradient algorithms compare two iterates in a row, which are close after cautious steps too: MMA and CCSAQ, begun
-  /// where constraints are broken, end far from any minimum about every third time (known_minima_test.cpp).
-  [[nodiscard]] bool begins_again() const { return info_of(options_.algorithm).uses_gradient && !ledger_.has_ended(); }
+  /// Gradient algorithms compare two iterates in a row, which are close after cautious steps too: MMA and CCSAQ,
+  /// begun where constraints are broken, end far from any minimum about every third time (known_minima_test.cpp).
+  [[nodiscard]] bool begins_again() const {
+    return info_of(options_.algorithm).uses_gradient && !ledger_.has_ended();
+  }
 
   [[nodiscard]] bool has_moved(const std::vector<double>& begin) const {
     const std::vector<double>& best = ledger_.best_unit();

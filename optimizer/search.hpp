@@ -68,8 +68,8 @@ struct SearchResult {
 /// worse than any seen, a constraint that is not becomes broken. A point counts as feasible when all of its own
 /// numbers are finite and no constraint is > 0; the margin plays no part in that.
 ///
-/// SLSQP, MMA and CCSAQ are begun again from the best point until that moves by less than the tolerance: NLopt's own
-/// tests end them too early, above all where they begin outside the constraints.
+/// SLSQP, MMA and CCSAQ are begun again from the best point until that moves by less than the tolerance: NLopt's
+/// own tests end them too early, above all where they begin outside the constraints.
 ///
 /// The path is a function of problem, options and seed, in whichever thread it runs. No point is evaluated twice.
 /// An exception of the evaluator comes out unchanged, and the evaluator is not called again. Options or answers

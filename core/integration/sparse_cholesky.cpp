@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <mutex>
 
 #include <cholmod.h>
 
@@ -102,6 +103,14 @@ cholmod_sparse borrow(const SymmetricMatrix& matrix) {
   return view;
 }
 
+/// The ordering draws from METIS' random numbers, which are one state of the whole process: two orderings at a time
+/// would mix their draws, and the order, so the bits of the factor, would depend on the timing of threads.
+cholmod_factor* analyze_alone(cholmod_sparse& matrix, cholmod_common& common) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  return cholmod_analyze(&matrix, &common);
+}
+
 }  // namespace
 
 SparseCholesky::SparseCholesky() : impl_(std::make_unique<Impl>()) {}
@@ -111,7 +120,7 @@ std::unique_ptr<SparseCholesky> SparseCholesky::factor(const SymmetricMatrix& ma
   std::unique_ptr<SparseCholesky> self(new SparseCholesky());
   Impl& impl = *self->impl_;
   cholmod_sparse view = borrow(matrix);
-  impl.factor = cholmod_analyze(&view, &impl.common);
+  impl.factor = analyze_alone(view, impl.common);
   if (impl.factor == nullptr) {
     error = "the factorisation ran out of memory";
     return nullptr;

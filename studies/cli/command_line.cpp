@@ -120,12 +120,14 @@ class CommandLine {
     CLI::App& verify = command("verify", "check every checksum of a run directory",
                                [this] { return verify_command(one_word("verify", "a run directory")); });
     verify.add_option("DIR", words_, "run directory")->expected(0, -1);
-    CLI::App& report = command("report", "one self-contained page (not in this version)", [] {
-      print_error("`report` is not in this version; `unbruised info` prints the findings");
-      return kExitInput;
+    CLI::App& report = command("report", "one self-contained HTML page of what a study found", [this] {
+      const std::string path = one_word("report", "a run directory or results file");
+      return report_command(path, output_.empty() ? std::nullopt : std::optional<std::filesystem::path>(output_),
+                            run_.program);
     });
     report.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
-    report.add_option("-o", output_, "the page")->type_name("FILE.html");
+    report.add_option("--output,-o", output_, "the page (default: report.html beside the results)")
+        ->type_name("FILE.html");
     CLI::App& explain = command("explain", "what a config key means: unit, default, range", [this] {
       return explain_command(words_.empty() ? std::nullopt : std::optional(one_word("explain", "a key")));
     });

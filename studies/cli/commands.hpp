@@ -40,6 +40,9 @@ int run_command(const RunArguments& arguments);
 int run_one_command(const RunArguments& arguments);
 int check_command(const StudyArguments& arguments);
 int info_command(const std::filesystem::path& path, const std::string& program);
+/// @param output none: report.html beside the results, or the name of another results file with .html.
+int report_command(const std::filesystem::path& path, const std::optional<std::filesystem::path>& output,
+                   const std::string& program);
 int verify_command(const std::filesystem::path& directory);
 int explain_command(const std::optional<std::string>& key);
 int list_command();
@@ -51,6 +54,11 @@ void print_note(const std::string& message);
 void print_line(const std::string& line);
 /// Prints an error of the results house; its exit status.
 int report_error(const ResultsError& error);
+
+inline constexpr const char* kReportName = "report.html";
+/// Writes report.html into a run directory. @return the page; nothing, after a note, when it fails: the results are
+/// safe without it.
+std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory, const std::string& program);
 
 /// Reads a study with its warnings printed; otherwise prints what is wrong with it and returns nothing.
 std::optional<Study> read_or_explain(const StudyArguments& arguments);

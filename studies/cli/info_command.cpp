@@ -6,8 +6,6 @@
 namespace unbruised::studies {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::size_t rows_run(const StudyTables& tables) {
   std::size_t count = 0;
   for (const ScenarioRow& row : tables.rows) count += row.result.outcome == Outcome::not_run ? 0 : 1;
@@ -36,18 +34,14 @@ void print_origin(const RecordedStudy& recorded) {
 
 /// A run directory replays from its own resolved config.
 void print_replay(const RecordedStudy& recorded, const std::string& program) {
-  const fs::path directory = recorded.from_journal ? recorded.source : recorded.source.parent_path();
-  const fs::path config = directory / "config.toml";
-  std::error_code error;
-  if (!fs::exists(config, error)) return;
-  const std::string command = joined({shell_word(program), " run ", shell_word(config.string()), " --output ",
-                                      shell_word(directory.empty() ? "." : directory.string()), " --scenario"});
+  const std::string command = replay_command(recorded, program);
+  if (command.empty()) return;
   for (const std::string& line : replay_lines(recorded.tables, command)) print_line(line);
 }
 
 }  // namespace
 
-int info_command(const fs::path& path, const std::string& program) {
+int info_command(const std::filesystem::path& path, const std::string& program) {
   const auto recorded = read_recorded(path);
   if (!recorded) return report_error(recorded.error());
   print_line(state_line(*recorded));
@@ -57,11 +51,7 @@ int info_command(const fs::path& path, const std::string& program) {
   print_line(
       joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));
   print_line(joined({"digest ", rows_digest(recorded->tables.rows)}));
-  for (const std::string& note : recorded->notes) print_note(note);
-  if (recorded->damage.empty()) return kExitDone;
-  for (const std::string& damage : recorded->damage) print_error(joined({"damage: ", damage}));
-  print_note("damaged records are left out above; the `run` command of this study runs their scenarios again");
-  return exit_status(ResultsErrorKind::damaged);
+  return print_journal_state(*recorded);
 }
 
 }  // namespace unbruised::studies

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "studies/cli/commands.hpp"
 #include "studies/cli/locations.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
@@ -168,6 +169,27 @@ Expected<RecordedStudy> read_recorded(const fs::path& path) {
   auto summary = read_hashed_summary(path);
   if (!summary) return summary.error();
   return from_summary(std::move(*summary), path);
+}
+
+int print_journal_state(const RecordedStudy& recorded) {
+  for (const std::string& note : recorded.notes) print_note(note);
+  if (recorded.damage.empty()) return kExitDone;
+  for (const std::string& damage : recorded.damage) print_error(joined({"damage: ", damage}));
+  print_note("damaged records are left out; the `run` command of this study runs their scenarios again");
+  return exit_status(ResultsErrorKind::damaged);
+}
+
+fs::path directory_of(const RecordedStudy& recorded) {
+  const fs::path directory = recorded.from_journal ? recorded.source : recorded.source.parent_path();
+  return directory.empty() ? fs::path(".") : directory;
+}
+
+std::string replay_command(const RecordedStudy& recorded, const std::string& program) {
+  const fs::path directory = directory_of(recorded);
+  const fs::path config = directory / "config.toml";
+  if (!is_there(config)) return {};
+  return joined({shell_word(program), " run ", shell_word(config.string()), " --output ",
+                 shell_word(directory.string()), " --scenario"});
 }
 
 std::optional<ScenarioRow> recorded_row(const fs::path& directory, const Study& study, std::uint64_t id) {

@@ -31,6 +31,15 @@ struct RecordedStudy {
 /// process holds the directory and the journals know more than results.h5, that one is brought up to date.
 Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);
 
+/// Prints the notes and the damage of the journals; the exit status they ask for.
+int print_journal_state(const RecordedStudy& recorded);
+
+/// The run directory it was read from, as the user wrote it; "." where that is the working directory.
+std::filesystem::path directory_of(const RecordedStudy& recorded);
+/// The command that replays a scenario of a run directory, without the id; empty where there is no config to
+/// replay from.
+std::string replay_command(const RecordedStudy& recorded, const std::string& program);
+
 /// The recorded row of an id in the run directory of this very study; nothing when there is none.
 std::optional<ScenarioRow> recorded_row(const std::filesystem::path& directory, const Study& study,
                                         std::uint64_t id);

@@ -78,7 +78,7 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
 }
 
 int report_finished(const RunArguments& arguments, const Study& study, const RunDirectory& run,
-                    const StudyReport& report, int threads) {
+                    const StudyReport& report, int threads, const std::optional<fs::path>& page) {
   const std::size_t count = report.tables.rows.size();
   print_line(joined({study.name(), ": ", study_kind_word(study.kind()), ", ", with_thousands(count),
                      count == 1 ? " scenario, " : " scenarios, ", with_thousands(report.run_now), " run now in ",
@@ -92,6 +92,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
     print_line(line);
   }
   print_line(joined({"results: ", run.results_path().string()}));
+  if (page) print_line(joined({"report: ", page->string()}));
   print_line(joined({"digest ", rows_digest(report.tables.rows)}));
   std::size_t diverged = 0;
   for (const ScenarioRow& row : report.tables.rows) diverged += row.result.outcome == Outcome::diverged ? 1 : 0;
@@ -164,8 +165,9 @@ int run_command(const RunArguments& arguments) {
                                  .compaction_interval = compaction_interval()});
   progress.close();
   if (!report) return report_failed(arguments, run, report.error());
+  const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
   return report->interrupted ? report_interrupted(arguments, run, *report)
-                             : report_finished(arguments, *study, run, *report, threads);
+                             : report_finished(arguments, *study, run, *report, threads, page);
 }
 
 int run_one_command(const RunArguments& arguments) {

@@ -545,15 +545,22 @@ std::string nearest(const std::string& path, const std::vector<std::string>& can
   const std::string_view leaf = leaf_of(wanted);
   const std::string_view stem = without_unit(leaf);
   std::string best;
-  double best_distance = 1e9;
+  constexpr double kFar = 1e9;
+  double best_distance = kFar;
   for (const std::string& candidate : candidates) {
     const std::string_view other = leaf_of(candidate);
-    double distance = edit_distance(wanted, candidate);
+    const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
+    // Texts whose lengths differ by more than what is near enough need no look at their letters.
+    const auto distance_within = [near_enough = std::min(allowed, best_distance)](
+                                     std::string_view a, std::string_view b, double more) {
+      const double least = std::abs(static_cast<double>(a.size()) - static_cast<double>(b.size()));
+      return least + more > near_enough ? kFar : edit_distance(a, b) + more;
+    };
+    double distance = distance_within(wanted, candidate, 0.0);
     // The right name in the wrong table, or with another unit, is near however long the table's name or the unit
     // is.
-    distance = std::min(distance, edit_distance(leaf, other) + 1.5);
+    distance = std::min(distance, distance_within(leaf, other, 1.5));
     if (!stem.empty() && stem == without_unit(other)) distance = std::min(distance, 1.5);
-    const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
     if (distance <= allowed && distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -172,7 +172,7 @@ FieldRef field_of(Scenario& scenario, const KeyAddress& address) {
 
 std::string rounded(double value) {
   std::array<char, 32> text{};
-  constexpr int kDigits = 3;
+  constexpr int kDigits = 6;
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
   return {text.data(), end.ptr};
@@ -660,7 +660,7 @@ void check_network_ends(const std::vector<BoxSide>& sides, const Scenario& base,
       const Scenario scenario = Study::with_values(base, key, value);
       const auto broken = broken_network_rules(std::get<NetworkParameters>(scenario.product));
       if (broken.empty()) continue;
-      report(broken.front(), side.origin, " (reached at " + side.key + " = " + spelled(end) + ")", problems);
+      report(broken.front(), side.origin, " (reached at " + side.key + " = " + rounded(end) + ")", problems);
       break;
     }
   }
@@ -689,7 +689,7 @@ void check_corners(const CrossRule& rule, const std::vector<BoxSide>& sides, con
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const bool high = all ? ((corner >> k) & 1U) != 0 : corner != 0;
       values.push_back(high ? sides[k].high : sides[k].low);
-      where += (where.empty() ? "" : ", ") + keys[k] + " = " + spelled(values.back());
+      where += (where.empty() ? "" : ", ") + keys[k] + " = " + rounded(values.back());
     }
     const auto broken = rule.broken(Study::with_values(base, keys, values), settings);
     if (!broken) continue;

@@ -65,7 +65,7 @@ MaybeError make_directory(const fs::path& directory) {
 // Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
 bool is_own_extra(const std::string& name) {
   return name == "lock" || name == "log.txt" || name == "config.toml.tmp" || name == "report.html" ||
-         (name.starts_with("scenario_") && name.ends_with(".h5"));
+         name == "report.html.tmp" || (name.starts_with("scenario_") && name.ends_with(".h5"));
 }
 
 bool holds_anything(const fs::path& directory) {

@@ -97,8 +97,8 @@ TEST(KnownMinima, OfConstrainedProblemsAreFoundFromInsideByThoseThatTakeConstrai
 }
 
 TEST(KnownMinima, OfConvexProblemsAreFoundFromAnyStart) {
-  // Most of the starts break constraints. MMA and CCSAQ, left to their own test of convergence, end far away from a third
-  // to a half of them; with a tight tolerance they may creep from there until any budget is spent.
+  // Most of the starts break constraints. MMA and CCSAQ, left to their own test of convergence, end far away from
+  // a third to a half of them; with a tight tolerance they may creep from there until any budget is spent.
   struct Case {
     Algorithm algorithm;
     double tolerance;

@@ -12,7 +12,7 @@ fail() {
 
 bash_scripts() {
   local file
-  for file in scripts/* .ci/run; do
+  for file in scripts/* report/build .ci/run; do
     if [[ -f "$file" && "$(head -c 19 "$file" | tr '\0' ' ')" == "#!/usr/bin/env bash" ]]; then echo "$file"; fi
   done
 }
@@ -25,6 +25,9 @@ done
 for script in setup build run test format; do
   [[ "$(scripts/$script --help)" == usage:\ scripts/$script* ]] || fail "scripts/$script --help does not explain it"
 done
+[[ "$(report/build --help)" == usage:\ report/build* ]] || fail "report/build --help does not explain it"
+[[ "$(scripts/setup --tests --list)" == *chromium* && "$(scripts/setup --list)" != *chromium* ]] ||
+  fail "scripts/setup --tests, and only that, names the browser"
 for script in setup build format; do
   status=0
   scripts/$script --no-such-option >/dev/null 2>&1 || status=$?

@@ -1,6 +1,7 @@
 #include "core/integration/sparse_cholesky.hpp"
 
 #include <random>
+#include <thread>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -108,6 +109,32 @@ TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite) {
   EXPECT_EQ(SparseCholesky::factor(symmetric_from_entries(2, {{0, 0, 1.0}, {1, 0, 2.0}, {1, 1, 1.0}}), error),
             nullptr);
   EXPECT_FALSE(error.empty());
+}
+
+TEST(SparseCholesky, OrdersTheSameWhateverOtherThreadsFactorAtTheTime) {
+  // A mesh large enough for nested dissection to draw random numbers.
+  std::vector<MatrixEntry> entries;
+  constexpr int kSide = 40;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    entries.push_back({i, i, 4.1});
+    if (i % kSide + 1 < kSide) entries.push_back({i + 1, i, -1.0});
+    if (i + kSide < kSide * kSide) entries.push_back({i + kSide, i, -1.0});
+  }
+  const SymmetricMatrix mesh = symmetric_from_entries(kSide * kSide, entries);
+  const auto order = [&mesh] {
+    std::string error;
+    return SparseCholesky::factor(mesh, error)->extract().permutation;
+  };
+  const std::vector<int> alone = order();
+  std::vector<int> different(4, 0);
+  std::vector<std::thread> threads;
+  for (int& count : different) {
+    threads.emplace_back([&count, &order, &alone] {
+      for (int repeat = 0; repeat < 20; ++repeat) count += order() == alone ? 0 : 1;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const int count : different) EXPECT_EQ(count, 0);
 }
 
 }  // namespace

@@ -238,7 +238,7 @@ std::vector<Constraint> event_constraints() {
 TEST(Goals, AViolationIsAtMostZeroExactlyWhenTheEventHappens) {
   std::mt19937_64 random(1);
   const std::vector<Constraint> constraints = event_constraints();
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 5'000; ++i) {
     const LimitParameters limits = random_limits(random);
     const ScenarioResult result = random_result(random, limits);
     for (const Constraint& c : constraints) {
@@ -254,7 +254,7 @@ TEST(Goals, AViolationIsAtMostZeroExactlyWhenTheEventHappens) {
 
 TEST(Goals, AProbabilityIsMetExactlyWhenTheFrequencyIs) {
   std::mt19937_64 random(2);
-  for (int i = 0; i < 2'000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const LimitParameters limits = random_limits(random);
     std::vector<ScenarioResult> results;
     const std::size_t count = 1 + random() % 200;
@@ -278,7 +278,7 @@ TEST(Goals, AProbabilityIsMetExactlyWhenTheFrequencyIs) {
 TEST(Goals, AMetricConstraintIsMetExactlyWhenItsInequalityIs) {
   std::mt19937_64 random(3);
   const LimitParameters limits = two_limits();
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 5'000; ++i) {
     const ScenarioResult result = random_result(random, limits);
     Constraint goal = constraint("cycle_time_s <= 1");
     goal.at_least = random() % 2 == 0;

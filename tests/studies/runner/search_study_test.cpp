@@ -92,9 +92,12 @@ TEST(OptimizeStudy, NamesTheActiveConstraintsAndChecksTheWinnerTwice) {
 
 TEST(OptimizeStudy, SaysNoneFeasibleAndWhichConstraintBinds) {
   const std::string search = "constraints = [\"held\", \"peak_finger_force_N <= 0.4\"]\nstarts = 4\nbudget = 200\n";
-  const StudyReport report = run_fresh(study_of(study_text("optimize", search)), FormulaSimulator(grip_formula));
+  // So light that every force holds it: the force limit alone is broken, least at 0.5 N, by a quarter.
+  const StudyReport report =
+      run_fresh(study_of(study_text("optimize", search), {"product.mass_kg=0.005"}), FormulaSimulator(grip_formula));
   const ResultTable& best = table_of(report, "best");
   EXPECT_EQ(number_in(best, "feasible", 0), 0.0);
+  EXPECT_NEAR(number_in(best, "violation", 0), 0.25, 0.01);
   EXPECT_EQ(text_in(best, "binding", 0), "peak_finger_force_N <= 0.4");
   const std::vector<std::string> lines = summary_lines(report.tables, "optimize");
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {

@@ -1,0 +1,113 @@
+// Elements from plain values. Text only ever becomes text nodes: nothing a study says can be markup.
+
+/** h("p", { class: "lead", onclick: f }, "text", child, [more]) */
+export function h(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "style") element.style.cssText = value;
+    else element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+const SVG = "http://www.w3.org/2000/svg";
+
+export function svg(tag, properties = {}, ...children) {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (value !== undefined && value !== null) element.setAttribute(name, String(value));
+  }
+  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+let count = 0;
+export function freshId(stem) {
+  count += 1;
+  return `${stem}-${count}`;
+}
+
+/** A labelled select. options: [{ value, label, group }] */
+export function select(label, options, chosen, onchange) {
+  const id = freshId("choice");
+  const groups = new Map();
+  const box = h("select", { id, onchange: () => onchange(box.value) });
+  for (const option of options) {
+    const element = h("option", { value: option.value }, option.label);
+    element.selected = option.value === chosen;
+    if (option.group === undefined) {
+      box.append(element);
+      continue;
+    }
+    if (!groups.has(option.group)) {
+      groups.set(option.group, h("optgroup", { label: option.group }));
+      box.append(groups.get(option.group));
+    }
+    groups.get(option.group).append(element);
+  }
+  return h("span", { class: "choice" }, h("label", { for: id }, label), box);
+}
+
+let speaker;
+let hush;
+
+/** A short message at the edge of the window, read aloud. */
+export function say(message) {
+  if (!speaker) {
+    speaker = h("div", { class: "toast", role: "status", "aria-live": "polite" });
+    document.body.append(speaker);
+  }
+  speaker.textContent = message;
+  speaker.classList.add("shown");
+  clearTimeout(hush);
+  hush = setTimeout(() => speaker.classList.remove("shown"), 2200);
+}
+
+function copyByHand(text) {
+  const box = h("textarea", { "aria-hidden": "true", style: "position:fixed;left:-99em" });
+  box.value = text;
+  document.body.append(box);
+  box.select();
+  const done = document.execCommand("copy");
+  box.remove();
+  return done;
+}
+
+export async function copy(text, message = "Copied the command") {
+  let done = false;
+  try {
+    await navigator.clipboard.writeText(text);
+    done = true;
+  } catch {
+    done = copyByHand(text);
+  }
+  say(done ? message : "The browser does not let this page copy; select the text instead");
+}
+
+/** A command that breaks between its words, and inside one only where it must. */
+export function commandText(text, properties = {}) {
+  const words = text.split(" ");
+  return h("code", properties, words.map((word, i) => [i ? " " : "", h("span", { class: "word" }, word)]));
+}
+
+/** A command that copies itself. */
+export function command(text) {
+  return h(
+    "div",
+    { class: "command" },
+    commandText(text),
+    h("button", { type: "button", class: "quiet", onclick: () => copy(text) }, "Copy"),
+  );
+}
+
+export function download(name, type, text) {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = h("a", { href: url, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+/// @file
+/// The page's program, style and licence notices, built from report/ and linked into this program.
+
+#include <string_view>
+
+namespace unbruised::studies {
+
+std::string_view report_script();   ///< one JavaScript file without imports
+std::string_view report_style();    ///< CSS
+std::string_view report_notices();  ///< plain text: licences of the libraries inside the script
+
+}  // namespace unbruised::studies

@@ -1,0 +1,321 @@
+#include "studies/report/report_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <nlohmann/json.hpp>
+
+#include "core/outcome/outcome.hpp"
+#include "studies/report/packed_columns.hpp"
+#include "studies/runner/grip_window.hpp"
+#include "studies/runner/summary.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using nlohmann::json;
+using Digits = PackedColumns::Digits;
+
+/// From here on metrics are kept with seven digits, which halves the page. results.h5 has them all.
+constexpr std::size_t kRowsWithAllDigits = 20000;
+
+json finite_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json column(const std::string& name, const std::string& units, const std::string& long_name, json values) {
+  return {{"name", name}, {"units", units}, {"long_name", long_name}, {"values", std::move(values)}};
+}
+
+/// A column of inputs: numbers, or texts as soon as one value is a text.
+json input_values(PackedColumns& packed, std::size_t rows,
+                  const std::function<const InputValue*(std::size_t)>& at) {
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const InputValue* value = at(i);
+    const auto* number = value == nullptr ? nullptr : std::get_if<double>(value);
+    const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+    numbers.push_back(number == nullptr ? kAbsent : *number);
+    if (text != nullptr && texts.empty()) texts.resize(i);
+    if (text != nullptr || !texts.empty()) texts.push_back(text == nullptr ? std::string() : *text);
+  }
+  return texts.empty() ? packed.numbers(numbers) : packed.texts(texts);
+}
+
+template <class Row>
+json input_columns_of(PackedColumns& packed, const std::vector<ColumnInfo>& infos, const std::vector<Row>& rows) {
+  json columns = json::array();
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    columns.push_back(column(infos[i].key, infos[i].units, infos[i].long_name,
+                             input_values(packed, rows.size(), [&](std::size_t row) -> const InputValue* {
+                               return i < rows[row].inputs.size() ? &rows[row].inputs[i] : nullptr;
+                             })));
+  }
+  return columns;
+}
+
+template <class Row>
+std::vector<double> numbers_of(const std::vector<Row>& rows, const std::function<double(const Row&)>& value) {
+  std::vector<double> numbers;
+  numbers.reserve(rows.size());
+  for (const Row& row : rows) numbers.push_back(value(row));
+  return numbers;
+}
+
+template <class Row>
+std::vector<std::string> texts_of(const std::vector<Row>& rows,
+                                  const std::function<std::string(const Row&)>& value) {
+  std::vector<std::string> texts;
+  texts.reserve(rows.size());
+  for (const Row& row : rows) texts.push_back(value(row));
+  return texts;
+}
+
+json metric_columns(PackedColumns& packed, const std::vector<ScenarioRow>& rows) {
+  const Digits digits = rows.size() > kRowsWithAllDigits ? Digits::seven : Digits::all;
+  json columns = json::array();
+  for (const MetricInfo& info : kMetricTable) {
+    const auto values =
+        numbers_of<ScenarioRow>(rows, [&](const ScenarioRow& row) { return row.result.metrics[info.metric]; });
+    columns.push_back(column(std::string(info.name), std::string(info.units), std::string(info.long_name),
+                             packed.numbers(values, digits)));
+  }
+  return columns;
+}
+
+json scenarios(PackedColumns& packed, const ResultsContent& content) {
+  const std::vector<ScenarioRow>& rows = content.rows;
+  json table = {{"rows", rows.size()}, {"seven_digits", rows.size() > kRowsWithAllDigits}};
+  table["id"] = packed.numbers(
+      numbers_of<ScenarioRow>(rows, [](const ScenarioRow& row) { return static_cast<double>(row.id); }));
+  table["outcome"] = packed.numbers(numbers_of<ScenarioRow>(
+      rows, [](const ScenarioRow& row) { return static_cast<double>(static_cast<int>(row.result.outcome)); }));
+  table["cause"] =
+      packed.texts(texts_of<ScenarioRow>(rows, [](const ScenarioRow& row) { return row.result.cause; }));
+  table["outcome_time_s"] = packed.numbers(
+      numbers_of<ScenarioRow>(rows, [](const ScenarioRow& row) { return row.result.outcome_time_s; }));
+  table["inputs"] = input_columns_of(packed, content.inputs, rows);
+  table["metrics"] = metric_columns(packed, rows);
+  return table;
+}
+
+std::size_t position(const std::vector<WindowRow>& rows, const WindowRow* row) {
+  return static_cast<std::size_t>(row - rows.data());
+}
+
+/// The window common to all combinations; where some have none, common to the others.
+json common(const WindowTable& window) {
+  std::vector<WindowRow> with_window;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < window.rows.size(); ++i) {
+    if (!window.rows[i].exists) continue;
+    with_window.push_back(window.rows[i]);
+    place.push_back(i);
+  }
+  if (with_window.empty()) return {{"exists", false}, {"over", 0}, {"of", window.rows.size()}};
+  const CommonWindow found = common_window(with_window);
+  json text = {{"exists", found.exists}, {"over", with_window.size()}, {"of", window.rows.size()}};
+  text["hold_force_N"] = finite_or_null(found.hold_force_N);
+  text["damage_force_N"] = finite_or_null(found.damage_force_N);
+  text["hold_is_bound"] = found.hold_is_bound;
+  text["damage_is_bound"] = found.damage_is_bound;
+  if (found.hold_row != nullptr) text["hold_row"] = place[position(with_window, found.hold_row)];
+  if (found.damage_row != nullptr) text["damage_row"] = place[position(with_window, found.damage_row)];
+  return text;
+}
+
+json window_json(PackedColumns& packed, const WindowTable& window) {
+  json columns = json::array();
+  const auto add = [&](const char* name, const char* units, double WindowRow::*member) {
+    columns.push_back(column(
+        name, units, "",
+        packed.numbers(numbers_of<WindowRow>(window.rows, [&](const WindowRow& row) { return row.*member; }))));
+  };
+  add("hold_force_N", "N", &WindowRow::hold_force_N);
+  add("damage_force_N", "N", &WindowRow::damage_force_N);
+  add("margin", "1", &WindowRow::margin);
+  add("hold_bracket_low_N", "N", &WindowRow::hold_bracket_low_N);
+  add("hold_bracket_high_N", "N", &WindowRow::hold_bracket_high_N);
+  add("damage_bracket_low_N", "N", &WindowRow::damage_bracket_low_N);
+  add("damage_bracket_high_N", "N", &WindowRow::damage_bracket_high_N);
+  columns.push_back(column("exists", "1", "",
+                           packed.numbers(numbers_of<WindowRow>(
+                               window.rows, [](const WindowRow& row) { return row.exists ? 1.0 : 0.0; }))));
+  columns.push_back(column("note", "", "", packed.texts(texts_of<WindowRow>(window.rows, [](const WindowRow& row) {
+    return row.note;
+  }))));
+  return {{"rows", window.rows.size()},
+          {"inputs", input_columns_of(packed, window.inputs, window.rows)},
+          {"columns", std::move(columns)},
+          {"common", common(window)}};
+}
+
+json table_json(PackedColumns& packed, const ResultTable& table) {
+  json columns = json::array();
+  std::size_t rows = 0;
+  for (const ResultColumn& each : table.columns) {
+    const auto* numbers = std::get_if<std::vector<double>>(&each.values);
+    const auto& texts =
+        numbers != nullptr ? std::vector<std::string>{} : std::get<std::vector<std::string>>(each.values);
+    rows = std::max(rows, numbers != nullptr ? numbers->size() : texts.size());
+    columns.push_back(column(each.name, each.units, each.long_name,
+                             numbers != nullptr ? packed.numbers(*numbers) : packed.texts(texts)));
+  }
+  json attributes = json::object();
+  for (const auto& [name, value] : table.attributes) {
+    const auto* number = std::get_if<double>(&value);
+    attributes[name] = number != nullptr ? finite_or_null(*number) : json(std::get<std::string>(value));
+  }
+  return {{"name", table.name},
+          {"row", table.row},
+          {"rows", rows},
+          {"columns", std::move(columns)},
+          {"attributes", std::move(attributes)}};
+}
+
+constexpr std::size_t kSignalColumnsMost = 12;
+
+std::size_t width_of(const TraceSignal& signal) {
+  std::size_t width = 1;
+  for (const int extent : signal.extents) width *= static_cast<std::size_t>(std::max(extent, 0));
+  return width;
+}
+
+/// "finger 1, x" for an entry of a signal with the dimensions finger and component.
+std::string curve_name(const TraceSignal& signal, std::size_t entry) {
+  static constexpr const char* kAxes[] = {"x", "y", "z"};
+  static constexpr const char* kSurfaces[] = {"left pad", "right pad", "support"};
+  std::string text;
+  std::size_t rest = entry;
+  for (std::size_t i = signal.extents.size(); i-- > 0;) {
+    const auto extent = static_cast<std::size_t>(signal.extents[i]);
+    const std::size_t at = rest % extent;
+    rest /= extent;
+    const std::string& dimension = signal.dimensions[i];
+    std::string part = dimension + " " + std::to_string(at + 1);
+    if (dimension == "component" && extent == 3) part = kAxes[at];
+    if (dimension == "surface" && extent == 3) part = kSurfaces[at];
+    text = text.empty() ? part : part + ", " + text;
+  }
+  return text;
+}
+
+bool is_whole(const Trace& trace, const TraceSignal& signal) {
+  const std::size_t width = width_of(signal);
+  return signal.dimensions.size() == signal.extents.size() && width > 0 && width <= kSignalColumnsMost &&
+         signal.values.size() == trace.time_s.size() * width;
+}
+
+json trace_json(PackedColumns& packed, const Trace& trace) {
+  const bool thin = trace.time_s.size() > kTraceRowsMost;
+  const auto pack = [&](const std::vector<double>& values) {
+    return packed.numbers(thin ? thinned_keeping_peaks(values) : values, Digits::seven);
+  };
+  json signals = json::array();
+  for (const TraceSignal& signal : trace.signals) {
+    if (!is_whole(trace, signal)) continue;
+    const std::size_t width = width_of(signal);
+    json curves = json::array();
+    for (std::size_t entry = 0; entry < width; ++entry) {
+      std::vector<double> values;
+      for (std::size_t row = entry; row < signal.values.size(); row += width) values.push_back(signal.values[row]);
+      curves.push_back({{"name", curve_name(signal, entry)}, {"values", pack(values)}});
+    }
+    signals.push_back({{"name", signal.name},
+                       {"units", signal.units},
+                       {"long_name", signal.long_name},
+                       {"curves", std::move(curves)}});
+  }
+  return {{"rows", trace.time_s.size()},
+          {"thinned", thin},
+          {"particles", trace.particle_count},
+          {"events", trace.events.size()},
+          {"time_s", packed.numbers(thin ? thinned_times(trace.time_s) : trace.time_s)},
+          {"signals", std::move(signals)}};
+}
+
+json study_json(const ResultsContent& content, const ReportContext& context) {
+  const ResultsMeta& meta = content.meta;
+  return {{"name", meta.study_name},
+          {"kind", meta.study_kind},
+          {"complete", meta.complete},
+          {"created_utc", meta.created_utc},
+          {"unbruised_version", meta.unbruised_version},
+          {"compiler", meta.compiler},
+          {"instruction_set", meta.instruction_set},
+          {"config", meta.config_toml},
+          {"config_sha256", meta.config_sha256},
+          {"digest", context.digest},
+          {"source", context.source},
+          {"wanted", context.wanted ? json(*context.wanted) : json(nullptr)},
+          {"replay_command", context.replay_command},
+          {"summary", context.summary}};
+}
+
+std::size_t part_start(std::size_t part, std::size_t rows) { return part * rows / (kTraceRowsMost / 2); }
+
+}  // namespace
+
+std::vector<double> thinned_keeping_peaks(const std::vector<double>& values) {
+  std::vector<double> kept;
+  kept.reserve(kTraceRowsMost);
+  for (std::size_t part = 0; part < kTraceRowsMost / 2; ++part) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(part_start(part, values.size()));
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(part_start(part + 1, values.size()));
+    const auto [least, greatest] = std::minmax_element(begin, end);
+    kept.push_back(least < greatest ? *least : *greatest);
+    kept.push_back(least < greatest ? *greatest : *least);
+  }
+  return kept;
+}
+
+std::vector<double> thinned_times(const std::vector<double>& time_s) {
+  std::vector<double> kept;
+  kept.reserve(kTraceRowsMost);
+  for (std::size_t part = 0; part < kTraceRowsMost / 2; ++part) {
+    const std::size_t begin = part_start(part, time_s.size());
+    const std::size_t end = part_start(part + 1, time_s.size());
+    kept.push_back(time_s[begin]);
+    kept.push_back(time_s[begin + (end - begin) / 2]);
+  }
+  return kept;
+}
+
+std::string inert_json(const std::string& text) {
+  std::string inert;
+  inert.reserve(text.size());
+  for (const char letter : text) {
+    if (letter == '<') {
+      inert += "\\u003c";
+    } else if (letter == '>') {
+      inert += "\\u003e";
+    } else if (letter == '&') {
+      inert += "\\u0026";
+    } else {
+      inert += letter;
+    }
+  }
+  return inert;
+}
+
+ReportData report_data(const ResultsContent& content, const ReportContext& context) {
+  PackedColumns packed;
+  json page = {{"format", 1}, {"study", study_json(content, context)}};
+  page["outcome_words"] = kOutcomeWords;
+  page["scenarios"] = scenarios(packed, content);
+  if (const ScenarioRow* best = best_row(content.rows)) {
+    page["best_row"] = static_cast<std::size_t>(best - content.rows.data());
+  }
+  if (content.window != nullptr) page["window"] = window_json(packed, *content.window);
+  page["tables"] = json::array();
+  for (const ResultTable& table : content.tables) page["tables"].push_back(table_json(packed, table));
+  if (content.trace != nullptr && !content.trace->time_s.empty())
+    page["trace"] = trace_json(packed, *content.trace);
+  // ASCII only: U+2028 and whatever else ends a line in a script becomes an escape.
+  constexpr int kNoIndent = -1;
+  constexpr bool kAsciiOnly = true;
+  return {.json = inert_json(page.dump(kNoIndent, ' ', kAsciiOnly, json::error_handler_t::replace)),
+          .columns = packed.bytes()};
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,328 @@
+// usage: node report_test.mjs PAGES PACKAGES
+// Opens every page of PAGES (tests/studies/report writes them) in Debian's chromium as a reader does.
+// PACKAGES holds what tests/report/package-lock.json pins (report/build --tests). Exit status 77: no browser here.
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import test, { after, before } from "node:test";
+
+const [pages, packages] = process.argv.slice(2).map((path) => resolve(path));
+const chromiumPath = process.env.UNBRUISED_CHROMIUM ?? "/usr/bin/chromium";
+if (!existsSync(chromiumPath) || !existsSync(join(packages, "node_modules/playwright-core"))) {
+  console.log("skipped: chromium or playwright-core is missing; `scripts/setup --tests` and `report/build --tests` install them");
+  process.exit(77);
+}
+const { chromium } = createRequire(join(packages, "package.json"))("playwright-core");
+
+const LAPTOP = { width: 1440, height: 900 };
+const PHONE = { width: 390, height: 844 };
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: chromiumPath,
+    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND"],
+  });
+});
+after(() => browser?.close());
+
+/** Opens a page; whatever it says on the console, throws or asks the network for fails the test. */
+async function open(name, { viewport = LAPTOP, colorScheme = "light" } = {}) {
+  const context = await browser.newContext({ viewport, colorScheme, offline: true, acceptDownloads: true });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => complaints.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => complaints.push(`error: ${error.message}`));
+  page.on("dialog", (dialog) => { complaints.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
+  page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`request: ${request.url()}`); });
+  await page.goto(`file://${join(pages, `${name}.html`)}`);
+  await page.waitForFunction(() => document.documentElement.dataset.drawn === "yes" || !document.querySelector(".chart"));
+  const close = async () => {
+    await context.close();
+    assert.deepEqual(complaints, []);
+  };
+  return { page, close };
+}
+
+const answerOf = (page) => page.locator("#answer").innerText();
+
+/** Number of different colours a chart is drawn with. */
+const coloursOf = (page, section) =>
+  page.locator(`#${section} .chart canvas`).first().evaluate((canvas) => {
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [400, 300];
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0, copy.width, copy.height);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    const seen = new Set();
+    for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+    return seen.size;
+  });
+
+// What each page has to say, and the sections with a chart.
+const EXPECTED = {
+  kiwi_sweep: { says: ["Grip window over", "of 32 combinations", "there is no window", "Margin", "Fastest cycle that held"], charts: ["windows", "map", "distributions"] },
+  kiwi_window: { says: ["Grip window over all 4", "One grip force suits every combination", "Holding begins"], charts: ["windows", "map"] },
+  no_window: { says: ["No window"], charts: ["map"] },
+  disjoint: { says: ["No common window", "Holding needs"], charts: ["windows", "map"] },
+  kiwi_optimize: { says: ["Best strategy", "grip force", "Meets every constraint", "Every constraint kept"], charts: ["convergence", "map"] },
+  none_feasible: { says: ["None feasible", "The closest one"], charts: ["convergence", "map"] },
+  kiwi_robust: { says: ["Probability of held", "97.5 %", "92.6 % to 99.2 %", "On products it never saw", "96.2 %"], charts: ["convergence", "map", "distributions"] },
+  kiwi_pareto: { says: ["strategies", "Knee of the front", "None of them is beaten"], charts: ["pareto", "map"] },
+  three_objectives: { says: ["cycle time, contact yield ratio and mean(peak_finger_force_N)"], charts: ["pareto", "map"] },
+  empty_front: { says: ["None feasible", "no trade-off"], charts: ["map"] },
+  kiwi_compare: { says: ["gentle", "A difference is shown", "gentle is held more often"], charts: ["comparison", "map", "distributions"] },
+  no_difference: { says: ["No difference shown", "do not tell the candidates apart"], charts: ["comparison", "map", "distributions"] },
+  kiwi_sobol: { says: ["friction", "Clearly ahead", "85 %", "71 % to 99 %"], charts: ["sensitivity", "map", "distributions"] },
+  kiwi_morris: { says: ["friction", "moves friction margin by 0.61"], charts: ["sensitivity", "map", "distributions"] },
+  kiwi_sample: { says: ["Probability of being held", "of 200 products", "95 % interval"], charts: ["map", "distributions"] },
+  hold: { says: ["Held", "Cycle time"], charts: ["trace"] },
+  long_hold: { says: ["Held"], charts: ["trace"] },
+  half_a_night: { says: ["This study is not complete", "72 of 144", "--output results/half_a_night", "1 scenario diverged", "left the range"], charts: ["map", "distributions"] },
+  hostile: { says: [], charts: ["map", "distributions"] },
+  unknown_table: { says: ["Probability of being held"], charts: ["map", "distributions"] },
+};
+
+for (const [name, { says, charts }] of Object.entries(EXPECTED)) {
+  test(`${name} says what it found and draws it, on a laptop and on a phone in the dark`, async () => {
+    const { page, close } = await open(name);
+    const answer = await answerOf(page);
+    for (const text of says) assert.ok(answer.includes(text), `"${text}" is not in the answer:\n${answer}`);
+    for (const section of charts) {
+      assert.ok((await coloursOf(page, section)) > 8, `the chart of ${section} is blank`);
+      assert.ok(await page.locator(`#${section} .chart`).first().getAttribute("aria-label"), `${section} has no words for who does not see it`);
+    }
+    assert.equal(await page.locator("text=could not be drawn").count(), 0);
+    // The same page on a phone, in the dark.
+    await page.setViewportSize(PHONE);
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForTimeout(150);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth), 0);
+    const [dark] = await page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number));
+    assert.ok(dark < 60, `the paper is ${dark}`);
+    for (const section of charts) assert.ok((await coloursOf(page, section)) > 8, `the chart of ${section} is blank on a phone`);
+    await close();
+  });
+}
+
+test("no text of a study is markup or script", async () => {
+  const { page, close } = await open("hostile");
+  for (const summary of await page.locator("summary").all()) await summary.click();
+  await page.waitForTimeout(100);
+  assert.equal(await page.evaluate(() => window.hacked), undefined);
+  assert.equal(await page.locator("#page img, #page iframe, #page script, #page object, #page [onload], #page [onerror], #page [onmouseover]").count(), 0);
+  assert.ok((await page.locator("header .name b").innerText()).startsWith("</script><script>"));
+  assert.equal(await page.locator('a[href^="javascript"]').count(), 0);
+  const box = await page.locator("#map canvas").first().boundingBox();
+  for (let i = 1; i < 10; i += 1) await page.mouse.move(box.x + (box.width * i) / 10, box.y + box.height / 2);
+  assert.equal(await page.evaluate(() => window.hacked), undefined);
+  await close();
+});
+
+test("the policy keeps a script out that got in anyway", async () => {
+  const { page } = await open("kiwi_window");
+  await page.evaluate(() => {
+    const script = document.createElement("script");
+    script.textContent = "window.hacked = 1";
+    document.body.append(script);
+    document.body.insertAdjacentHTML("beforeend", '<img src="data:," onerror="window.hacked = 1">');
+  });
+  await page.waitForTimeout(100);
+  assert.equal(await page.evaluate(() => window.hacked), undefined);
+  assert.equal(await page.evaluate(() => fetch("http://127.0.0.1:9/").then(() => "reached", () => "refused")), "refused");
+  await page.context().close();
+});
+
+test("the pointer shows a scenario and the command that replays it, a click copies it", async () => {
+  const { page, close } = await open("kiwi_sweep");
+  await page.evaluate(() => { navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }; });
+  const canvas = page.locator("#map canvas").first();
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  const replay = page.locator("#map .tip .replay");
+  await replay.waitFor();
+  const command = await replay.innerText();
+  assert.match(command.replaceAll(/\s+/g, " "), /^unbruised run results\/kiwi_sweep\/config\.toml --output results\/kiwi_sweep --scenario \d+$/);
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  assert.equal(await page.evaluate(() => window.copied), command.replaceAll(/\s+/g, " "));
+  assert.match(await page.locator(".toast").innerText(), /Copied the command that replays scenario \d+/);
+  await close();
+});
+
+test("a click on a mark of a search and on the front copies too", async () => {
+  const { page, close } = await open("kiwi_pareto");
+  await page.evaluate(() => { navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }; });
+  const box = await page.locator("#pareto canvas").first().boundingBox();
+  let found = false;
+  for (let y = 0.2; y < 0.9 && !found; y += 0.02) {
+    for (let x = 0.1; x < 0.6 && !found; x += 0.02) {
+      await page.mouse.move(box.x + box.width * x, box.y + box.height * y);
+      found = await page.locator("#pareto .tip .replay").isVisible();
+      if (found) await page.mouse.click(box.x + box.width * x, box.y + box.height * y);
+    }
+  }
+  assert.ok(found, "no mark under the pointer");
+  assert.match(await page.evaluate(() => window.copied), /--scenario \d+$/);
+  await close();
+});
+
+const firstColumn = (page) => page.locator("#scenarios tbody tr td:first-child").allInnerTexts();
+
+test("the table sorts, filters and pages", async () => {
+  const { page, close } = await open("kiwi_sweep");
+  const table = page.locator("#scenarios");
+  const header = table.locator('th button[data-column="cycle_time_s"]');
+  const cells = async () => (await table.locator("tbody tr").evaluateAll((rows, at) => rows.map((row) => row.children[at].textContent), await header.evaluate((button) => button.closest("th").cellIndex))).map(Number);
+  assert.equal((await firstColumn(page)).length, 25);
+
+  await header.click();
+  const up = await cells();
+  assert.deepEqual(up, [...up].sort((a, b) => a - b));
+  assert.equal(await table.locator('th[aria-sort="ascending"]').count(), 1);
+  await header.click();
+  const down = await cells();
+  assert.deepEqual(down, [...down].sort((a, b) => b - a));
+  assert.ok(down[0] > up[0]);
+
+  await table.locator("input[type=search]").fill("grip_force_N < 1, dropped");
+  const words = await table.locator("tbody tr td:nth-child(2)").allInnerTexts();
+  assert.ok(words.length > 0 && words.every((word) => word.trim() === "dropped"), words.join());
+  assert.match(await table.locator(".message").innerText(), /of 512 rows/);
+
+  await table.locator("input[type=search]").fill("grip_froce_N < 1");
+  assert.match(await table.locator(".message").innerText(), /no column named grip_froce_N/);
+  await table.locator("input[type=search]").fill("cycle_time_s < 0");
+  assert.match(await table.locator("tbody").innerText(), /No row fits/);
+
+  await table.locator("input[type=search]").fill("");
+  await table.locator(".chip", { hasText: "damaged" }).click();
+  assert.ok((await table.locator("tbody tr td:nth-child(2)").allInnerTexts()).every((word) => word.trim() === "damaged"));
+  await table.locator(".chip", { hasText: "damaged" }).click();
+
+  await header.click();
+  await page.getByRole("button", { name: "Next page" }).first().click();
+  assert.deepEqual((await firstColumn(page)).slice(0, 2), ["25", "26"]);
+  await close();
+});
+
+async function csvOf(page, section) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`#${section} .csv`).first().click()]);
+  return { name: download.suggestedFilename(), lines: readFileSync(await download.path(), "utf8").split("\r\n") };
+}
+
+test("the CSV has every column and row, with all digits, in the order shown", async () => {
+  const { page, close } = await open("kiwi_sweep");
+  const { name, lines } = await csvOf(page, "scenarios");
+  assert.equal(name, "kiwi_sweep_scenarios.csv");
+  const head = lines[0].split(",");
+  assert.deepEqual(head.slice(0, 5), ["id", "outcome", "strategy.grip_force_N", "strategy.approach_speed_m_s", "strategy.lift_acceleration_m_s2"]);
+  assert.equal(lines.length, 512 + 2);
+  const first = lines[1].split(",");
+  assert.deepEqual(first.slice(0, 5), ["0", "dropped", "0.6", "0.02", "1"]);
+  // The same law as the fixture's, to the last digit: 0.095 (g + 1) / 1.2 is what holding needs.
+  assert.equal(Number(first[head.indexOf("friction_margin_min")]), 0.6 / ((0.095 * (9.80665 + 1)) / (2 * 0.6)) - 1);
+  assert.equal(first[head.indexOf("cycle_time_s")], "");
+
+  await page.locator("#scenarios input[type=search]").fill("held");
+  await page.locator('#scenarios th button[data-column="cycle_time_s"]').click();
+  const filtered = (await csvOf(page, "scenarios")).lines.slice(1, -1);
+  assert.ok(filtered.length < 512 && filtered.every((line) => line.split(",")[1] === "held"));
+  const cycles = filtered.map((line) => Number(line.split(",")[head.indexOf("cycle_time_s")]));
+  assert.deepEqual(cycles, [...cycles].sort((a, b) => a - b));
+  await close();
+});
+
+test("no cell of the CSV is a formula", async () => {
+  const { page, close } = await open("hostile");
+  const { lines } = await csvOf(page, "scenarios");
+  assert.ok(lines.some((line) => line.includes("'=HYPERLINK")));
+  assert.ok(lines.every((line) => !/(^|,)"?[=+@]/.test(line)));
+  await close();
+});
+
+test("light and dark switch, charts and all, and the choice is kept", async () => {
+  const { page, close } = await open("kiwi_window");
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const picture = () => page.locator("#map canvas").first().evaluate((canvas) => canvas.toDataURL());
+  const [light, chart] = [await paper(), await picture()];
+  await page.getByRole("button", { name: "Switch to dark" }).click();
+  assert.notEqual(await paper(), light);
+  await page.waitForTimeout(200);
+  assert.notEqual(await picture(), chart);
+  await page.reload();
+  assert.notEqual(await paper(), light);
+  await page.getByRole("button", { name: "Switch to light" }).click();
+  assert.equal(await paper(), light);
+  await close();
+});
+
+test("axes, slices and metrics can be chosen with the keyboard", async () => {
+  const { page, close } = await open("kiwi_sweep");
+  const picture = () => page.locator("#map canvas").first().evaluate((canvas) => canvas.toDataURL());
+  const first = await picture();
+  await page.locator("#map").getByLabel("lift acceleration").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForTimeout(200);
+  assert.notEqual(await picture(), first);
+  await page.locator("#map").getByLabel("Upwards").selectOption("permanent_set_max_m");
+  await page.waitForTimeout(200);
+  assert.match(await page.locator("#map .chart").getAttribute("aria-label"), /permanent set/);
+  await page.locator("#distributions").getByLabel("Metric").selectOption("cycle_time_s");
+  await page.waitForTimeout(200);
+  assert.match(await page.locator("#distributions .note").innerText(), /do not have this metric/);
+  await close();
+});
+
+test("every control has a name, headings are in order, the answer comes first", async () => {
+  const { page, close } = await open("kiwi_robust");
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input, a")].filter((element) => !(element.textContent || element.getAttribute("aria-label") || element.labels?.[0]?.textContent)).map((element) => element.outerHTML));
+  assert.deepEqual(nameless, []);
+  const levels = await page.evaluate(() => [...document.querySelectorAll("h1, h2, h3")].map((heading) => Number(heading.tagName[1])));
+  assert.equal(levels[0], 1);
+  assert.equal(levels.filter((level) => level === 1).length, 1);
+  assert.ok(await page.evaluate(() => document.querySelector("main").firstElementChild.id === "answer"));
+  const ids = await page.evaluate(() => [...document.querySelectorAll("[id]")].map((element) => element.id));
+  assert.equal(new Set(ids).size, ids.length);
+  await close();
+});
+
+test("a table the page does not know is shown as it is", async () => {
+  const { page, close } = await open("unknown_table");
+  const text = await page.locator("#tables").innerText();
+  for (const word of ["sorting line", "belt", "left", "remark: from a later version"]) assert.ok(text.includes(word), `${word} is not in ${text}`);
+  await close();
+});
+
+test("it prints light, with every chart", async () => {
+  const { page, close } = await open("kiwi_sweep", { colorScheme: "dark" });
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await page.waitForTimeout(200);
+  const paper = await page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number));
+  assert.ok(paper[0] > 240, `the paper is ${paper}`);
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  assert.ok((await page.pdf({ format: "A4" })).length > 20_000);
+  await close();
+});
+
+test("without JavaScript the findings stand there in words", async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(`file://${join(pages, "kiwi_window.html")}`);
+  assert.match(await page.locator("noscript").innerText(), /grip window/);
+  await context.close();
+});
+
+test("fifty thousand scenarios open in a few seconds", { skip: !existsSync(join(pages, "large.html")) }, async () => {
+  const start = performance.now();
+  const { page, close } = await open("large");
+  const seconds = (performance.now() - start) / 1000;
+  assert.ok((await page.locator("#scenarios").innerText()).includes("of 49,952"), await page.locator("#scenarios .pager").innerText());
+  console.log(`50,000 scenarios: ${seconds.toFixed(1)} s`);
+  assert.ok(seconds < 20, `took ${seconds.toFixed(1)} s`); // a loaded machine is slower than a reader's
+  await page.locator("#scenarios input[type=search]").fill("grip_force_N > 9");
+  assert.match(await page.locator("#scenarios .message").innerText(), /of 49,952 rows/);
+  await close();
+});

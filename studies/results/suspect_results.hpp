@@ -29,7 +29,7 @@ Expected<ResultsSummary> read_hashed_summary(const std::filesystem::path& path);
 Expected<Trace> read_suspect_trace(const std::filesystem::path& path);
 
 /// What `body` returns, computed in a child process that prints nothing; damaged, with `path` in the sentence,
-/// when the child ends otherwise; io when there can be no child. To be called while the process has one thread.
+/// when the child ends otherwise; io when there can be no child. To be called while no other thread uses HDF5.
 Expected<std::string> in_child_process(const std::filesystem::path& path,
                                        const std::function<std::string()>& body);
 

@@ -9,6 +9,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/cost_estimate.hpp"
+#include "studies/runner/memory_need.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/scenario_set.hpp"
 #include "studies/runner/search_study.hpp"
@@ -176,9 +177,13 @@ void warn_about_contact_time(const ScenarioSet& set, const StudyCost& cost) {
 int check_command(const StudyArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments);
   if (!study) return kExitInput;
+  const int threads = thread_count_of(std::nullopt);
+  if (const auto refusal = too_much_memory(*study, threads)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
   const ScenarioSet set = known_scenarios(*study);
   const StudyCost cost = cost_of(set);
-  const int threads = thread_count_of(std::nullopt);
   const double each = evaluations_per_known(*study, cost);
   const double evaluations = each * static_cast<double>(set.count);
 
@@ -193,7 +198,8 @@ int check_command(const StudyArguments& arguments) {
     print_line(joined({"scenarios: ", with_thousands(set.count)}));
   }
   print_sizes(cost);
-  print_line(joined({"memory: about ", bytes_text(memory_bytes(cost, threads))}));
+  const double memory = memory_bytes(cost, threads) + estimated_rows_bytes(evaluations, set.columns.size());
+  print_line(joined({"memory: about ", bytes_text(memory), " of ", bytes_text(machine_memory_bytes())}));
   print_line(joined({"disk: about ", bytes_text(disk_bytes(*study, cost, set.columns.size(), evaluations))}));
   print_line(joined({"time: about ", duration_text(compute_seconds(cost, each) / threads), " on ",
                      std::to_string(threads), threads == 1 ? " thread" : " threads", " (up to ",
@@ -202,7 +208,9 @@ int check_command(const StudyArguments& arguments) {
                      " ns per lane and entry of the factor as measured on an AVX-512 core, without factoring; "
                      "expect a factor of two either way)"}));
   warn_about_contact_time(set, cost);
-  return kExitDone;
+  const auto refusal = too_much_memory(study->name(), memory);
+  if (refusal) print_error(*refusal);
+  return refusal ? kExitInput : kExitDone;
 }
 
 }  // namespace unbruised::studies

@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <new>
 #include <optional>
@@ -224,13 +225,22 @@ int report_usage_error(const UsageError& error) {
   return kExitInput;
 }
 
+/// The status of a command whose results may not have reached whoever reads them.
+int after_printing(int status) {
+  std::cout.flush();
+  if (std::cout) return status;
+  print_error("cannot write to the standard output");
+  return status == kExitDone ? exit_status(ResultsErrorKind::io) : status;
+}
+
 }  // namespace
 
 int run_program(const std::vector<std::string>& words) {
   try {
     const std::string program = words.empty() ? "unbruised" : words.front();
     CommandLine command_line(program);
-    return command_line(words.empty() ? words : std::vector<std::string>(words.begin() + 1, words.end()));
+    return after_printing(
+        command_line(words.empty() ? words : std::vector<std::string>(words.begin() + 1, words.end())));
   } catch (const UsageError& error) {
     return report_usage_error(error);
   } catch (const std::bad_alloc&) {

@@ -51,7 +51,7 @@ int info_command(const std::filesystem::path& path, const std::string& program) 
   print_line(
       joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));
   print_line(joined({"digest ", rows_digest(recorded->tables.rows)}));
-  return kExitDone;
+  return print_journal_state(*recorded);
 }
 
 }  // namespace unbruised::studies

@@ -11,8 +11,9 @@
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/journal.hpp"
-#include "studies/results/results_file.hpp"
+#include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
+#include "studies/results/suspect_results.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/scenario_set.hpp"
 #include "studies/runner/study_runner.hpp"
@@ -36,61 +37,122 @@ RecordedStudy from_summary(ResultsSummary summary, const fs::path& source) {
           .has_trace = summary.has_trace,
           .source = source,
           .from_journal = false,
+          .notes = {},
+          .damage = {},
           .wanted = std::nullopt};
 }
 
-/// The rows of all journals, by id; the first of each id counts.
-Expected<std::vector<ScenarioRow>> journal_rows(const fs::path& directory, const std::string& config_sha256) {
+/// What the journals of a run directory hold.
+struct JournalContents {
+  std::vector<ScenarioRow> rows;  ///< by id; the first of each id counts
+  std::vector<std::string> notes;
+  std::vector<std::string> damage;
+};
+
+void look_at(const fs::path& file, const JournalScan& scan, JournalContents& contents) {
+  if (scan.torn_tail_bytes > 0) {
+    contents.notes.push_back(joined(
+        {file.string(), " ends in ", std::to_string(scan.torn_tail_bytes), " bytes of an unfinished record"}));
+  }
+  for (const JournalDamage& damage : scan.damage) {
+    contents.damage.push_back(joined({file.string(), ": ", std::to_string(damage.bytes), " bytes at offset ",
+                                      std::to_string(damage.offset), " fail their checksum"}));
+  }
+  if (scan.other_config_records > 0) {
+    contents.damage.push_back(joined({file.string(), ": ", std::to_string(scan.other_config_records),
+                                      " records belong to another config than config.toml"}));
+  }
+}
+
+Expected<JournalContents> journal_contents(const fs::path& directory, const std::string& config_sha256) {
+  JournalContents contents;
   std::map<std::uint64_t, ScenarioRow> rows;
   for (const fs::path& file : journal_files(directory)) {
     auto scan = scan_journal(file, config_hash_prefix(config_sha256));
     if (!scan) return scan.error();
+    look_at(file, *scan, contents);
     for (const JournalRecord& record : scan->records) {
       if (record.kind != RecordKind::scenario) continue;
-      if (auto row = decode_scenario_row(record.id, record.payload)) rows.try_emplace(record.id, std::move(*row));
+      if (auto row = decode_scenario_row(record.id, record.payload)) {
+        rows.try_emplace(record.id, std::move(*row));
+      } else {
+        contents.damage.push_back(joined({file.string(), ": ", row.error().message}));
+      }
     }
   }
-  std::vector<ScenarioRow> sorted;
-  for (auto& [id, row] : rows) sorted.push_back(std::move(row));
-  return sorted;
+  for (auto& [id, row] : rows) contents.rows.push_back(std::move(row));
+  return contents;
 }
 
-Expected<RecordedStudy> from_journals(const fs::path& directory) {
+Expected<Study> study_of(const fs::path& directory, const std::string& config) {
+  StudyOrError read = read_study_text(config, (directory / "config.toml").string(), {}, directory, {});
+  if (auto* study = std::get_if<Study>(&read)) return std::move(*study);
+  const std::vector<std::string>& messages = std::get<ConfigError>(read).messages;
+  return ResultsError{ResultsErrorKind::damaged,
+                      joined({"the config of the run directory is damaged: ",
+                              messages.empty() ? directory.string() : messages.front()}),
+                      {}};
+}
+
+/// Brings results.h5 up to date where nobody else does. Nothing is lost when that fails: the journals are the
+/// truth.
+void compact(const fs::path& directory, const Study& study, RecordedStudy& recorded) {
+  auto run = RunDirectory::open_for_compaction(directory);
+  if (!run) return;
+  if (auto error = (*run)->finish(unfinished_content(study, **run))) {
+    recorded.notes.push_back(joined({"results.h5 stays as it is: ", error->message}));
+    return;
+  }
+  recorded.notes.push_back(joined({"brought ", (*run)->results_path().string(), " up to date from the journal"}));
+}
+
+/// @param known rows that results.h5 holds
+Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t known) {
   const auto config = read_text_file(directory / "config.toml");
   if (!config) return config.error();
-  const StudyOrError read = read_study_text(*config, (directory / "config.toml").string(), {}, directory, {});
-  if (const auto* error = std::get_if<ConfigError>(&read)) {
-    return ResultsError{
-        ResultsErrorKind::damaged,
-        error->messages.empty() ? "the config of the run directory is damaged" : error->messages.front(),
-        {}};
-  }
-  const Study& study = std::get<Study>(read);
-  auto rows = journal_rows(directory, sha256_hex(*config));
-  if (!rows) return rows.error();
+  const auto study = study_of(directory, *config);
+  if (!study) return study.error();
+  auto contents = journal_contents(directory, sha256_hex(*config));
+  if (!contents) return contents.error();
   RecordedStudy recorded;
-  recorded.meta = results_meta(study, false);
+  recorded.meta = results_meta(*study, false);
   recorded.meta.created_utc.clear();
   recorded.meta.unbruised_version.clear();
-  recorded.tables.inputs = input_columns(study);
-  recorded.tables.rows = std::move(*rows);
-  if (is_search(study.kind())) number_search_rows(recorded.tables.rows);
+  recorded.tables.inputs = input_columns(*study);
+  recorded.tables.rows = std::move(contents->rows);
+  recorded.notes = std::move(contents->notes);
+  recorded.damage = std::move(contents->damage);
+  if (is_search(study->kind())) number_search_rows(recorded.tables.rows);
   recorded.source = directory;
   recorded.from_journal = true;
-  if (has_fixed_scenarios(study.kind())) recorded.wanted = scenario_set(study).count;
+  if (has_fixed_scenarios(study->kind())) recorded.wanted = scenario_set(*study).count;
+  if (recorded.tables.rows.size() > known && recorded.damage.empty()) compact(directory, *study, recorded);
   return recorded;
 }
 
+/// Says of a damaged results.h5 what the journals still have.
+ResultsError with_what_is_left(ResultsError error, const fs::path& directory) {
+  const auto config = read_text_file(directory / "config.toml");
+  if (!config) return error;
+  const auto contents = journal_contents(directory, sha256_hex(*config));
+  if (!contents || contents->rows.empty()) return error;
+  error.message += joined({"; the journal holds ", std::to_string(contents->rows.size()),
+                           " whole scenarios; the `run` command of this study writes results.h5 anew from it"});
+  return error;
+}
+
 Expected<RecordedStudy> from_directory(const fs::path& directory) {
+  std::size_t known = 0;
   if (is_there(directory / "results.h5")) {
-    auto summary = read_results_summary(directory / "results.h5");
-    if (!summary) return summary.error();
+    auto summary = read_hashed_summary(directory / "results.h5");
+    if (!summary) return with_what_is_left(summary.error(), directory);
     // Where results.h5 is not complete, the journal may know more.
     if (summary->meta.complete || !is_there(directory / "config.toml")) {
       return from_summary(std::move(*summary), directory / "results.h5");
     }
+    known = summary->rows.size() - summary->count(Outcome::not_run);
   }
-  if (is_there(directory / "config.toml")) return from_journals(directory);
+  if (is_there(directory / "config.toml")) return from_journals(directory, known);
   return ResultsError{
       ResultsErrorKind::foreign,
       joined({directory.string(), " is no run directory: it holds neither results.h5 nor config.toml"}),
@@ -104,9 +166,17 @@ Expected<RecordedStudy> read_recorded(const fs::path& path) {
   if (fs::is_directory(path, error)) return from_directory(path);
   if (!is_there(path))
     return ResultsError{ResultsErrorKind::foreign, joined({path.string(), " does not exist"}), {}};
-  auto summary = read_results_summary(path);
+  auto summary = read_hashed_summary(path);
   if (!summary) return summary.error();
   return from_summary(std::move(*summary), path);
+}
+
+int print_journal_state(const RecordedStudy& recorded) {
+  for (const std::string& note : recorded.notes) print_note(note);
+  if (recorded.damage.empty()) return kExitDone;
+  for (const std::string& damage : recorded.damage) print_error(joined({"damage: ", damage}));
+  print_note("damaged records are left out; the `run` command of this study runs their scenarios again");
+  return exit_status(ResultsErrorKind::damaged);
 }
 
 fs::path directory_of(const RecordedStudy& recorded) {

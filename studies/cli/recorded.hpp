@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "studies/config/study.hpp"
 #include "studies/results/expected.hpp"
@@ -21,11 +22,17 @@ struct RecordedStudy {
   bool has_trace = false;
   std::filesystem::path source;  ///< the results file, or the run directory when read from its journal
   bool from_journal = false;
+  std::vector<std::string> notes;       ///< of the journals: what a kill left unfinished, results.h5 written anew
+  std::vector<std::string> damage;      ///< of the journals: what cannot be believed and is left out
   std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
 };
 
-/// Reads a results file, or a run directory: its complete results.h5, else its config and journals.
+/// Reads a results file, or a run directory: its complete results.h5, else its config and journals. Where no
+/// process holds the directory and the journals know more than results.h5, that one is brought up to date.
 Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);
+
+/// Prints the notes and the damage of the journals; the exit status they ask for.
+int print_journal_state(const RecordedStudy& recorded);
 
 /// The run directory it was read from, as the user wrote it; "." where that is the working directory.
 std::filesystem::path directory_of(const RecordedStudy& recorded);

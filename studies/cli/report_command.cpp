@@ -3,7 +3,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/report/report_page.hpp"
-#include "studies/results/results_file.hpp"
+#include "studies/results/suspect_results.hpp"
 #include "studies/results/text.hpp"
 #include "studies/runner/number_text.hpp"
 
@@ -24,7 +24,7 @@ ReportContext context_of(const RecordedStudy& recorded, const std::string& progr
 MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, const std::string& program) {
   Trace trace;
   if (recorded.has_trace) {
-    auto read = read_trace(recorded.source);
+    auto read = read_suspect_trace(recorded.source);
     if (!read) return read.error();
     trace = std::move(*read);
   }
@@ -57,7 +57,7 @@ int report_command(const fs::path& path, const std::optional<fs::path>& output, 
   std::error_code unknown;
   print_line(joined(
       {"report: ", page.string(), " (", bytes_text(static_cast<double>(fs::file_size(page, unknown))), ")"}));
-  return kExitDone;
+  return print_journal_state(*recorded);
 }
 
 std::optional<fs::path> write_report_of_run(const fs::path& directory, const std::string& program) {

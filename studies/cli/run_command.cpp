@@ -1,3 +1,5 @@
+#include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <string_view>
 #include <system_error>
@@ -13,6 +15,7 @@
 #include "studies/results/text.hpp"
 #include "studies/runner/batch_runner.hpp"
 #include "studies/runner/build_info.hpp"
+#include "studies/runner/memory_need.hpp"
 #include "studies/runner/number_text.hpp"
 #include "studies/runner/progress.hpp"
 #include "studies/runner/scenario_set.hpp"
@@ -35,6 +38,23 @@ std::string command_of(const RunArguments& arguments) {
 
 void write_to_stderr(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+/// Ten minutes, or what tests ask for.
+std::chrono::milliseconds compaction_interval() {
+  const char* text = std::getenv("UNBRUISED_COMPACTION_MS");
+  const long wanted = text == nullptr ? 0 : std::strtol(text, nullptr, 10);
+  return wanted > 0 ? std::chrono::milliseconds(wanted) : StudyRunOptions{}.compaction_interval;
+}
+
+/// A failing disk ends a study; what is safe, and what to do.
+int report_failed(const RunArguments& arguments, const RunDirectory& run, const ResultsError& error) {
+  const int status = report_error(error);
+  if (error.kind != ResultsErrorKind::io) return status;
+  print_note(joined({with_thousands(run.acknowledged()), " scenarios are safe in ", run.directory().string(),
+                     "; once it can be written to again, continue with"}));
+  std::cerr << joined({"  ", command_of(arguments), "\n"});
+  return status;
 }
 
 int report_interrupted(const RunArguments& arguments, RunDirectory& run, const StudyReport& report) {
@@ -123,6 +143,11 @@ std::optional<Scenario> scenario_of_id(const Study& study, const fs::path& direc
 int run_command(const RunArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
+  const int threads = thread_count_of(arguments.threads);
+  if (const auto refusal = too_much_memory(*study, threads)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
   auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
                                     .config_toml = study->resolved_toml(),
                                     .build = build_line(),
@@ -132,12 +157,14 @@ int run_command(const RunArguments& arguments) {
   for (const std::string& note : run.notes()) print_note(note);
 
   listen_for_interrupts();
-  const int threads = thread_count_of(arguments.threads);
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet), write_to_stderr);
   const auto report = run_study(*study, run, core_simulator(),
-                                {.threads = threads, .stop = &interrupt_requested(), .progress = &progress});
+                                {.threads = threads,
+                                 .stop = &interrupt_requested(),
+                                 .progress = &progress,
+                                 .compaction_interval = compaction_interval()});
   progress.close();
-  if (!report) return report_error(report.error());
+  if (!report) return report_failed(arguments, run, report.error());
   const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads, page);

@@ -12,6 +12,7 @@ int exit_status(ResultsErrorKind kind) {
       return 6;
     case ResultsErrorKind::finished:
     case ResultsErrorKind::other_config:
+    case ResultsErrorKind::other_build:
     case ResultsErrorKind::foreign:
       return 2;
   }

@@ -17,6 +17,7 @@ enum class ResultsErrorKind {
   busy,          ///< another process holds the run directory (exit 4)
   finished,      ///< the run directory already holds complete results (exit 2)
   other_config,  ///< the run directory belongs to another config (exit 2)
+  other_build,   ///< the run directory was begun by another version or numeric build (exit 2)
   foreign,       ///< not a file or directory of this program, or of a version it cannot read (exit 2)
   damaged,       ///< checksums or contents do not agree (exit 6)
 };

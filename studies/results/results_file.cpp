@@ -364,6 +364,13 @@ void write_content(Hdf5File& file, const ResultsContent& content) {
   write_events(file, content.trace->events);
 }
 
+// The error, with the file that it left unfinished removed.
+ResultsError without(const fs::path& unfinished, ResultsError error) {
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  return error;
+}
+
 ResultsContent sorted_by_id(const ResultsContent& content) {
   ResultsContent sorted = content;
   std::stable_sort(sorted.rows.begin(), sorted.rows.end(),
@@ -381,12 +388,11 @@ MaybeError write_results_file(const fs::path& path, const ResultsContent& conten
     write_content(file, sorted_by_id(content));
     file.close();
   } catch (const std::exception& failure) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return ResultsError{ResultsErrorKind::io, failure.what(), {}};
+    return without(temporary, {ResultsErrorKind::io, failure.what(), {}});
   }
-  if (auto error = sync_file(temporary)) return error;
-  return publish_temporary(path);
+  if (auto error = sync_file(temporary)) return without(temporary, *error);
+  if (auto error = publish_temporary(path)) return without(temporary, *error);
+  return {};
 }
 
 std::string ResultsSummary::digest() const { return digest_text(digest_of_digests(digests)); }

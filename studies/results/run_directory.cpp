@@ -6,8 +6,6 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "studies/config/study.hpp"
@@ -16,6 +14,7 @@
 #include "studies/results/durable_files.hpp"
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_layout.hpp"
+#include "studies/results/suspect_results.hpp"
 #include "studies/results/text.hpp"
 
 namespace unbruised::studies {
@@ -38,6 +37,8 @@ fs::path hash_path(const fs::path& results) {
   return path;
 }
 
+std::string hash_line(std::string_view bytes) { return joined({sha256_hex(bytes), "  results.h5\n"}); }
+
 bool same_row(const ScenarioRow& a, const ScenarioRow& b) {
   const auto same_input = [](const InputValue& left, const InputValue& right) {
     const auto* x = std::get_if<double>(&left);
@@ -59,22 +60,6 @@ MaybeError make_directory(const fs::path& directory) {
   fs::create_directories(directory, error);
   if (error) return system_error("create", directory, error.value());
   return {};
-}
-
-std::string lock_text() {
-  return joined({"host = ", host_name(), "\npid = ", std::to_string(::getpid()), "\nboot_id = ", boot_id(), "\n"});
-}
-
-// "pid = 12, host = a, ..." of the process that wrote the lock file.
-std::string lock_holder(const fs::path& lock) {
-  const auto text = read_text_file(lock);
-  if (!text || text->empty()) return "unknown";
-  std::string holder = *text;
-  while (!holder.empty() && holder.back() == '\n') holder.pop_back();
-  for (std::size_t at = holder.find('\n'); at != std::string::npos; at = holder.find('\n', at)) {
-    holder.replace(at, 1, ", ");
-  }
-  return holder;
 }
 
 // Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
@@ -118,17 +103,27 @@ Expected<std::unique_ptr<RunDirectory>> RunDirectory::open(const Request& reques
   return run;
 }
 
-RunDirectory::~RunDirectory() {
-  journal_.reset();
-  if (lock_descriptor_ >= 0) ::close(lock_descriptor_);
+Expected<std::unique_ptr<RunDirectory>> RunDirectory::open_for_compaction(const fs::path& directory) {
+  auto config = read_text_file(directory / "config.toml");
+  if (!config) return config.error();
+  std::unique_ptr<RunDirectory> run(new RunDirectory());
+  run->directory_ = directory;
+  run->config_toml_ = std::move(*config);
+  run->config_sha256_ = sha256_hex(run->config_toml_);
+  if (auto error = run->take_lock(LockPurpose::compaction)) return *error;
+  if (auto error = run->recover_journals()) return *error;
+  return run;
 }
+
+RunDirectory::~RunDirectory() = default;
 
 MaybeError RunDirectory::prepare(const Request& request) {
   directory_ = request.directory;
   config_toml_ = request.config_toml;
   config_sha256_ = sha256_hex(config_toml_);
   build_ = request.build;
-  if (auto error = take_lock()) return error;
+  if (auto error = make_directory(directory_)) return error;
+  if (auto error = take_lock(LockPurpose::run)) return error;
   if (request.fresh && holds_anything(directory_)) {
     if (auto error = move_aside()) return error;
   }
@@ -136,23 +131,13 @@ MaybeError RunDirectory::prepare(const Request& request) {
   return fs::exists(directory_ / "config.toml", ignored) ? continue_old() : begin_new();
 }
 
-MaybeError RunDirectory::take_lock() {
-  if (auto error = make_directory(directory_)) return error;
-  const fs::path path = directory_ / "lock";
-  lock_descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_descriptor_ < 0) return system_error("create", path, errno);
-  if (::flock(lock_descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) {
-      return error_of(ResultsErrorKind::busy,
-                      {directory_.string(), " is in use by another process (", lock_holder(path), ")"});
-    }
+MaybeError RunDirectory::take_lock(LockPurpose purpose) {
+  auto taken = RunLock::take(directory_, purpose);
+  if (!taken) return taken.error();
+  lock_ = std::move(*taken);
+  if (!lock_.excludes_others()) {
     notes_.push_back(joined({"the file system of ", directory_.string(),
                              " has no locks: make sure that no other process uses this directory"}));
-  }
-  const std::string text = lock_text();
-  if (::ftruncate(lock_descriptor_, 0) != 0) return system_error("truncate", path, errno);
-  if (::pwrite(lock_descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
-    return system_error("write", path, errno);
   }
   return {};
 }
@@ -166,10 +151,9 @@ MaybeError RunDirectory::move_aside() {
   const std::string aside = joined({name, ".old-", std::to_string(number)});
   fs::rename(name, aside, error);
   if (error) return system_error("move aside", directory_, error.value());
-  ::close(lock_descriptor_);
-  lock_descriptor_ = -1;
   notes_.push_back(joined({"moved ", name, " aside to ", aside}));
-  return take_lock();
+  if (auto failure = make_directory(directory_)) return failure;
+  return take_lock(LockPurpose::run);
 }
 
 MaybeError RunDirectory::begin_new() {
@@ -189,6 +173,7 @@ MaybeError RunDirectory::continue_old() {
   if (auto error = refuse_finished()) return error;
   if (auto error = make_directory(directory_ / "journal")) return error;
   if (auto error = recover_journals()) return error;
+  if (auto error = refuse_other_build()) return error;
   continued_ = true;
   return {};
 }
@@ -209,7 +194,7 @@ MaybeError RunDirectory::refuse_other_config() const {
 MaybeError RunDirectory::refuse_finished() {
   std::error_code ignored;
   if (!fs::exists(results_path(), ignored)) return {};
-  const auto summary = read_results_summary(results_path());
+  const auto summary = read_hashed_summary(results_path());
   if (!summary) {
     notes_.push_back(joined({summary.error().message, "; it will be written anew from the journal"}));
     return {};
@@ -218,6 +203,15 @@ MaybeError RunDirectory::refuse_finished() {
   return error_of(ResultsErrorKind::finished,
                   {directory_.string(), " holds this study, finished (digest ", summary->digest(),
                    "). Use --fresh to move it aside and run again"});
+}
+
+// The promise of equal bits holds for one build; a study of two would look like one of neither.
+MaybeError RunDirectory::refuse_other_build() const {
+  if (other_build_.empty()) return {};
+  return error_of(ResultsErrorKind::other_build,
+                  {directory_.string(), " was begun by another build (", other_build_, "); this one (", build_,
+                   ") may differ from it in the last bits. Continue with that build, or --fresh to move the old "
+                   "results aside and start anew"});
 }
 
 MaybeError RunDirectory::recover_journals() {
@@ -251,10 +245,7 @@ void RunDirectory::recover_journal(const fs::path& path, const JournalScan& scan
 
 void RunDirectory::recover_record(const fs::path& path, const JournalRecord& record) {
   if (record.kind == RecordKind::session) {
-    if (record.payload != build_) {
-      notes_.push_back(joined({path.string(), " was written by another build (", record.payload,
-                               "); its rows may differ from this one's (", build_, ") in their last bits"}));
-    }
+    if (record.payload != build_) other_build_ = record.payload;
     return;
   }
   if (record.kind != RecordKind::scenario) {
@@ -365,15 +356,17 @@ void RunDirectory::log(std::string_view line) {
 }
 
 MaybeError RunDirectory::finish(ResultsContent content) {
-  if (auto error = commit()) return error;
   std::map<std::uint64_t, ScenarioRow> all;
   for (ScenarioRow& row : content.rows) all[row.id] = std::move(row);
   for (ScenarioRow& row : rows()) all[row.id] = std::move(row);
+  if (auto error = commit())
+    return error;  // after the rows were taken: results.h5 knows nothing that may get lost
   content.rows.clear();
   for (auto& [id, row] : all) content.rows.push_back(std::move(row));
   if (content.rows_of_search) number_search_rows(content.rows);
   if (content.meta.config_toml.empty()) content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;
+  const std::lock_guard one_at_a_time(results_mutex_);
   return write_results(content);
 }
 
@@ -383,7 +376,7 @@ MaybeError RunDirectory::write_results(const ResultsContent& content) {
   if (auto error = write_results_file(results_path(), content)) return error;
   const auto bytes = read_text_file(results_path());
   if (!bytes) return bytes.error();
-  return write_text_file(hash_path(results_path()), joined({sha256_hex(*bytes), "  results.h5\n"}));
+  return write_text_file(hash_path(results_path()), hash_line(*bytes));
 }
 
 }  // namespace unbruised::studies

@@ -16,6 +16,7 @@
 #include "studies/results/expected.hpp"
 #include "studies/results/journal.hpp"
 #include "studies/results/rows.hpp"
+#include "studies/results/run_lock.hpp"
 
 namespace unbruised::studies {
 
@@ -30,13 +31,17 @@ class RunDirectory {
   struct Request {
     std::filesystem::path directory;
     std::string config_toml;  ///< resolved config; its SHA-256 decides "the same study"
-    std::string build;        ///< version and numeric build, one line; a change is noted on resume
+    std::string build;        ///< version and numeric build, one line; another one does not continue a study
     bool fresh = false;       ///< move what is there aside to <name>.old-<n> and start anew
   };
 
   /// New when nothing is there, continued when the same config was interrupted. Errors: busy (names host
-  /// and pid), finished, other_config (names the keys), foreign (something else is in the directory), io.
+  /// and pid), finished, other_config (names the keys), other_build, foreign (something else is in the directory),
+  /// io.
   static Expected<std::unique_ptr<RunDirectory>> open(const Request& request);
+  /// A directory that no process holds, with the config it has, to write results.h5 from its journals while no
+  /// study runs; a run that starts meanwhile waits. Errors: busy, io.
+  static Expected<std::unique_ptr<RunDirectory>> open_for_compaction(const std::filesystem::path& directory);
   ~RunDirectory();
   RunDirectory(const RunDirectory&) = delete;
   RunDirectory& operator=(const RunDirectory&) = delete;
@@ -70,7 +75,8 @@ class RunDirectory {
   /// One line into log.txt; a failure to log is not an error.
   void log(std::string_view line);
 
-  /// Commits the journal and writes results.h5 (tmp, fsync, rename) and results.h5.sha256 from rows().
+  /// Commits the journal and writes results.h5 (tmp, fsync, rename) and results.h5.sha256 from rows(): the end of
+  /// a study, and with `meta.complete` false any time before. Thread-safe; does not keep `append` waiting.
   /// @param content meta, inputs, window and trace as wanted; `rows` may hold the not_run rows of an
   ///   interrupted study (journalled rows of the same id win). config texts are filled in when empty.
   MaybeError finish(ResultsContent content);
@@ -78,12 +84,13 @@ class RunDirectory {
  private:
   RunDirectory() = default;
   MaybeError prepare(const Request& request);
-  MaybeError take_lock();
+  MaybeError take_lock(LockPurpose purpose);
   MaybeError move_aside();
   MaybeError begin_new();
   MaybeError continue_old();
   MaybeError refuse_other_config() const;
   MaybeError refuse_finished();
+  MaybeError refuse_other_build() const;
   MaybeError recover_journals();
   void recover_journal(const std::filesystem::path& path, const JournalScan& scan);
   void recover_record(const std::filesystem::path& path, const JournalRecord& record);
@@ -94,9 +101,11 @@ class RunDirectory {
   std::string config_toml_;
   std::string config_sha256_;
   std::string build_;
+  std::string other_build_;  ///< of the journals, where it is not this one
   bool continued_ = false;
   std::vector<std::string> notes_;
-  int lock_descriptor_ = -1;
+  RunLock lock_;
+  std::mutex results_mutex_;  ///< one writer of results.h5 at a time
   mutable std::mutex mutex_;
   std::unique_ptr<JournalWriter> journal_;
   std::uint64_t recovered_count_ = 0;

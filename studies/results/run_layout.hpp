@@ -4,6 +4,8 @@
 /// Names inside a run directory and the equality of rows, shared by those who write it and who verify it.
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/results/rows.hpp"
@@ -15,6 +17,9 @@ std::vector<std::filesystem::path> journal_files(const std::filesystem::path& di
 
 /// `<results>.sha256`: the hash of the whole results file, in the form sha256sum checks.
 std::filesystem::path hash_path(const std::filesystem::path& results);
+
+/// What stands in that file for results of these bytes.
+std::string hash_line(std::string_view bytes);
 
 /// Equal inputs, cause, and bits of outcome and metrics.
 bool same_row(const ScenarioRow& a, const ScenarioRow& b);

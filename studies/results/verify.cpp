@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
+#include "studies/results/suspect_results.hpp"
 #include "studies/results/text.hpp"
 
 namespace unbruised::studies {
@@ -28,12 +30,16 @@ class Verifier {
           ResultsErrorKind::foreign, joined({directory_.string(), " is not a run directory: no config.toml"}), {}};
     }
     config_sha256_ = sha256_hex(*config);
+    // First the results: a study that runs meanwhile puts a row into the journal before it is in results.h5.
+    const fs::path results = directory_ / "results.h5";
+    std::error_code ignored;
+    const bool has_results = fs::exists(results, ignored);
+    const auto summary = has_results ? read_results(results) : std::nullopt;
     for (const fs::path& file : journal_files(directory_)) check_journal(file);
     report_.journal_rows = journal_rows_.size();
-    std::error_code ignored;
-    if (fs::exists(directory_ / "results.h5", ignored)) {
-      check_results();
-    } else {
+    if (summary) {
+      check_results(*summary);
+    } else if (!has_results) {
       report_.notes.push_back("there is no results.h5 yet: the study is not finished");
       report_.digest = journal_digest();
     }
@@ -74,35 +80,28 @@ class Verifier {
     }
   }
 
-  void check_file_hash(const fs::path& results) {
-    const auto stored = read_text_file(hash_path(results));
-    if (!stored) {
+  std::optional<ResultsSummary> read_results(const fs::path& results) {
+    std::error_code ignored;
+    if (!fs::exists(hash_path(results), ignored)) {
       report_.notes.push_back("results.h5.sha256 is missing: the file's own hash was not checked");
-      return;
     }
-    const auto bytes = read_text_file(results);
-    if (!bytes || stored->substr(0, 64) != sha256_hex(*bytes)) {
-      report_.damage.push_back(joined({results.string(), " does not match results.h5.sha256"}));
-    }
+    if (const auto mismatch = check_file_hash(results)) report_.damage.push_back(mismatch->message);
+    auto summary = read_suspect_summary(results);
+    if (summary) return std::move(*summary);
+    report_.damage.push_back(summary.error().message);
+    return std::nullopt;
   }
 
-  void check_results() {
-    const fs::path results = directory_ / "results.h5";
-    check_file_hash(results);
-    const auto summary = read_results_summary(results);
-    if (!summary) {
-      report_.damage.push_back(summary.error().message);
-      return;
-    }
-    report_.results_rows = summary->rows.size();
-    report_.digest = summary->digest();
-    if (summary->meta.config_sha256 != config_sha256_) {
+  void check_results(const ResultsSummary& summary) {
+    report_.results_rows = summary.rows.size();
+    report_.digest = summary.digest();
+    if (summary.meta.config_sha256 != config_sha256_) {
       report_.damage.push_back("results.h5 was written from another config than config.toml");
     }
-    if (sha256_hex(summary->meta.config_toml) != summary->meta.config_sha256) {
+    if (sha256_hex(summary.meta.config_toml) != summary.meta.config_sha256) {
       report_.damage.push_back("the config in results.h5 does not match its config_sha256");
     }
-    compare_rows(*summary);
+    compare_rows(summary);
   }
 
   void compare_rows(const ResultsSummary& summary) {

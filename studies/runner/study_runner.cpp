@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <exception>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "studies/runner/found_tables.hpp"
 #include "studies/runner/grip_window.hpp"
 #include "studies/runner/number_text.hpp"
+#include "studies/runner/periodic_task.hpp"
 #include "studies/runner/scenario_set.hpp"
 #include "studies/runner/search_study.hpp"
 #include "studies/runner/strategy_judge.hpp"
@@ -63,6 +65,7 @@ class StudyRun {
   Expected<StudyReport> execute() {
     const auto start = std::chrono::steady_clock::now();
     try {
+      const PeriodicTask compaction(options_.compaction_interval, [this] { compact(); });
       run_kind();
     } catch (const JournalFailure& failure) {
       return failure.error;
@@ -253,12 +256,18 @@ class StudyRun {
 
   BatchOptions batch_options() const { return {.threads = options_.threads, .stop = options_.stop}; }
 
+  // results.h5 as far as the study is. A failure is no reason to stop: the journal is what counts.
+  void compact() {
+    try {
+      if (auto error = run_.finish(unfinished_content(study_, run_))) run_.log(error->message);
+    } catch (const std::exception& failure) {  // no memory for another copy of the rows
+      run_.log(failure.what());
+    }
+  }
+
   MaybeError write_results() {
-    ResultsContent content;
-    content.meta = results_meta(study_, !report_.interrupted);
-    content.inputs = input_columns(study_);
-    if (report_.interrupted) content.rows = rows_not_run();
-    content.rows_of_search = is_search(study_.kind());
+    ResultsContent content = unfinished_content(study_, run_);
+    content.meta.complete = !report_.interrupted;
     content.tables = report_.tables.found;
     content.window = report_.tables.window ? &*report_.tables.window : nullptr;
     content.trace = has_trace_ ? &trace_ : nullptr;
@@ -267,15 +276,6 @@ class StudyRun {
     report_.tables.rows = run_.rows();
     if (is_search(study_.kind())) number_search_rows(report_.tables.rows);
     return {};
-  }
-
-  std::vector<ScenarioRow> rows_not_run() const {
-    std::vector<ScenarioRow> rows;
-    if (!has_fixed_scenarios(study_.kind())) return rows;
-    for (std::uint64_t id = 0; id < set_.count; ++id) {
-      if (!run_.is_done(id)) rows.push_back({.id = id, .result = {}, .inputs = set_.inputs(id)});
-    }
-    return rows;
   }
 
   void log_end() {
@@ -300,6 +300,19 @@ class StudyRun {
 Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
                                 const StudyRunOptions& options) {
   return StudyRun(study, run, simulator, options).execute();
+}
+
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run) {
+  ResultsContent content;
+  content.meta = results_meta(study, false);
+  content.inputs = input_columns(study);
+  content.rows_of_search = is_search(study.kind());
+  if (!has_fixed_scenarios(study.kind())) return content;
+  const ScenarioSet set = scenario_set(study);
+  for (std::uint64_t id = 0; id < set.count; ++id) {
+    if (!run.is_done(id)) content.rows.push_back({.id = id, .result = {}, .inputs = set.inputs(id)});
+  }
+  return content;
 }
 
 ResultsMeta results_meta(const Study& study, bool complete) {

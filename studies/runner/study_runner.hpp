@@ -5,6 +5,7 @@
 /// comes, results.h5 at the end.
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -30,6 +31,8 @@ struct StudyRunOptions {
   Progress* progress = nullptr;             ///< may be null
   /// > 0; searches that run at the same time (one: one after the other, for benchmarks; the same results)
   std::size_t concurrent_searches = 256;
+  /// > 0; how often results.h5 is brought up to date while the study runs
+  std::chrono::milliseconds compaction_interval = std::chrono::minutes(10);
 };
 
 struct StudyReport {
@@ -46,6 +49,10 @@ struct StudyReport {
 /// Errors: those of the run directory; damaged when a recorded evaluation of a search does not belong to it.
 Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
                                 const StudyRunOptions& options);
+
+/// results.h5 of a study that is not finished: scenarios not run yet are rows too where they are known beforehand,
+/// what the kind finds beside is missing.
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run);
 
 /// What the root of a results file says about this study.
 ResultsMeta results_meta(const Study& study, bool complete);

@@ -33,6 +33,13 @@ class RunProgram : public testing::ProgramTest {
     network.insert(network.find("[cell]"), "duration_s = " + duration_s + "\n");
     write("study.toml", "[study]\nname = \"masses\"\nkind = \"" + kind + "\"\n" + network + vary);
   }
+  /// Begins a shell line: a run beside it, its process id in $child.
+  static std::string started(const std::string& words) {
+    return quoted(UNBRUISED_PROGRAM) + " " + words + " & child=$!; ";
+  }
+  /// Until the run has its directory and listens.
+  static constexpr const char* kWaitForIt = "while [ ! -d run/journal ]; do sleep 0.05; done; sleep 0.3; ";
+
   void write_sweep(const std::string& duration_s, int count) const {
     write_network("sweep",
                   "[[vary]]\nkey = \"product.spring[0].stiffness_N_m\"\nfrom = 40.0\nto = 60.0\ncount = " +
@@ -110,6 +117,80 @@ TEST_F(RunProgram, AnInterruptedRunSaysHowToContinueAndEndsWithTheSameDigest) {
   EXPECT_NE(rest.err.find("continuing"), std::string::npos) << rest.err;
   const Answer whole = call("run study.toml --threads 2 --output whole");
   EXPECT_EQ(line_after(rest.out, "digest "), line_after(whole.out, "digest "));
+}
+
+TEST_F(RunProgram, ATerminatedRunEndsWith143AndInfoBringsItsResultsUpToDate) {
+  write_sweep("200.0", 400);
+  const Answer stopped =
+      shell(started("run study.toml --threads 1 --output run") +
+            "while [ ! -s run/journal/*.jrnl ]; do sleep 0.05; done; sleep 0.2; kill -TERM $child; "
+            "wait $child");
+  EXPECT_EQ(stopped.status, 143) << stopped.err;
+  EXPECT_NE(stopped.err.find("continue with"), std::string::npos) << stopped.err;
+  std::filesystem::remove(folder_ / "run/results.h5");
+  const Answer info = call("info run");
+  EXPECT_EQ(info.status, 0) << info.err;
+  EXPECT_NE(info.err.find("up to date from the journal"), std::string::npos) << info.err;
+  const Answer again = call("info run");
+  EXPECT_EQ(again.err.find("up to date"), std::string::npos) << again.err;  // nothing new to write
+  EXPECT_EQ(line_after(again.out, "digest "), line_after(info.out, "digest "));
+  EXPECT_EQ(call("verify run").status, 0);
+}
+
+TEST_F(RunProgram, ASecondInterruptEndsItAtOnce) {
+  write_sweep("100000.0", 4);  // a batch of minutes
+  const Answer stopped = shell(started("run study.toml --threads 1 --output run") + kWaitForIt +
+                               "kill -INT $child; sleep 0.1; kill -INT $child; wait $child");
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("once more ends at once"), std::string::npos) << stopped.err;
+}
+
+TEST_F(RunProgram, ASecondProcessEndsWith4AndReadersDoNotMind) {
+  write_sweep("100000.0", 4);
+  const Answer second =
+      shell(started("run study.toml --threads 1 --output run 2>/dev/null") + kWaitForIt + "status=0; " +
+            quoted(UNBRUISED_PROGRAM) + " run study.toml --output run || status=$?; " + quoted(UNBRUISED_PROGRAM) +
+            " info run || status=99; echo \"pid = $child\"; kill -9 $child; "
+            "exit $status");
+  EXPECT_EQ(second.status, 4) << second.err;
+  EXPECT_NE(second.err.find("pid = " + line_after(second.out, "pid = ")), std::string::npos) << second.err;
+  EXPECT_NE(second.out.find("not complete"), std::string::npos) << second.out;
+}
+
+TEST_F(RunProgram, DamagedResultsEndInfoWith6AndAreWrittenAnew) {
+  write_sweep("0.5", 3);
+  const std::string digest = line_after(call("run study.toml --output run").out, "digest ");
+  std::filesystem::resize_file(folder_ / "run/results.h5", 3000);
+  const Answer info = call("info run");
+  EXPECT_EQ(info.status, 6) << info.err;
+  EXPECT_NE(info.err.find("the journal holds 3 whole scenarios"), std::string::npos) << info.err;
+  EXPECT_EQ(call("verify run").status, 6);
+  const Answer again = call("run study.toml --output run");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(line_after(again.out, "digest "), digest);
+  EXPECT_EQ(call("verify run").status, 0);
+}
+
+TEST_F(RunProgram, SaysThatNobodyCouldReadWhatItPrinted) {
+  write_sweep("0.5", 2);
+  ASSERT_EQ(call("run study.toml --output run").status, 0);
+  const Answer answer = shell(quoted(UNBRUISED_PROGRAM) + " info run >/dev/full");
+  EXPECT_EQ(answer.status, 5) << answer.err;
+}
+
+TEST_F(RunProgram, RefusesAProductThatDoesNotFitIntoMemory) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more address space than this test leaves";
+#endif
+  const std::string study = quoted(UNBRUISED_SOURCE_DIR "/configs/kiwi_sweep.toml");
+  for (const std::string command : {" check ", " run "}) {
+    // About 260,000 particles: some 15 GB for the factor.
+    const Answer answer = shell("ulimit -v 4000000; " + quoted(UNBRUISED_PROGRAM) + command + study +
+                                " --set product.cell_size_m=0.0007");
+    EXPECT_EQ(answer.status, 2) << answer.out << answer.err;
+    EXPECT_NE(answer.err.find("this machine gives 4.1 GB"), std::string::npos) << answer.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "results"));
 }
 
 TEST_F(RunProgram, SaysWhereItCannotWrite) {

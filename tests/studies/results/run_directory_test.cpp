@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -257,7 +258,7 @@ TEST(RunDirectory, KeepsOtherRecordsAcrossARestart) {
   EXPECT_EQ((*run)->acknowledged(), 2U);
 }
 
-TEST(RunDirectory, SaysThatAnotherBuildBeganTheStudy) {
+TEST(RunDirectory, RefusesToContinueWhatAnotherBuildBeganUnlessFresh) {
   const TemporaryDirectory parent;
   {
     auto run = RunDirectory::open(request_in(parent));
@@ -265,9 +266,64 @@ TEST(RunDirectory, SaysThatAnotherBuildBeganTheStudy) {
   }
   auto request = request_in(parent);
   request.build = "0.2.0 GNU 13.1.0 avx2";
-  auto run = RunDirectory::open(request);
-  ASSERT_TRUE(run);
-  EXPECT_TRUE(any_note_has((*run)->notes(), "another build"));
+  {
+    const auto refused = RunDirectory::open(request);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ResultsErrorKind::other_build);
+    EXPECT_EQ(exit_status(refused.error().kind), 2);
+    for (const char* words : {"0.1.0 GNU 12.2.0 avx512f", "0.2.0 GNU 13.1.0 avx2", "--fresh"}) {
+      EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
+    }
+  }
+  EXPECT_TRUE(RunDirectory::open(request_in(parent)));  // the build that began it goes on
+  request.fresh = true;
+  EXPECT_TRUE(RunDirectory::open(request));
+}
+
+TEST(RunDirectory, IsCompactedWhileItRunsWithoutBecomingFinished) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    for (const std::uint64_t done : {5, 20}) {
+      append_missing(**run, done);
+      ResultsContent content = meta_only();
+      content.meta.complete = false;
+      ASSERT_EQ(message_of((*run)->finish(content)), "");
+      EXPECT_EQ((*run)->acknowledged(), done);  // results.h5 knows nothing that a power loss could take
+      EXPECT_EQ(read_results_summary((*run)->results_path())->rows.size(), done);
+    }
+  }
+  auto run = RunDirectory::open(request_in(parent));
+  ASSERT_TRUE(run) << run.error().message;
+  append_missing(**run, kScenarios);
+  EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
+}
+
+TEST(RunDirectory, IsCompactedByAnotherProcessOnlyWhenNobodyHoldsIt) {
+  const TemporaryDirectory parent;
+  {
+    auto run = RunDirectory::open(request_in(parent));
+    append_missing(**run, 7);
+    const auto refused = RunDirectory::open_for_compaction((*run)->directory());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ResultsErrorKind::busy);
+  }
+  auto run = RunDirectory::open_for_compaction(parent.path() / "window");
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_EQ((*run)->rows().size(), 7U);
+}
+
+TEST(RunDirectory, WaitsForACompactionInsteadOfGivingUp) {
+  const TemporaryDirectory parent;
+  { ASSERT_TRUE(RunDirectory::open(request_in(parent))); }
+  auto compaction = RunDirectory::open_for_compaction(parent.path() / "window");
+  ASSERT_TRUE(compaction);
+  std::jthread ends_soon([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    compaction->reset();
+  });
+  const auto run = RunDirectory::open(request_in(parent));
+  EXPECT_TRUE(run) << run.error().message;
 }
 
 TEST(Verify, FindsAFlippedBitAnywhereInResultsOrJournal) {

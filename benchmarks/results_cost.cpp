@@ -13,6 +13,7 @@
 #include "studies/results/run_directory.hpp"
 #include "studies/runner/batch_runner.hpp"
 #include "studies/runner/build_info.hpp"
+#include "studies/runner/scenario_set.hpp"
 #include "studies/runner/study_runner.hpp"
 
 namespace unbruised::studies {
@@ -37,7 +38,7 @@ bool write_all(const Study& study, const std::map<std::uint64_t, ScenarioResult>
   auto run = RunDirectory::open({directory, study.resolved_toml(), build_line(), true});
   if (!run.has_value()) return false;
   for (const auto& [id, result] : results) {
-    if ((*run)->append({id, result, grid_inputs(study, static_cast<std::size_t>(id))}).has_value()) return false;
+    if ((*run)->append({id, result, grid_inputs(study, static_cast<std::size_t>(id)), std::nullopt}).has_value()) return false;
   }
   ResultsContent content;
   content.meta = results_meta(study, true);

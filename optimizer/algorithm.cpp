@@ -7,28 +7,29 @@ namespace unbruised::optimizer {
 namespace {
 
 constexpr std::array<AlgorithmInfo, 13> kTable = {{
-    {Algorithm::cobyla, "COBYLA", "local, linear models, takes constraints (Powell 1994)", false, false, true, false,
-     false},
+    {Algorithm::cobyla, "COBYLA", "local, linear models, takes constraints (Powell 1994)", false, false, true,
+     false, false},
     {Algorithm::bobyqa, "BOBYQA", "local, quadratic models (Powell 2009)", false, false, false, false, false},
     {Algorithm::sbplx, "SBPLX", "local, simplex on subspaces (Rowan 1990)", false, false, false, false, false},
-    {Algorithm::neldermead, "NELDERMEAD", "local, simplex (Nelder and Mead 1965)", false, false, false, false, false},
+    {Algorithm::neldermead, "NELDERMEAD", "local, simplex (Nelder and Mead 1965)", false, false, false, false,
+     false},
     {Algorithm::direct_l, "DIRECT_L", "global, dividing rectangles (Gablonsky 2001)", true, false, false, false,
      false},
     {Algorithm::crs2_lm, "CRS2_LM", "global, controlled random search (Kaelo and Ali 2006)", true, false, false,
      false, true},
-    {Algorithm::isres, "ISRES", "global, evolution strategy, takes constraints (Runarsson and Yao 2005)", true, false,
-     true, false, true},
+    {Algorithm::isres, "ISRES", "global, evolution strategy, takes constraints (Runarsson and Yao 2005)", true,
+     false, true, false, true},
     {Algorithm::esch, "ESCH", "global, evolutionary (da Silva Santos 2010)", true, false, false, false, true},
     {Algorithm::mlsl, "MLSL", "global, multistart of a local algorithm (Kan and Timmer 1987)", true, false, false,
      true, false},
     {Algorithm::auglag, "AUGLAG", "augmented Lagrangian around a local algorithm, takes constraints (Birgin 2008)",
      false, false, true, true, false},
-    {Algorithm::slsqp, "SLSQP", "local, sequential quadratic programming, takes constraints (Kraft 1994)", false, true,
-     true, false, false},
-    {Algorithm::mma, "MMA", "local, moving asymptotes, takes constraints (Svanberg 2002)", false, true, true, false,
-     false},
-    {Algorithm::ccsaq, "CCSAQ", "local, conservative quadratic models, takes constraints (Svanberg 2002)", false, true,
-     true, false, false},
+    {Algorithm::slsqp, "SLSQP", "local, sequential quadratic programming, takes constraints (Kraft 1994)", false,
+     true, true, false, false},
+    {Algorithm::mma, "MMA", "local, moving asymptotes, takes constraints (Svanberg 2002)", false, true, true,
+     false, false},
+    {Algorithm::ccsaq, "CCSAQ", "local, conservative quadratic models, takes constraints (Svanberg 2002)", false,
+     true, true, false, false},
 }};
 
 /// "COBYLA, ISRES and SLSQP" of those for which `can` holds.
@@ -68,6 +69,7 @@ Algorithm default_local(std::size_t variable_count) {
 std::string why_unsuitable(Algorithm algorithm, std::optional<Algorithm> local, std::size_t variable_count,
                            std::size_t constraint_count) {
   const AlgorithmInfo& info = info_of(algorithm);
+  if (variable_count == 0) return "there is no variable to search over";
   if (constraint_count > 0 && !info.takes_constraints) {
     return name(algorithm) + " cannot take constraints; " +
            names_of([](const AlgorithmInfo& other) { return other.takes_constraints; }) + " can";

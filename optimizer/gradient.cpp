@@ -37,7 +37,8 @@ std::vector<std::vector<double>> difference_points(std::span<const double> unit,
 }
 
 std::vector<std::vector<double>> difference_quotients(const std::vector<std::vector<double>>& points,
-                                                      const std::vector<std::vector<double>>& values, bool central) {
+                                                      const std::vector<std::vector<double>>& values,
+                                                      bool central) {
   const std::size_t n = points[0].size();
   const std::size_t m = values[0].size();
   std::vector<std::vector<double>> gradient(m, std::vector<double>(n));

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// What a search is asked to solve: minimise f(x) over a box subject to c_i(x) <= 0, known through evaluations only.
+/// What a search is asked to solve: minimise f(x) over a box subject to c_i(x) <= 0, known through evaluations
+/// only.
 
 #include <cstddef>
 #include <functional>
@@ -26,7 +27,8 @@ struct Question {
 };
 
 /// Answers all questions of one generation, in their order; nothing: the search is to stop. More than one question
-/// at a time comes from finite differences. May block; called from the thread that runs the search.
+/// at a time comes from finite differences: the point itself, then its neighbours. May block; called from the
+/// thread that runs the search.
 using Evaluator = std::function<std::optional<std::vector<Evaluation>>(const std::vector<Question>&)>;
 
 struct Problem {

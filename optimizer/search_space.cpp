@@ -9,11 +9,12 @@ namespace unbruised::optimizer {
 
 SearchSpace::SearchSpace(std::vector<Variable> variables) : variables_(std::move(variables)) {
   for (const Variable& variable : variables_) {
-    if (!std::isfinite(variable.lower) || !std::isfinite(variable.upper) || !(variable.lower < variable.upper)) {
-      throw std::invalid_argument(variable.name + ": lower must be < upper, both finite");
+    if (!(variable.lower < variable.upper) || !std::isfinite(variable.upper - variable.lower)) {
+      throw std::invalid_argument(variable.name + ": lower must be < upper, and the range finite");
     }
-    if (variable.scale == Scale::log && variable.lower <= 0.0) {
-      throw std::invalid_argument(variable.name + ": a log scale needs lower > 0");
+    if (variable.scale == Scale::log &&
+        (variable.lower <= 0.0 || !std::isfinite(variable.upper / variable.lower))) {
+      throw std::invalid_argument(variable.name + ": a log scale needs lower > 0, and a finite ratio");
     }
   }
 }
@@ -27,8 +28,8 @@ std::vector<double> SearchSpace::from_unit(std::span<const double> unit) const {
       point[k] = t == 0.0 ? v.lower : v.upper;
       continue;
     }
-    const double inside = v.scale == Scale::log ? v.lower * std::pow(v.upper / v.lower, t)
-                                                : v.lower + t * (v.upper - v.lower);
+    const double inside =
+        v.scale == Scale::log ? v.lower * std::pow(v.upper / v.lower, t) : v.lower + t * (v.upper - v.lower);
     point[k] = std::clamp(inside, v.lower, v.upper);
   }
   return point;

@@ -16,7 +16,7 @@ enum class Scale { linear, log };
 struct Variable {
   std::string name;
   std::string units;
-  /// < upper; > 0 on a log scale
+  /// < upper, with a finite range; > 0 on a log scale, with a finite ratio
   double lower = 0.0;
   double upper = 1.0;
   Scale scale = Scale::linear;

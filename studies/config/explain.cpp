@@ -14,7 +14,7 @@ std::string type_words(const KeySpec& spec) {
     case KeyType::number:
       return "number";
     case KeyType::optional_number:
-      return "number or \"none\"";
+      return spec.required ? "number" : "number or \"none\"";
     case KeyType::integer:
       return "integer";
     case KeyType::boolean:
@@ -71,11 +71,11 @@ std::string default_words(const KeySpec& spec) {
   } else if (spec.block_field != nullptr) {
     StudyBlocks blocks{{VariableBlock{}}, {RandomBlock{}}, {CandidateBlock{}}};
     words = spelled(spec, spec.block_field(blocks, 0));
-    if (words == "[]") words.clear();
   } else if (spec.path == "vary[].scale") {
     words = "\"linear\"";
   }
-  return words.empty() ? "none" : words;
+  const bool nothing = words.empty() || (words == "[]" && spec.type != KeyType::axes);
+  return nothing ? "none" : words;
 }
 
 std::string unit_words(const KeySpec& spec) {
@@ -177,6 +177,8 @@ std::optional<LibraryEntry> library_entry(const std::filesystem::path& file, con
 
 std::optional<std::string> explain_key(const std::string& key) {
   if (const KeyAddress address = find_key(key); address.spec != nullptr) return explanation(*address.spec);
+  if (const KeyAddress address = find_strategy_key(key); address.spec != nullptr)
+    return explanation(*address.spec);
   const std::string pattern = pattern_of(key);
   std::string out;
   for (const KeySpec& spec : key_table()) {

@@ -60,7 +60,7 @@ std::string type_rule(const KeySpec& spec) {
     case KeyType::number:
       return "must be a number" + in;
     case KeyType::optional_number:
-      return "must be a number" + in + ", or \"none\"";
+      return "must be a number" + in + (spec.required ? "" : ", or \"none\"");
     case KeyType::integer:
       return "must be an integer";
     case KeyType::boolean:
@@ -116,7 +116,7 @@ Rule check_words(const KeySpec& spec, const Value& value) {
   if (spec.type == KeyType::choice) {
     const bool known = value.kind == Value::Kind::text &&
                        std::find(spec.choices.begin(), spec.choices.end(), value.text) != spec.choices.end();
-    return known ? Rule{} : type_rule(spec);
+    return known ? Rule{} : type_rule(spec) + word_suggestion(value.text, spec.choices);
   }
   if (value.kind != Value::Kind::array) return type_rule(spec);
   for (const Value& item : value.items) {
@@ -254,6 +254,23 @@ KeyAddress find_key(std::string_view path) {
   return {found->second, numbers.empty() ? 0 : numbers[0], std::move(elements)};
 }
 
+KeyAddress find_strategy_key(std::string_view path) {
+  if (!path.starts_with("candidate[")) return {};
+  return find_key("strategy." + std::string(leaf_of(path)));
+}
+
+bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
+  if (spec.field == nullptr) return false;
+  if (spec.path.starts_with("gripper.")) return scenario.gripper.has_value();
+  if (!spec.path.starts_with("product.") || spec.path == "product.friction") return true;
+  const auto* network = std::get_if<NetworkParameters>(&scenario.product);
+  const auto inside = [index](const auto& list) { return static_cast<std::size_t>(index) < list.size(); };
+  if (spec.path.starts_with("product.particle[]")) return network != nullptr && inside(network->particle);
+  if (spec.path.starts_with("product.spring[]")) return network != nullptr && inside(network->spring);
+  if (spec.path.starts_with("product.load[]")) return network != nullptr && inside(network->load);
+  return network == nullptr;
+}
+
 const Unit* unit_of(std::string_view path) {
   while (path.ends_with("]") && path.find('[') != std::string_view::npos) path = path.substr(0, path.rfind('['));
   for (const Unit& unit : kUnits) {
@@ -369,7 +386,7 @@ std::optional<std::string> check_value(const KeySpec& spec, const Value& value, 
   if (element_depth > 0) return value.is_number() ? check_number(spec, value) : Rule("must be a number");
   switch (spec.type) {
     case KeyType::optional_number:
-      if (value.kind == Value::Kind::text && value.text == "none") return std::nullopt;
+      if (!spec.required && value.kind == Value::Kind::text && value.text == "none") return std::nullopt;
       [[fallthrough]];
     case KeyType::number:
     case KeyType::integer:
@@ -502,6 +519,25 @@ std::string spelled(const KeySpec& spec, FieldRef field) {
     }
   };
   return std::visit(Speller{spec}, field);
+}
+
+std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices) {
+  constexpr std::size_t kShortest = 3;  // fewer letters are like anything
+  const auto lower = [](std::string_view text) {
+    std::string out(text);
+    for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return out;
+  };
+  std::string_view best;
+  int best_distance = std::numeric_limits<int>::max();
+  for (const std::string_view choice : choices) {
+    const int distance = edit_distance(lower(word), lower(choice));
+    const auto allowed = static_cast<int>(std::max<std::size_t>(1, std::min(word.size(), choice.size()) / 3));
+    if (word.size() < kShortest || distance > allowed || distance >= best_distance) continue;
+    best = choice;
+    best_distance = distance;
+  }
+  return best.empty() ? "" : "; did you mean " + toml_string(best) + "?";
 }
 
 std::string nearest(const std::string& path, const std::vector<std::string>& candidates) {

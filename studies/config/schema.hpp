@@ -135,10 +135,9 @@ struct IntegerSpan {
 };
 
 /// The field a key writes to.
-using FieldRef =
-    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*, ChoiceRef, NumberSpan,
-                 IntegerSpan, std::array<bool, 3>*, std::vector<double>*, std::vector<std::array<double, 3>>*,
-                 std::vector<std::string>*>;
+using FieldRef = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
+                              ChoiceRef, NumberSpan, IntegerSpan, std::array<bool, 3>*, std::vector<double>*,
+                              std::vector<std::array<double, 3>>*, std::vector<std::string>*>;
 
 enum class KeyType {
   number,
@@ -172,8 +171,8 @@ enum class Use {
   search,         ///< optimize, robust, pareto
   one_objective,  ///< optimize, robust
   pareto,
-  sampling,       ///< sample, robust, compare
-  random,         ///< those and sensitivity
+  sampling,  ///< sample, robust, compare
+  random,    ///< those and sensitivity
   compare,
   sensitivity,
 };
@@ -219,6 +218,10 @@ struct KeyAddress {
 };
 /// Looks up "product.particle[2].position_m[0]".
 KeyAddress find_key(std::string_view path);
+/// The same for keys of a candidate's strategy: "candidate[0].grip_force_N" is "strategy.grip_force_N".
+KeyAddress find_strategy_key(std::string_view path);
+/// Does the scenario have the field of this key, at this index of its array of tables?
+bool has_field(const KeySpec& spec, const Scenario& scenario, int index);
 /// The path with every index emptied: "product.particle[].position_m[]".
 std::string pattern_of(std::string_view path);
 
@@ -257,6 +260,9 @@ std::string spelled(const KeySpec& spec, FieldRef field);
 
 /// The known path spelt most like `path` among keys (`tables` false) or tables; empty when none is near.
 std::string nearest(const std::string& path, const std::vector<std::string>& candidates);
+/// "; did you mean "COBYLA"?" for the word of a choice that is spelt most like `word`, whatever its case; else
+/// empty.
+std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices);
 /// Every pattern of the key table.
 const std::vector<std::string>& key_patterns();
 

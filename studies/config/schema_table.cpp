@@ -119,10 +119,12 @@ Table study_keys() {
        .study_field = study<&StudySettings::name>},
       {.path = "study.kind",
        .type = choice,
-       .meaning = "What is done: one run with its trace; all points of the [[vary]] blocks; a search for the grip "
-                  "window; random products; a search for the best strategy, for one that holds up when products vary, "
-                  "or for a front of them; strategies compared on the same products; what matters most.",
-       .choices = {"simulate", "sweep", "window", "sample", "optimize", "robust", "pareto", "compare", "sensitivity"},
+       .meaning =
+           "What is done: one run with its trace; all points of the [[vary]] blocks; a search for the grip "
+           "window; random products; a search for the best strategy, for one that holds up when products vary, "
+           "or for a front of them; strategies compared on the same products; what matters most.",
+       .choices = {"simulate", "sweep", "window", "sample", "optimize", "robust", "pareto", "compare",
+                   "sensitivity"},
        .required = true,
        .study_field = study<&StudySettings::kind>},
       {.path = "study.seed",
@@ -171,8 +173,9 @@ Table search_keys() {
   return {
       {.path = "search.objective",
        .type = text,
-       .meaning = "What is to be least: a metric or a weighted sum, \"cycle_time_s + 0.5 * peak_finger_force_N\"; of a "
-                  "robust study statistics over the products: mean(m), quantile(m, 0.95), worst(m).",
+       .meaning =
+           "What is to be least: a metric or a weighted sum, \"cycle_time_s + 0.5 * peak_finger_force_N\"; of a "
+           "robust study statistics over the products: mean(m), quantile(m, 0.95), worst(m).",
        .use = Use::one_objective,
        .note = "cycle_time_s, of a robust study mean(cycle_time_s), unless given",
        .study_field = study_table<at, &S::objective>},
@@ -184,10 +187,12 @@ Table search_keys() {
        .study_field = study_table<at, &S::objectives>},
       {.path = "search.constraints",
        .type = texts,
-       .meaning = "What has to hold: outcomes (\"held\", \"not damaged\"), metrics (\"friction_margin_min >= 0.2\"), of a "
+       .meaning = "What has to hold: outcomes (\"held\", \"not damaged\"), metrics (\"friction_margin_min >= "
+                  "0.2\"), of a "
                   "robust study \"P(held) >= 0.99\" or \"worst(permanent_set_max_m) <= 1e-4\".",
        .use = Use::search,
-       .note = "\"held\", of a robust study \"P(held) >= 0.99\", is added where no outcome is named; [] is none at all",
+       .note = "\"held\", of a robust study \"P(held) >= 0.99\", is added where no outcome is named; [] is none "
+               "at all",
        .study_field = study_table<at, &S::constraints>},
       {.path = "search.algorithm",
        .type = choice,
@@ -204,7 +209,8 @@ Table search_keys() {
        .study_field = study_table<at, &S::local_algorithm>},
       {.path = "search.starts",
        .type = integer,
-       .meaning = "Searches that start from different points of the box, of a pareto study: for each of its points.",
+       .meaning =
+           "Searches that start from different points of the box, of a pareto study: for each of its points.",
        .range = {1.0, false, 4096.0, false},
        .use = Use::search,
        .note = "robust: 4, pareto: 2 unless given",
@@ -214,7 +220,7 @@ Table search_keys() {
        .meaning = "Strategies that all searches together may evaluate.",
        .range = {1.0, false, 10'000'000.0, false},
        .use = Use::search,
-       .note = ">= starts; robust: 100, pareto: 40 for each search unless given",
+       .note = ">= starts; robust: 100, else 40 for each search unless given",
        .study_field = study_table<at, &S::budget>},
       {.path = "search.tolerance",
        .type = number,
@@ -263,8 +269,9 @@ Table sampling_keys() {
        .study_field = study_table<at, &S::count>},
       {.path = "sampling.factor_groups",
        .type = integer,
-       .meaning = "Random keys that change the factored matrix (stiffness, size, mass) take this many joint values, so "
-                  "that lanes are full; 0: every product its own.",
+       .meaning =
+           "Random keys that change the factored matrix (stiffness, size, mass) take this many joint values, so "
+           "that lanes are full; 0: every product its own.",
        .range = {0.0, false, 1'000'000.0, false},
        .use = use,
        .study_field = study_table<at, &S::factor_groups>},
@@ -284,7 +291,8 @@ Table compare_keys() {
   return {
       {.path = "compare.metric",
        .type = text,
-       .meaning = "The metric that decides: less is better, of friction_margin_min more; a product that is not held loses.",
+       .meaning = "The metric that decides: less is better, of friction_margin_min more; a product that is not "
+                  "held loses.",
        .use = use,
        .study_field = study_table<at, &S::metric>},
       {.path = "compare.metrics",
@@ -320,14 +328,16 @@ Table sensitivity_keys() {
        .study_field = study_table<at, &S::metrics>},
       {.path = "sensitivity.samples",
        .type = integer,
-       .meaning = "sobol: base samples, runs are samples x (keys + 2); morris: trajectories, runs are samples x (keys + "
-                  "1).",
+       .meaning =
+           "sobol: base samples, runs are samples x (keys + 2); morris: trajectories, runs are samples x (keys + "
+           "1).",
        .range = {2.0, false, 1'000'000.0, false},
        .use = use,
        .study_field = study_table<at, &S::samples>},
       {.path = "sensitivity.levels",
        .type = integer,
-       .meaning = "Levels of Morris' grid; keys that change the factored matrix take this many values in either method.",
+       .meaning =
+           "Levels of Morris' grid; keys that change the factored matrix take this many values in either method.",
        .range = {4.0, false, 64.0, false},
        .use = use,
        .note = "even",
@@ -1113,8 +1123,9 @@ Table candidate_keys() {
        .block_field = candidate<&B::name>},
       {.path = "candidate[].use",
        .type = text,
-       .meaning = "A strategy file, relative to this file's folder or to the configs folder; keys given here override "
-                  "it.",
+       .meaning =
+           "A strategy file, relative to this file's folder or to the configs folder; keys given here override "
+           "it.",
        .use = use,
        .block_field = candidate<&B::use>},
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -23,6 +24,10 @@ constexpr double kRareHigh = 1.0 - 1e-6;
 constexpr std::size_t kCornerKeysMost = 10;
 /// Room for the products of one question (the index of a search's place has 16 bits).
 constexpr std::size_t kProductsPerQuestionMost = 65536;
+/// Pairs of strategies are compared, and read.
+constexpr std::size_t kCandidatesMost = 20;
+/// Searches share the budget; by default each has this much.
+constexpr std::uint64_t kEvaluationsPerSearch = 40;
 
 // -- Blocks. -----------------------------------------------------------------------------------------------
 
@@ -67,21 +72,28 @@ class BlockReader {
     const auto place = block_place(entry.path);
     const std::size_t count = place ? given_[place->list].size() : 0;
     if (!place || place->index >= count) {
-      problems_.add(entry.origin, entry.path, spelled(entry.value),
-                    "there are " + std::to_string(count) + " [[" + (place ? place->list : "") +
-                        "]] blocks, counted from 0");
+      problems_.add(
+          entry.origin, entry.path, spelled(entry.value),
+          "there are " + std::to_string(count) + " [[" + (place ? place->list : "") + "]] blocks, counted from 0");
       return;
     }
     const KeyAddress address = find_key(entry.path);
     if (address.spec == nullptr) return read_foreign(entry, *place);
+    std::set<std::string>& given = given_[place->list][place->index];
     if (const auto rule = check_value(*address.spec, entry.value, address.elements.size())) {
       problems_.add(entry.origin, entry.path, spelled(entry.value), *rule);
-      given_[place->list][place->index].insert(place->leaf);  // given, though wrong
+      given.insert(place->leaf);  // given, though wrong
+      wrong_.emplace(place->list, place->index);
       return;
     }
     assign(*address.spec, address.spec->block_field(out_.blocks, static_cast<int>(place->index)), entry.value,
            address.elements);
-    given_[place->list][place->index].insert(place->leaf);
+    const bool taken_away = address.spec->type == KeyType::optional_number && !entry.value.is_number();
+    if (taken_away) {
+      given.erase(place->leaf);
+    } else {
+      given.insert(place->leaf);
+    }
   }
 
   ReadBlocks finish() {
@@ -90,6 +102,7 @@ class BlockReader {
     report_missing("candidate", out_.blocks.candidate);
     for (std::size_t i = 0; i < out_.random_keys.size(); ++i) {
       out_.random_keys[i].assign(given_["random"][i].begin(), given_["random"][i].end());
+      out_.random_sound.push_back(!wrong_.contains({"random", i}));
     }
     return std::move(out_);
   }
@@ -122,6 +135,7 @@ class BlockReader {
       for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (given_[list][i].contains(leaf)) continue;
         problems_.add(blocks[i].origin, list + "[" + std::to_string(i) + "]." + leaf, "missing");
+        wrong_.emplace(list, i);
       }
     }
   }
@@ -129,6 +143,7 @@ class BlockReader {
   Problems& problems_;
   ReadBlocks out_;
   std::map<std::string, std::vector<std::set<std::string>>> given_;
+  std::set<std::pair<std::string, std::size_t>> wrong_;
 };
 
 // -- Keys. -------------------------------------------------------------------------------------------------
@@ -153,6 +168,14 @@ std::string units_of(const std::string& key) {
 
 FieldRef field_of(Scenario& scenario, const KeyAddress& address) {
   return address.spec->field(scenario, address.index);
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  constexpr int kDigits = 3;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
 }
 
 /// Completes a study from its blocks; the steps of `run` are its parts.
@@ -197,8 +220,12 @@ class Completion {
     if ((kind() == StudyKind::optimize || kind() == StudyKind::pareto) && read_.blocks.variable.empty()) {
       needs("[[variable]] blocks: what may be changed, and how far");
     }
-    if (is_random(kind()) && read_.blocks.random.empty()) needs("[[random]] blocks: what varies from product to product");
-    if (kind() == StudyKind::compare && read_.blocks.candidate.size() < 2) needs("two or more [[candidate]] blocks");
+    if (is_random(kind()) && read_.blocks.random.empty())
+      needs("[[random]] blocks: what varies from product to product");
+    const std::size_t candidates = read_.blocks.candidate.size();
+    if (kind() == StudyKind::compare && (candidates < 2 || candidates > kCandidatesMost)) {
+      needs("two or more [[candidate]] blocks, at most 20");
+    }
   }
 
   [[nodiscard]] bool is_taken(const std::string& key) const {
@@ -220,7 +247,10 @@ class Completion {
       problems_.add(origin, path, toml_string(key), "is searched or drawn twice");
       return false;
     }
-    return true;
+    // A field that is not there has been reported with the scenario.
+    const KeyAddress address = find_key(key);
+    Scenario& base = data_.bases.front();
+    return has_field(*address.spec, base, address.index) && has_element(field_of(base, address), address.elements);
   }
 
   void add_variables() {
@@ -234,7 +264,8 @@ class Completion {
       };
       const KeySpec& spec = *find_key(block.key).spec;
       bool sound = true;
-      if (!(*block.from < *block.to)) sound = complain("from", *block.from, "must be < to = " + spelled(*block.to));
+      if (!(*block.from < *block.to))
+        sound = complain("from", *block.from, "must be < to = " + spelled(*block.to));
       if (block.scale == VaryScale::log && *block.from <= 0.0) {
         sound = complain("from", *block.from, "\"log\" needs from > 0");
       }
@@ -247,37 +278,49 @@ class Completion {
         sound = complain("start", *block.start, "must lie between from and to");
       }
       if (!sound) continue;
-      data_.variables.push_back({.key = block.key,
-                                 .units = units_of(block.key),
-                                 .from = *block.from,
-                                 .to = *block.to,
-                                 .scale = block.scale == VaryScale::log ? optimizer::Scale::log
-                                                                        : optimizer::Scale::linear,
-                                 .start = block.start});
-      give_base(block.key, block.start.value_or(0.5 * (*block.from + *block.to)));
+      data_.variables.push_back(
+          {.key = block.key,
+           .units = units_of(block.key),
+           .from = *block.from,
+           .to = *block.to,
+           .scale = block.scale == VaryScale::log ? optimizer::Scale::log : optimizer::Scale::linear,
+           .start = block.start});
+      give_base(block.key, block.start.value_or(middle(data_.variables.back())), *block.to);
     }
   }
 
-  /// A key that the base does not have gets a value, so that every scenario has it.
-  void give_base(const std::string& key, double value) {
+  static double middle(const SearchVariable& variable) {
+    const bool log = variable.scale == optimizer::Scale::log;
+    return log ? std::sqrt(variable.from * variable.to) : 0.5 * (variable.from + variable.to);
+  }
+
+  /// A key that is not written gets a value inside its range, so that the base is one of the scenarios that are
+  /// asked for. `contact_force_N` is lowered to the grip force when a scenario is made; the base keeps as much of
+  /// it as any needs.
+  void give_base(const std::string& key, double value, double highest) {
     const KeyAddress address = find_key(key);
-    for (Scenario& base : data_.bases) {
-      const FieldRef field = field_of(base, address);
-      if (!number_at(field, address.elements)) assign_number(field, value, address.elements);
-    }
-    for (StrategyCandidate& candidate : data_.candidates) {
-      const FieldRef field = field_of(candidate.scenario, address);
-      if (!number_at(field, address.elements)) assign_number(field, value, address.elements);
-    }
+    const bool is_written = base_.given.contains(key) || base_.given.contains(key.substr(0, key.rfind('[')));
+    const auto give = [&](Scenario& scenario) {
+      const FieldRef field = field_of(scenario, address);
+      if (is_written && number_at(field, address.elements)) return;
+      StrategyParameters& strategy = scenario.strategy;
+      const bool is_grip = key == "strategy.grip_force_N";
+      const double given = is_grip ? std::min(highest, std::max(value, strategy.contact_force_N)) : value;
+      assign_number(field, given, address.elements);
+      strategy.contact_force_N = std::min(strategy.contact_force_N, strategy.grip_force_N);
+    };
+    for (Scenario& base : data_.bases) give(base);
+    for (StrategyCandidate& candidate : data_.candidates) give(candidate.scenario);
   }
 
   void add_randoms() {
     for (std::size_t i = 0; i < read_.blocks.random.size(); ++i) {
       const RandomBlock& block = read_.blocks.random[i];
       if (!check_key("random", i, block.key, block.origin)) continue;
+      if (!read_.random_sound[i] || !check_candidates_agree(block.key, i)) continue;
       const auto distribution = distribution_of(block, i);
       if (!distribution || !check_support(block, i, *distribution)) continue;
-      give_base(block.key, quantile(*distribution, 0.5));
+      give_base(block.key, quantile(*distribution, 0.5), quantile(*distribution, kRareHigh));
       RandomVariable random{block.key, units_of(block.key), *distribution, false};
       const std::array<std::string, 1> key = {block.key};
       const auto factor_at = [&](double u) {
@@ -287,6 +330,21 @@ class Completion {
       random.changes_factor = factor_at(0.25) != factor_at(0.75);
       data_.randoms.push_back(std::move(random));
     }
+  }
+
+  /// A drawn key is the same for all candidates, so none of them may have its own.
+  bool check_candidates_agree(const std::string& key, std::size_t i) {
+    const KeyAddress address = find_key(key);
+    const auto value_of = [&](StrategyCandidate& candidate) {
+      return number_at(field_of(candidate.scenario, address), address.elements);
+    };
+    const bool agree = std::all_of(
+        data_.candidates.begin(), data_.candidates.end(),
+        [&](StrategyCandidate& candidate) { return value_of(candidate) == value_of(data_.candidates.front()); });
+    if (agree) return true;
+    problems_.add(read_.blocks.random[i].origin, "random[" + std::to_string(i) + "].key", toml_string(key),
+                  "the candidates have values of their own, so it cannot be drawn");
+    return false;
   }
 
   /// Which keys a distribution takes, which it needs.
@@ -308,7 +366,9 @@ class Completion {
       if (given(leaf) && !by_moments) complain(std::string(".") + leaf, "goes with normal and lognormal only");
     }
     for (const char* leaf : {"from", "to"}) {
-      if (given(leaf) && by_moments) complain(std::string(".") + leaf, "goes with uniform and triangular only; truncate with at_least and at_most");
+      if (given(leaf) && by_moments)
+        complain(std::string(".") + leaf,
+                 "goes with uniform and triangular only; truncate with at_least and at_most");
       if (!given(leaf) && !by_moments) complain(std::string(".") + leaf, "missing");
     }
     if (given("mode") != is_triangular) complain(".mode", is_triangular ? "missing" : "goes with triangular only");
@@ -318,9 +378,14 @@ class Completion {
       if (given("data")) {
         if (given("mean") || deviations > 0) complain(".data", "excludes mean and deviations");
         if (block.data.size() < 3) complain(".data", "needs at least 3 values");
+        const bool positive = std::all_of(block.data.begin(), block.data.end(), [](double x) { return x > 0.0; });
+        if (block.distribution == DistributionKind::lognormal && !positive) {
+          complain(".data", "values of a lognormal must be > 0");
+        }
       } else {
         if (!given("mean")) complain(".mean", "missing; give mean and a deviation, or data");
-        if (deviations != 1) complain(".standard_deviation", "give exactly one of standard_deviation and relative_deviation");
+        if (deviations != 1)
+          complain(".standard_deviation", "give exactly one of standard_deviation and relative_deviation");
       }
       if (!sound) return std::nullopt;
       if (given("data")) {
@@ -351,8 +416,8 @@ class Completion {
     for (const double u : {kRareLow, kRareHigh}) {
       const double value = quantile(distribution, u);
       if (range.contains(value)) continue;
-      problems_.add(block.origin, "random[" + std::to_string(i) + "]", toml_string(block.key),
-                    "values outside '" + range.text() + "' are possible (" + spelled(value) +
+      problems_.add(block.origin, "random[" + std::to_string(i) + "].key", toml_string(block.key),
+                    "values outside '" + range.text() + "' are possible (" + rounded(value) +
                         "); truncate with at_least or at_most");
       return false;
     }
@@ -372,7 +437,15 @@ class Completion {
     return std::get<Goal>(std::move(goal));
   }
 
-  static std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
+  static std::string element(const std::string& path, std::size_t i) {
+    return path + "[" + std::to_string(i) + "]";
+  }
+
+  /// An empty value beside other mistakes may be one of them: it could not be read.
+  template <class Text>
+  [[nodiscard]] bool is_left_out(const Text& value) const {
+    return value.empty() && !problems_.empty();
+  }
 
   void add_search() {
     SearchTable& table = data_.settings.search;
@@ -382,8 +455,9 @@ class Completion {
     set_defaults_by_kind(table);
     if (kind() == StudyKind::pareto) {
       add_objectives(table, search, context);
-    } else if (auto goal = parsed("search.objective", table.objective, parse_objective(table.objective, context))) {
-      search.objective = std::move(*goal);
+    } else if (!is_left_out(table.objective)) {
+      auto goal = parsed("search.objective", table.objective, parse_objective(table.objective, context));
+      if (goal) search.objective = std::move(*goal);
     }
     for (std::size_t i = 0; i < table.constraints.size(); ++i) {
       const std::string& text = table.constraints[i];
@@ -391,9 +465,8 @@ class Completion {
       if (goal) search.constraints.push_back(std::move(*goal));
     }
     // A list that says nothing about outcomes adds to `held`: nobody wants the fastest way to drop a product.
-    const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(), [](const Constraint& c) {
-      return c.kind != Constraint::Kind::metric;
-    });
+    const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(),
+                                         [](const Constraint& c) { return c.kind != Constraint::Kind::metric; });
     if (!has_outcome && !table.constraints.empty()) {
       table.constraints.insert(table.constraints.begin(), held_rule(robust));
       search.constraints.insert(search.constraints.begin(),
@@ -417,9 +490,11 @@ class Completion {
     if (!given("search.constraints")) table.constraints = {held_rule(robust)};
     if (robust && !given("search.starts")) table.starts = 4;
     if (robust && !given("search.budget")) table.budget = std::max<std::uint64_t>(100, table.starts);
+    if (kind() == StudyKind::optimize && !given("search.budget"))
+      table.budget = kEvaluationsPerSearch * table.starts;
     if (kind() != StudyKind::pareto) return;
     if (!given("search.starts")) table.starts = 2;
-    if (!given("search.budget")) table.budget = 40 * pareto_searches(table);
+    if (!given("search.budget")) table.budget = kEvaluationsPerSearch * pareto_searches(table);
   }
 
   static std::string held_rule(bool robust) { return robust ? "P(held) >= 0.99" : "held"; }
@@ -430,7 +505,7 @@ class Completion {
 
   void add_objectives(const SearchTable& table, SearchSettings& search, GoalContext context) {
     if (table.objectives.size() < 2 || table.objectives.size() > 3) {
-      if (base_.given.contains("search.objectives")) {
+      if (base_.given.contains("search.objectives") && !is_left_out(table.objectives)) {
         problems_.add(base_.origin_of("search.objectives"), "search.objectives", "must be two or three");
       }
       return;
@@ -447,27 +522,27 @@ class Completion {
     if (!table.local_algorithm.empty()) {
       search.local = optimizer::algorithm_named(table.local_algorithm);
       if (!search.local) {
-        std::vector<std::string> known;
-        for (const optimizer::AlgorithmInfo& info : optimizer::algorithm_table()) known.emplace_back(info.name);
-        const std::string near = nearest(table.local_algorithm, known);
+        const KeySpec& words = *find_key("search.algorithm").spec;
         problems_.add(base_.origin_of("search.local_algorithm"), "search.local_algorithm",
                       toml_string(table.local_algorithm),
-                      near.empty() ? "unknown algorithm" : "unknown algorithm; did you mean '" + near + "'?");
+                      *check_value(words, text_value(table.local_algorithm), 0));
         return;
       }
     }
     if (data_.variables.empty() || data_.variables.size() != read_.blocks.variable.size()) return;
     std::size_t constraints = kind() == StudyKind::pareto ? 1 : 0;  // those of the method
     for (const Constraint& constraint : search.constraints) {
-      constraints += kind() == StudyKind::robust
-                         ? 1
-                         : violation_names(constraint, data_.bases.front().limits).size();
+      constraints +=
+          kind() == StudyKind::robust ? 1 : violation_names(constraint, data_.bases.front().limits).size();
     }
     const std::string why =
         optimizer::why_unsuitable(search.algorithm, search.local, data_.variables.size(), constraints);
     if (why.empty()) return;
-    problems_.add(base_.origin_of("search.algorithm"), "search.algorithm",
-                  toml_string(optimizer::info_of(search.algorithm).name), why);
+    const bool is_local =
+        search.local && (constraints == 0 || optimizer::info_of(search.algorithm).takes_constraints);
+    const std::string key = is_local ? "search.local_algorithm" : "search.algorithm";
+    problems_.add(base_.origin_of(key), key,
+                  toml_string(optimizer::info_of(is_local ? *search.local : search.algorithm).name), why);
   }
 
   void check_budget(const SearchTable& table) {
@@ -497,7 +572,7 @@ class Completion {
                          .levels = table.levels,
                          .bootstrap = table.bootstrap,
                          .confidence = table.confidence};
-    if (table.metrics.empty() && base_.given.contains("sensitivity.metrics")) {
+    if (table.metrics.empty() && base_.given.contains("sensitivity.metrics") && !is_left_out(table.metrics)) {
       problems_.add(base_.origin_of("sensitivity.metrics"), "sensitivity.metrics", "must name a metric");
     }
     if (table.levels % 2 != 0) {
@@ -514,7 +589,8 @@ class Completion {
   std::vector<Metric> metrics_of(const std::string& path, const std::vector<std::string>& names) {
     std::vector<Metric> metrics;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (const auto metric = parsed(element(path, i), names[i], parse_metric(names[i]))) metrics.push_back(*metric);
+      if (const auto metric = parsed(element(path, i), names[i], parse_metric(names[i])))
+        metrics.push_back(*metric);
     }
     return metrics;
   }
@@ -560,9 +636,44 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   };
   for (const SearchVariable& v : data.variables) sides.push_back({v.key, v.from, v.to, origin_of(v.key)});
   for (const RandomVariable& r : data.randoms) {
-    sides.push_back({r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh), origin_of(r.key)});
+    sides.push_back(
+        {r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh), origin_of(r.key)});
   }
   return sides;
+}
+
+void report(const Broken& broken, const Origin& origin, const std::string& where, Problems& problems) {
+  if (broken.value.empty()) {
+    problems.add(origin, broken.key, broken.rule + where);
+  } else {
+    problems.add(origin, broken.key, broken.value, broken.rule + where);
+  }
+}
+
+/// Reports the first broken rule between the values of a network with each key at either end.
+void check_network_ends(const std::vector<BoxSide>& sides, const Scenario& base, Problems& problems) {
+  if (!std::holds_alternative<NetworkParameters>(base.product)) return;
+  for (const BoxSide& side : sides) {
+    const std::array<std::string, 1> key = {side.key};
+    for (const double end : {side.low, side.high}) {
+      const std::array<double, 1> value = {end};
+      const Scenario scenario = Study::with_values(base, key, value);
+      const auto broken = broken_network_rules(std::get<NetworkParameters>(scenario.product));
+      if (broken.empty()) continue;
+      report(broken.front(), side.origin, " (reached at " + side.key + " = " + spelled(end) + ")", problems);
+      break;
+    }
+  }
+}
+
+/// Reports the candidates that break a rule.
+void check_candidates(const CrossRule& rule, const StudyData& data, const ReadBlocks& read, Problems& problems) {
+  for (std::size_t i = 0; i < data.candidates.size(); ++i) {
+    const auto broken = rule.broken(data.candidates[i].scenario, data.settings);
+    if (!broken) continue;
+    report(*broken, read.blocks.candidate[i].origin, " (candidate " + toml_string(data.candidates[i].name) + ")",
+           problems);
+  }
 }
 
 /// Reports the rule at the first corner of the sides where it is broken.
@@ -582,7 +693,7 @@ void check_corners(const CrossRule& rule, const std::vector<BoxSide>& sides, con
     }
     const auto broken = rule.broken(Study::with_values(base, keys, values), settings);
     if (!broken) continue;
-    problems.add(sides.front().origin, broken->key, broken->value, broken->rule + " (reached at " + where + ")");
+    report(*broken, sides.front().origin, " (reached at " + where + ")", problems);
     return;
   }
 }
@@ -609,7 +720,9 @@ void complete_search(StudyData& data, const ReadBlocks& read, const Assembly& ba
 
 void check_box_rules(const StudyData& data, const ReadBlocks& read, Problems& problems) {
   const std::vector<BoxSide> all = box_sides(data, read);
+  check_network_ends(all, data.bases.front(), problems);
   for (const CrossRule& rule : cross_rules()) {
+    check_candidates(rule, data, read, problems);
     std::vector<BoxSide> seen;
     std::copy_if(all.begin(), all.end(), std::back_inserter(seen), [&](const BoxSide& side) {
       const std::string_view path = find_key(side.key).spec->path;

@@ -20,6 +20,8 @@ struct ReadBlocks {
   StudyBlocks blocks;
   /// Keys given in each [[random]] block.
   std::vector<std::vector<std::string>> random_keys;
+  /// Does each [[random]] block have all it needs, and right values only?
+  std::vector<bool> random_sound;
   /// Of each [[candidate]]: its strategy keys, under "strategy.".
   std::vector<std::vector<Entry>> candidate_entries;
 
@@ -34,12 +36,12 @@ struct ReadBlocks {
 /// override); every value is checked against its key.
 ReadBlocks read_blocks(const std::vector<Entry>& entries, const std::vector<Entry>& tables, Problems& problems);
 
-/// Fills variables, random keys and settings of a study from its blocks and tables. `data.bases` and `data.settings` are
-/// there; random keys that the base does not have get their median.
+/// Fills variables, random keys and settings of a study from its blocks and tables. `data.bases` and
+/// `data.settings` are there; random keys that the base does not have get their median.
 void complete_search(StudyData& data, const ReadBlocks& read, const Assembly& base, Problems& problems);
 
-/// Checks the rules between several values wherever variables and random keys may go: at the corners of the box that
-/// each rule sees.
+/// Checks the rules between several values wherever variables and random keys may go: at the corners of the box
+/// that each rule sees.
 void check_box_rules(const StudyData& data, const ReadBlocks& read, Problems& problems);
 
 }  // namespace unbruised::studies

@@ -96,7 +96,8 @@ class Reader {
     };
     const std::string path = trimmed(set.substr(0, equals));
     const std::string literal = trimmed(set.substr(equals + 1));
-    const KeyAddress address = find_key(path);
+    KeyAddress address = find_key(path);
+    if (address.spec == nullptr) address = find_strategy_key(path);
     std::vector<Value> parsed = parse_literal(literal);
     const bool is_text = !parsed.empty() && parsed[0].kind == Value::Kind::text;
     if ((is_text_key(address) && !is_text) || literal == "none") parsed = {text_value(literal)};
@@ -176,19 +177,21 @@ class Reader {
       }
     }
     for (const Entry& entry : sets_) {
-      auto& list = entry.path.starts_with("vary")  ? vary_entries_
-                   : is_of_block(entry.path) ? block_entries_
-                                             : command_line_;
+      auto& list = entry.path.starts_with("vary") ? vary_entries_
+                   : is_of_block(entry.path)      ? block_entries_
+                                                  : command_line_;
       list.push_back(entry);
     }
     for (const Entry& entry : command_line_) refuse_other_kinds(entry);
   }
 
   void refuse_other_kinds(const Entry& entry) {
-    if (entry.path == "study.kind" && entry.value.text == "calibrate") {
-      problems_.add(entry.origin, entry.path, spelled(entry.value), "not in this version");
-      other_kind_ = true;
-    }
+    if (entry.path != "study.kind") return;
+    const bool is_later = entry.value.text == "calibrate";
+    const auto rule = is_later ? "not in this version" : check_value(*find_key(entry.path).spec, entry.value, 0);
+    if (!rule) return;
+    problems_.add(entry.origin, entry.path, spelled(entry.value), *rule);
+    other_kind_ = true;
   }
 
   /// The entry that has the last word about a key.
@@ -293,7 +296,7 @@ class Reader {
       const std::string path = "candidate[" + std::to_string(i) + "].";
       if (!block.name.empty() && !is_name(block.name)) {
         problems_.add(block.origin, path + "name", toml_string(block.name), kNameRule);
-      } else if (!names.insert(block.name).second) {
+      } else if (!block.name.empty() && !names.insert(block.name).second) {
         problems_.add(block.origin, path + "name", toml_string(block.name), "is the name of two candidates");
       }
       std::vector<Entry> own;
@@ -354,6 +357,7 @@ class Reader {
   void check_rules() {
     check_study();
     for (const CrossRule& rule : cross_rules()) {
+      if (is_left_to_box(rule)) continue;
       std::set<std::size_t> axes;
       for (const VaryColumn& column : data_.plan.columns) {
         if (column.is_use() || matches(column, rule.keys)) axes.insert(column.axis);
@@ -366,6 +370,18 @@ class Reader {
       }
     }
     check_networks();
+  }
+
+  /// Does the rule look at a key that is searched or drawn and has no other value? Then the box of values is
+  /// checked.
+  [[nodiscard]] bool is_left_to_box(const CrossRule& rule) const {
+    const auto keys = blocks_.keys();
+    return std::any_of(keys.begin(), keys.end(), [&](const auto& item) {
+      const std::string& key = item.first;
+      const auto& given = assemblies_.front().given;
+      if (given.contains(key) || given.contains(key.substr(0, key.rfind('[')))) return false;
+      return std::find(rule.keys.begin(), rule.keys.end(), find_key(key).spec->path) != rule.keys.end();
+    });
   }
 
   void check_networks() {
@@ -405,8 +421,8 @@ class Reader {
     if (settings.kind == StudyKind::sweep && data_.plan.columns.empty()) {
       problems_.add(kind, "study.kind", word, "needs [[vary]] blocks; one run is \"simulate\"");
     }
-    const bool grips = settings.kind == StudyKind::window || settings.kind == StudyKind::compare ||
-                       is_search(settings.kind);
+    const bool grips =
+        settings.kind == StudyKind::window || settings.kind == StudyKind::compare || is_search(settings.kind);
     if (grips && !has_gripper_) problems_.add(kind, "study.kind", word, "needs a [gripper]");
     if ((is_search(settings.kind) || is_random(settings.kind)) && !data_.plan.columns.empty()) {
       problems_.add(data_.plan.columns.front().origin, "[[vary]]",
@@ -523,10 +539,8 @@ Scenario Study::scenario_with(std::span<const std::string> keys, std::span<const
 
 std::optional<double> Study::base_value(const std::string& key) const {
   const KeyAddress address = find_key(key);
-  if (address.spec == nullptr || address.spec->field == nullptr) return std::nullopt;
-  const bool is_lattice = std::holds_alternative<LatticeParameters>(data_->bases.front().product);
-  if (address.spec->use == Use::lattice && !is_lattice) return std::nullopt;
   Scenario base = data_->bases.front();
+  if (address.spec == nullptr || !has_field(*address.spec, base, address.index)) return std::nullopt;
   return number_at(address.spec->field(base, address.index), address.elements);
 }
 

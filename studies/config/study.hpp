@@ -89,7 +89,7 @@ struct SearchSettings {
   std::vector<Constraint> constraints;
   optimizer::Algorithm algorithm = optimizer::Algorithm::cobyla;
   std::optional<optimizer::Algorithm> local;
-  std::uint64_t starts = 16;  ///< > 0; of a pareto study: of each point
+  std::uint64_t starts = 16;   ///< > 0; of a pareto study: of each point
   std::uint64_t budget = 640;  ///< >= starts; strategies evaluated by all searches together
   double tolerance = 1e-3;
   double initial_step = 0.2;
@@ -97,8 +97,8 @@ struct SearchSettings {
   std::uint64_t points = 8;
 };
 
-/// Searches for the best of each objective of a pareto study alone: 8, or `starts` where that is more; as many as fill a
-/// thread's lanes for two objectives.
+/// Searches for the best of each objective of a pareto study alone: 8, or `starts` where that is more; as many as
+/// fill a thread's lanes for two objectives.
 inline constexpr std::uint64_t kAnchorStarts = 8;
 /// Searches of a pareto study: anchors of each objective, ends of the front and points between.
 std::uint64_t pareto_search_count(std::uint64_t objectives, std::uint64_t points, std::uint64_t starts);
@@ -109,7 +109,7 @@ struct SamplingSettings {
   /// >= 2
   std::uint64_t count = 200;
   /// Joint values of the keys that change the factored matrix; 0: every product its own.
-  std::uint64_t factor_groups = 8;
+  std::uint64_t factor_groups = 16;
   /// 0.5 .. 0.9999
   double confidence = 0.95;
 };
@@ -162,7 +162,8 @@ class Study {
   [[nodiscard]] const CompareSettings& compare() const;
   [[nodiscard]] const SensitivitySettings& sensitivity() const;
 
-  /// `base` with numeric keys set to values; `contact_force_N` never exceeds the grip force (lowered where it would).
+  /// `base` with numeric keys set to values; `contact_force_N` never exceeds the grip force (lowered where it
+  /// would).
   /// @param keys variables, random keys, or other numeric keys that exist in the base. @param values as many
   [[nodiscard]] static Scenario with_values(Scenario base, std::span<const std::string> keys,
                                             std::span<const double> values);
@@ -231,7 +232,8 @@ struct LibraryEntry {
   std::string name;         ///< [study] name, or the file's `name`; else its stem
   std::string description;  ///< one line, may be empty
 };
-/// All products, grippers, strategies and studies below `config_root`, sorted by kind and path. Unreadable files are left out.
+/// All products, grippers, strategies and studies below `config_root`, sorted by kind and path. Unreadable files
+/// are left out.
 std::vector<LibraryEntry> list_library(const std::filesystem::path& config_root);
 
 }  // namespace unbruised::studies

@@ -24,14 +24,16 @@ struct DamageLimit {
   const char* name;
 };
 constexpr std::array<DamageLimit, 7> kDamageLimits = {{
-    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m, "permanent_set_max_m <= limits.permanent_set_m"},
+    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m,
+     "permanent_set_max_m <= limits.permanent_set_m"},
     {Metric::plastic_strain_max, &LimitParameters::plastic_strain, "plastic_strain_max <= limits.plastic_strain"},
     {Metric::bruised_volume_m3, &LimitParameters::bruised_volume_m3,
      "bruised_volume_m3 <= limits.bruised_volume_m3"},
     {Metric::peak_pressure_Pa, &LimitParameters::peak_pressure_Pa, "peak_pressure_Pa <= limits.peak_pressure_Pa"},
     {Metric::absorbed_energy_J, &LimitParameters::absorbed_energy_J,
      "absorbed_energy_J <= limits.absorbed_energy_J"},
-    {Metric::peak_finger_force_N, &LimitParameters::finger_force_N, "peak_finger_force_N <= limits.finger_force_N"},
+    {Metric::peak_finger_force_N, &LimitParameters::finger_force_N,
+     "peak_finger_force_N <= limits.finger_force_N"},
     {Metric::contact_yield_ratio_max, &LimitParameters::contact_yield_ratio,
      "contact_yield_ratio_max <= limits.contact_yield_ratio"},
 }};
@@ -101,7 +103,8 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
   }
   if (parts.unslipped) all.push_back(over_limit(result.metrics[Metric::slip_max_m], limits.slip_m, outcome));
   if (parts.completed) all.push_back(event.contains(outcome) ? -1.0 : rank_of(outcome));
-  // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics say.
+  // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics
+  // say.
   const bool met = event.contains(outcome);
   if (all.empty()) return {met ? -1.0 : 1.0};
   if (met) {
@@ -223,7 +226,14 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
   return finite(sample_quantile(std::move(each), part));
 }
 
-bool event_happens(const OutcomeEvent& event, const ScenarioResult& result) { return event.contains(result.outcome); }
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits) {
+  const std::vector<double> parts = event_violations(event, result, limits);
+  return std::clamp(*std::max_element(parts.begin(), parts.end()), -1.0, 1.0);
+}
+
+bool event_happens(const OutcomeEvent& event, const ScenarioResult& result) {
+  return event.contains(result.outcome);
+}
 
 double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results) {
   const auto count = std::count_if(results.begin(), results.end(),

@@ -79,15 +79,16 @@ Parsed<Metric> parse_metric(std::string_view name);
 
 /// The objective of one scenario; NaN when one of its metrics does not exist.
 double objective_value(const Objective& objective, const ScenarioResult& result);
-/// The objective over products. A mean is taken over the products that have the metric, NaN when they are fewer than
-/// half; in quantile and worst a product without the metric counts as the worst of all.
+/// The objective over products. A mean is taken over the products that have the metric, NaN when they are fewer
+/// than half; in quantile and worst a product without the metric counts as the worst of all.
 double objective_value(const Objective& objective, std::span<const ScenarioResult> results);
 
 /// How far a constraint is from being broken, without dimension: <= 0 exactly when it is met, always finite.
-/// Metrics: (value - bound) / |bound|, or value - bound where the bound is zero, signed so that more is worse. `held`
-/// has one component per limit, so that a solver sees each of them vary smoothly: metric / limit - 1, slip / slip limit -
-/// 1, and one that is -1 when the cycle ran to its end, else the rank of what ended it (dropped 1, not grasped 2,
-/// out of range 3, diverged 4). Where the run ended before a metric existed its component has that rank too.
+/// Metrics: (value - bound) / |bound|, or value - bound where the bound is zero, signed so that more is worse.
+/// `held` has one component per limit, so that a solver sees each of them vary smoothly: metric / limit - 1, slip
+/// / slip limit - 1, and one that is -1 when the cycle ran to its end, else the rank of what ended it (dropped 1,
+/// not grasped 2, out of range 3, diverged 4). Where the run ended before a metric existed its component has that
+/// rank too.
 std::vector<double> violations(const Constraint& constraint, const ScenarioResult& result,
                                const LimitParameters& limits);
 /// As long as `violations`: what each component speaks of.
@@ -95,13 +96,15 @@ std::vector<std::string> violation_names(const Constraint& constraint, const Lim
 /// The largest component.
 double violation(const Constraint& constraint, const ScenarioResult& result, const LimitParameters& limits);
 
-/// The violation over products. P(event) >= p: the p-quantile over products of the event's violation, which is <= 0
-/// exactly when at least the part p of the products meets the event, and continuous in the strategy where the frequency
-/// is a staircase.
+/// The violation over products. P(event) >= p: the p-quantile over products of the event's violation, which is <=
+/// 0 exactly when at least the part p of the products meets the event, and continuous in the strategy where the
+/// frequency is a staircase.
 double violation(const Constraint& constraint, std::span<const ScenarioResult> results,
                  const LimitParameters& limits);
 
 bool event_happens(const OutcomeEvent& event, const ScenarioResult& result);
+/// How far the event is from not happening: its largest violation, kept within [-1, 1].
+double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits);
 /// The part of the results in which the event happens.
 double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results);
 

@@ -46,8 +46,8 @@ Metric metric_called(std::string_view name) {
 
 bool is_blank(char letter) { return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r'; }
 bool is_word(char letter) {
-  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
-         letter == '_';
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+         (letter >= '0' && letter <= '9') || letter == '_';
 }
 
 /// Reads one goal from left to right.
@@ -123,7 +123,7 @@ class GoalParser {
     skip_blanks();
     if (!rest_.empty() && ((rest_.front() >= '0' && rest_.front() <= '9') || rest_.front() == '.')) {
       weight = number();
-      expect("*");
+      if (!take("*")) throw GoalError{joined({"expected '*' and a metric at ", place()})};
     }
     GoalTerm goal = quantity();
     goal.weight = sign * weight;
@@ -137,8 +137,8 @@ class GoalParser {
     if (!take("(")) {
       goal.metric = metric_called(first);
       if (context_ == GoalContext::sampled) {
-        throw GoalError{joined({"say over which products: mean(", first, "), quantile(", first, ", 0.95) or worst(",
-                                first, ")"})};
+        throw GoalError{joined(
+            {"say over which products: mean(", first, "), quantile(", first, ", 0.95) or worst(", first, ")"})};
       }
       return goal;
     }
@@ -166,7 +166,8 @@ class GoalParser {
       return statistic;
     }
     const std::string near = did_you_mean(name, known);
-    throw GoalError{joined({"unknown statistic '", name, "'", near.empty() ? "; known: mean, quantile, worst" : near})};
+    throw GoalError{
+        joined({"unknown statistic '", name, "'", near.empty() ? "; known: mean, quantile, worst" : near})};
   }
 
   static bool is_event_word(std::string_view word) {
@@ -201,7 +202,9 @@ class GoalParser {
     }
     const std::vector<std::string> known(kOutcomeWords.begin(), kOutcomeWords.end());
     const std::string near = did_you_mean(name, known);
-    throw GoalError{joined({"unknown outcome '", name, "'", near.empty() ? "; known: held, slipped, dropped, damaged, not_grasped, diverged, out_of_range" : near})};
+    throw GoalError{joined(
+        {"unknown outcome '", name, "'",
+         near.empty() ? "; known: held, slipped, dropped, damaged, not_grasped, diverged, out_of_range" : near})};
   }
 
   /// true: >=

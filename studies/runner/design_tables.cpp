@@ -22,6 +22,18 @@ const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::
 
 bool is_held(const ScenarioRow& row) { return row.result.outcome == Outcome::held; }
 
+/// P(held) of rows on products, in their order.
+Proportion held_proportion(const std::vector<const ScenarioRow*>& rows, const ProductSample& products,
+                           const LimitParameters& limits, double confidence) {
+  std::vector<bool> held;
+  std::vector<double> measure;
+  for (const ScenarioRow* row : rows) {
+    held.push_back(is_held(*row));
+    measure.push_back(event_measure(held_event(), row->result, limits));
+  }
+  return proportion(held, products.group, confidence, measure);
+}
+
 // -- compare. ----------------------------------------------------------------------------------------------
 
 /// What two strategies did to the same products, in one metric.
@@ -62,13 +74,14 @@ class Comparison {
     std::vector<double> high;
     for (std::size_t c = 0; c < n; ++c) {
       names.push_back(name(c));
-      std::vector<bool> held;
+      std::vector<const ScenarioRow*> own;
       for (std::size_t p = 0; p < products_.size(); ++p) {
         const Outcome outcome = row(p, c).result.outcome;
         if (outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(outcome)][c];
-        held.push_back(outcome == Outcome::held);
+        own.push_back(&row(p, c));
       }
-      const Proportion estimate = proportion(held, products_.group, study_.sampling().confidence);
+      const Proportion estimate = held_proportion(own, products_, study_.candidates()[c].scenario.limits,
+                                                  study_.sampling().confidence);
       probability.push_back(estimate.estimate);
       low.push_back(estimate.interval.low);
       high.push_back(estimate.interval.high);
@@ -345,9 +358,10 @@ std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vecto
 std::vector<ResultTable> sample_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
   const ProductSample products = study_products(study);
   ResultTable statistics = statistics_table(rows);
-  std::vector<bool> held;
-  for (const ScenarioRow& row : rows) held.push_back(is_held(row));
-  const Proportion estimate = proportion(held, products.group, study.sampling().confidence);
+  std::vector<const ScenarioRow*> all;
+  for (const ScenarioRow& row : rows) all.push_back(&row);
+  const Proportion estimate =
+      held_proportion(all, products, study.scenario(0).limits, study.sampling().confidence);
   statistics.attributes = {{"probability", estimate.estimate},
                            {"probability_low", estimate.interval.low},
                            {"probability_high", estimate.interval.high},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -72,6 +73,7 @@ class SearchStudy {
   }
 
   SearchFindings run() {
+    const auto begin = std::chrono::steady_clock::now();
     if (study_.kind() == StudyKind::pareto) {
       run_pareto();
     } else if (study_.variables().empty()) {
@@ -81,6 +83,7 @@ class SearchStudy {
     }
     found_.candidates = log_.sorted();
     found_.searching = broker_.counts().lane_use;
+    found_.search_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!interrupted_) run_checks();
     found_.interrupted = interrupted_;
     return std::move(found_);

@@ -42,6 +42,7 @@ struct SearchFindings {
   std::optional<ProductSample> products;
   bool interrupted = false;
   LaneUse searching;  ///< how full the lanes were while the searches ran, checks not counted
+  double search_seconds = 0.0;  ///< until the answer was there, before it was checked
 };
 
 /// The input columns of such a study's rows: variables, random keys, then the time step and the size of the cells,

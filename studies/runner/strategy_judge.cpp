@@ -55,8 +55,12 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
   }
   if (sampled_) {
     std::vector<bool> happens;
-    for (const ScenarioResult& result : results) happens.push_back(event_happens(event_, result));
-    candidate.probability = proportion(happens, group, study_.sampling().confidence);
+    std::vector<double> measure;
+    for (const ScenarioResult& result : results) {
+      happens.push_back(event_happens(event_, result));
+      measure.push_back(event_measure(event_, result, limits_));
+    }
+    candidate.probability = proportion(happens, group, study_.sampling().confidence, measure);
   }
   return candidate;
 }

@@ -146,6 +146,7 @@ class StudyRun {
     }
     report_.interrupted = found.interrupted;
     report_.lane_use = found.searching;
+    report_.search_seconds = found.search_seconds;
     report_.from_memory = broker.counts().from_memory;
     std::vector<ScenarioRow> rows = run_.rows();
     number_search_rows(rows);

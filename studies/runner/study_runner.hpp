@@ -39,6 +39,7 @@ struct StudyReport {
   std::size_t run_now = 0;  ///< scenarios that were not in the journal
   LaneUse lane_use;         ///< how full the lanes were; of a search: while it searched
   std::size_t from_memory = 0;  ///< questions of a search that had been asked before
+  double search_seconds = 0.0;  ///< of a search, until its answer was there and before it was checked
 };
 
 /// Runs what is left of a study and writes results.h5, also when interrupted (complete = 0).

@@ -100,16 +100,25 @@ double effective_size_of(std::span<const double> values, const std::vector<Clust
   return n / (1.0 + (mean_size_of(clusters) - 1.0) * icc);
 }
 
+bool all_alike(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+}
+
 /// The effective size that a proportion may claim; intervals.hpp says why.
-double claimed_size(std::span<const double> values, const std::vector<Cluster>& clusters, double confidence) {
+double claimed_size(std::span<const double> values, std::span<const double> measure,
+                    std::span<const std::size_t> cluster, double confidence) {
   const auto n = static_cast<double>(values.size());
+  const std::vector<Cluster> clusters = clusters_of(values, cluster);
   if (!is_clustered(values, clusters)) return n;
   const double least = n / mean_size_of(clusters);
-  const bool all_alike = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
-  if (all_alike) return least;
+  const bool tells = !measure.empty() && !all_alike(measure);
+  if (all_alike(values) && !tells) return least;
+  double size = n;
+  if (!all_alike(values)) size = effective_size_of(values, clusters);
+  if (tells) size = std::min(size, effective_size_of(measure, clusters_of(measure, cluster)));
   const auto g = static_cast<double>(clusters.size());
   const double t_ratio = student_score(n - 1.0, confidence) / student_score(g - 1.0, confidence);
-  return std::max(least, effective_size_of(values, clusters) * t_ratio * t_ratio);
+  return std::max(least, size * t_ratio * t_ratio);
 }
 
 }  // namespace
@@ -137,14 +146,14 @@ double effective_size(std::span<const double> values, std::span<const std::size_
   return effective_size_of(values, clusters_of(values, cluster));
 }
 
-Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster,
-                      double confidence) {
+Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster, double confidence,
+                      std::span<const double> measure) {
   if (successes.empty()) return {kNaN, {0.0, 1.0}, 0.0};
   const std::vector<double> values(successes.begin(), successes.end());
   Proportion out;
   out.estimate = mean_of(values);
   out.effective_size = cluster.empty() ? static_cast<double>(values.size())
-                                       : claimed_size(values, clusters_of(values, cluster), confidence);
+                                       : claimed_size(values, measure, cluster, confidence);
   out.interval = wilson_interval(out.estimate * out.effective_size, out.effective_size, confidence);
   return out;
 }

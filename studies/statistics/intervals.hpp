@@ -39,14 +39,17 @@ double effective_size(std::span<const double> values, std::span<const std::size_
 /// with the t of Korn and Graubard (1998), because icc comes from g - 1 degrees of freedom only; n / m, the number
 /// of g equal clusters, is what is left when a cluster's values are all the same. Outcomes all alike say nothing
 /// of icc, and the size is n / m: with n, an interval of 20 clusters of 20 at p = 0.99 and icc = 0.7 covers it
-/// once in three times. All clusters different, or one only: n. No outcomes: estimate NaN, interval [0, 1].
+/// once in three times. A continuous measure behind the outcomes (how far each was from the other outcome) tells more: the
+/// icc of what it decides is not larger than its own, so the smaller of both effective sizes is taken. All clusters different, or one only: n. No outcomes: estimate NaN, interval [0, 1].
 struct Proportion {
   double estimate = 0.0;
   Interval interval;
   double effective_size = 0.0;  ///< the size the interval is of
 };
-/// @param cluster of each outcome; empty: none @throws std::invalid_argument when the lengths differ
-Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster, double confidence);
+/// @param cluster of each outcome; empty: none @param measure of each outcome, finite; empty: not known
+/// @throws std::invalid_argument when the lengths differ
+Proportion proportion(const std::vector<bool>& successes, std::span<const std::size_t> cluster, double confidence,
+                      std::span<const double> measure = {});
 
 /// Mean of differences and Student's interval; clusters (mean of each, weighted by its size) count as one
 /// observation each where they are given and there are at least two. With g clusters of m_i values and mean d_i

@@ -1,5 +1,7 @@
 // Golden messages: what a user reads for each kind of mistake. A change here is a change users see.
 
+#include <sstream>
+
 #include "tests/studies/config/config_testing.hpp"
 
 namespace unbruised::studies {
@@ -36,12 +38,13 @@ std::vector<BadConfig> bad_configs() {
   const std::string network = small_network();
   return {
 #include "tests/studies/config/bad_configs.inc"
+#include "tests/studies/config/bad_searches.inc"
   };
 }
 
 TEST(BadConfigs, AreAnsweredWithExactlyTheseMessages) {
   const auto all = bad_configs();
-  EXPECT_GE(all.size(), 60U);
+  EXPECT_GE(all.size(), 220U);
   for (const BadConfig& bad : all) {
     std::vector<std::string> messages = errors_of(bad.text, bad.sets);
     for (std::string& message : messages) {
@@ -60,6 +63,34 @@ TEST(BadConfigs, AMissingFileIsNamed) {
 TEST(BadConfigs, AFileOverFourMebibytesIsRefusedBeforeParsing) {
   const std::string text = gripped_block("simulate") + std::string(std::size_t{4} << 20, '#');
   EXPECT_EQ(errors_of(text), std::vector<std::string>{"study.toml:1: the file is larger than 4 MiB"});
+}
+
+TEST(BadConfigs, EveryLineLeftOutOrDoubledInASearchIsSurvived) {
+  for (const std::string kind : {"sample", "optimize", "robust", "pareto", "compare", "sensitivity"}) {
+    std::vector<std::string> lines;
+    std::stringstream text(testing::search_block(kind));
+    for (std::string line; std::getline(text, line);) lines.push_back(line + "\n");
+    for (std::size_t skipped = 0; skipped < lines.size(); ++skipped) {
+      for (const bool doubled : {false, true}) {
+        std::string other;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+          if (i != skipped || doubled) other += lines[i];
+          if (i == skipped && doubled) other += lines[i];
+        }
+        for (const std::string& message : errors_of(other))
+          EXPECT_TRUE(message.starts_with("study.toml:")) << message;
+      }
+    }
+    for (const std::string wrong :
+         {"product.kind=network", "product.size_m=[0.1]", "product.mass_kg=none", "variable[0].key=x",
+          "random[0].key=product.load[7].time_s[9]", "random[0].key=limits.plastic_strain",
+          "random[0].key=product.particle[1].position_m[4]", "random[0].mean=1", "random=1", "candidate[0]=1",
+          "candidate[0].use=configs", "search=1", "variable[0].key=gripper.stroke_m",
+          "search.objective=", "variable[99999999999].from=1"}) {
+      const auto messages = errors_of(testing::search_block(kind), {wrong});
+      for (const std::string& message : messages) EXPECT_FALSE(message.empty());
+    }
+  }
 }
 
 TEST(BadConfigs, EveryTruncationAndEveryChangedByteIsSurvived) {

@@ -38,6 +38,21 @@ inline std::string gripped_block(const std::string& kind) {
          "[gripper]\n";
 }
 
+/// A correct study of a kind that searches or draws products, with as little as it needs.
+inline std::string search_block(const std::string& kind) {
+  const std::string variable = "[[variable]]\nkey = \"strategy.grip_force_N\"\nfrom = 1.0\nto = 3.0\n";
+  const std::string random =
+      "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.8\n";
+  const std::string candidates = "[[candidate]]\nname = \"a\"\n[[candidate]]\nname = \"b\"\ngrip_force_N = 2.0\n";
+  std::string text = gripped_block(kind);
+  if (kind == "pareto") text += "[search]\nobjectives = [\"cycle_time_s\", \"peak_finger_force_N\"]\n";
+  if (kind == "sensitivity") text += "[sensitivity]\nmetrics = [\"cycle_time_s\"]\n";
+  if (kind == "optimize" || kind == "robust" || kind == "pareto") text += variable;
+  if (kind != "optimize" && kind != "pareto") text += random;
+  if (kind == "compare") text += candidates;
+  return text;
+}
+
 /// A wall and a mass on a spring.
 inline std::string small_network() {
   return R"(

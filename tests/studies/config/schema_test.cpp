@@ -10,6 +10,7 @@ namespace unbruised::studies {
 namespace {
 
 using testing::gripped_block;
+using testing::search_block;
 using testing::small_network;
 using testing::study_of;
 
@@ -229,6 +230,160 @@ use = "products/kiwi_ripe.toml"
   }
 }
 
+/// A key of a kind that searches or draws products, and what must have arrived.
+struct StudyArrival {
+  std::string kind;
+  std::string key;
+  std::string value;
+  bool (*arrived)(const Study&);
+  std::vector<std::string> with = {};  ///< further --set that the key needs
+};
+
+using K = const Study&;
+
+std::vector<StudyArrival> search_arrivals() {
+  return {
+      {"optimize", "search.objective", "\"2 * slip_max_m - cycle_time_s\"",
+       [](K s) {
+         const std::vector<GoalTerm>& terms = s.search().objective.terms;
+         return terms.size() == 2 && terms[0].weight == 2.0 && terms[0].metric == Metric::slip_max_m &&
+                terms[1].weight == -1.0 && terms[1].metric == Metric::cycle_time_s;
+       }},
+      {"pareto", "search.objectives", "[\"cycle_time_s\", \"slip_max_m\", \"energy_input_J\"]",
+       [](K s) { return s.search().objectives.size() == 3 && s.search().objectives[2].text == "energy_input_J"; }},
+      {"optimize", "search.constraints", "[\"not dropped\", \"slip_max_m <= 1e-4\"]",
+       [](K s) {
+         const std::vector<Constraint>& all = s.search().constraints;
+         return all.size() == 2 && all[0].kind == Constraint::Kind::outcome && all[1].bound == 1e-4 &&
+                !all[1].at_least;
+       }},
+      {"optimize", "search.algorithm", "\"ISRES\"",
+       [](K s) { return s.search().algorithm == optimizer::Algorithm::isres; }},
+      {"optimize",
+       "search.local_algorithm",
+       "\"NELDERMEAD\"",
+       [](K s) { return s.search().local == optimizer::Algorithm::neldermead; },
+       {"search.algorithm=AUGLAG"}},
+      {"optimize", "search.starts", "7", [](K s) { return s.search().starts == 7; }},
+      {"optimize", "search.budget", "321", [](K s) { return s.search().budget == 321; }},
+      {"optimize", "search.tolerance", "0.0625", [](K s) { return s.search().tolerance == 0.0625; }},
+      {"optimize", "search.initial_step", "0.375", [](K s) { return s.search().initial_step == 0.375; }},
+      {"pareto", "search.method", "\"chebyshev\"",
+       [](K s) { return s.search().method == ParetoMethod::chebyshev; }},
+      {"pareto", "search.points", "11", [](K s) { return s.search().points == 11; }},
+      {"sample", "sampling.design", "\"latin_hypercube\"",
+       [](K s) { return s.sampling().design == DesignKind::latin_hypercube; }},
+      {"sensitivity", "sampling.design", "\"random\"",
+       [](K s) { return s.sampling().design == DesignKind::random; }},
+      {"robust", "sampling.count", "321", [](K s) { return s.sampling().count == 321; }},
+      {"sample", "sampling.factor_groups", "0", [](K s) { return s.sampling().factor_groups == 0; }},
+      {"compare", "sampling.confidence", "0.875", [](K s) { return s.sampling().confidence == 0.875; }},
+      {"compare", "compare.metric", "\"slip_max_m\"",
+       [](K s) { return s.compare().metric == Metric::slip_max_m; }},
+      {"compare", "compare.metrics", "[\"slip_max_m\", \"cycle_time_s\"]",
+       [](K s) {
+         return s.compare().metrics == std::vector<Metric>{Metric::cycle_time_s, Metric::slip_max_m};
+       }},
+      {"compare", "compare.tie", "0.375", [](K s) { return s.compare().tie == 0.375; }},
+      {"sensitivity", "sensitivity.method", "\"morris\"",
+       [](K s) { return s.sensitivity().method == SensitivityMethod::morris; }},
+      {"sensitivity", "sensitivity.metrics", "[\"slip_max_m\", \"energy_input_J\"]",
+       [](K s) {
+         return s.sensitivity().metrics == std::vector<Metric>{Metric::slip_max_m, Metric::energy_input_J};
+       }},
+      {"sensitivity", "sensitivity.samples", "32", [](K s) { return s.sensitivity().samples == 32; }},
+      {"sensitivity", "sensitivity.levels", "6", [](K s) { return s.sensitivity().levels == 6; }},
+      {"sensitivity", "sensitivity.bootstrap", "321", [](K s) { return s.sensitivity().bootstrap == 321; }},
+      {"sensitivity", "sensitivity.confidence", "0.875", [](K s) { return s.sensitivity().confidence == 0.875; }},
+      {"robust", "variable[0].key", "\"strategy.hold_s\"",
+       [](K s) { return s.variables()[0].key == "strategy.hold_s" && s.variables()[0].units == "s"; }},
+      {"optimize", "variable[0].from", "0.375", [](K s) { return s.variables()[0].from == 0.375; }},
+      {"optimize", "variable[0].to", "37.5", [](K s) { return s.variables()[0].to == 37.5; }},
+      {"optimize", "variable[0].scale", "\"log\"",
+       [](K s) { return s.variables()[0].scale == optimizer::Scale::log; }},
+      {"optimize", "variable[0].start", "1.25", [](K s) { return s.variables()[0].start == 1.25; }},
+      {"compare", "candidate[1].name", "\"c-3\"", [](K s) { return s.candidates()[1].name == "c-3"; }},
+      {"compare", "candidate[1].use", "\"strategies/fast.toml\"",
+       [](K s) {
+         const StrategyParameters& strategy = s.candidates()[1].scenario.strategy;
+         return strategy.settle_s == 0.02 && strategy.grip_force_N == 2.0;  // keys beside `use` override the file
+       }},
+      {"compare", "candidate[0].settle_s", "0.875",
+       [](K s) { return s.candidates()[0].scenario.strategy.settle_s == 0.875; }},
+  };
+}
+
+std::vector<StudyArrival> random_arrivals() {
+  const std::vector<std::string> normal = {"random[0].from=none", "random[0].to=none",
+                                           "random[0].distribution=normal", "random[0].mean=0.5"};
+  const auto with = [](std::vector<std::string> sets, const std::string& more) {
+    sets.push_back(more);
+    return sets;
+  };
+  const std::vector<std::string> spread = with(normal, "random[0].standard_deviation=0.0625");
+  const std::vector<std::string> measured = {"random[0].from=none", "random[0].to=none",
+                                             "random[0].distribution=normal"};
+  const std::vector<std::string> triangle = {"random[0].distribution=triangular", "random[0].mode=0.5"};
+  return {
+      {"sample",
+       "random[0].key",
+       "\"product.poisson_ratio\"",
+       [](K s) { return s.randoms()[0].key == "product.poisson_ratio" && s.randoms()[0].changes_factor; },
+       {"random[0].from=0.125", "random[0].to=0.25"}},
+      {"sample", "random[0].distribution", "\"lognormal\"",
+       [](K s) { return s.randoms()[0].distribution.kind == DistributionKind::lognormal; },
+       with(spread, "random[0].distribution=lognormal")},
+      {"sample", "random[0].mean", "0.625", [](K s) { return s.randoms()[0].distribution.mean == 0.625; }, spread},
+      {"sample", "random[0].standard_deviation", "0.03125",
+       [](K s) { return s.randoms()[0].distribution.standard_deviation == 0.03125; }, spread},
+      {"sample", "random[0].relative_deviation", "0.0625",
+       [](K s) { return s.randoms()[0].distribution.standard_deviation == 0.03125; }, normal},
+      {"sample", "random[0].data", "[0.25, 0.5, 0.75]",
+       [](K s) {
+         // Mean 0.5 and squares 2 x 0.0625 over n - 1 = 2.
+         const Distribution& d = s.randoms()[0].distribution;
+         return d.mean == 0.5 && d.standard_deviation == 0.25;
+       },
+       with(measured, "random[0].at_least=0.125")},
+      {"sample", "random[0].from", "0.25", [](K s) { return s.randoms()[0].distribution.from == 0.25; }},
+      {"sample", "random[0].to", "0.75", [](K s) { return s.randoms()[0].distribution.to == 0.75; }},
+      {"sample", "random[0].mode", "0.625", [](K s) { return s.randoms()[0].distribution.mode == 0.625; },
+       triangle},
+      {"sample", "random[0].at_least", "0.4375",
+       [](K s) { return s.randoms()[0].distribution.at_least == 0.4375; }, spread},
+      {"sample", "random[0].at_most", "0.5625", [](K s) { return s.randoms()[0].distribution.at_most == 0.5625; },
+       spread},
+  };
+}
+
+TEST(Schema, EveryKeyOfSearchesAndSamplesReachesTheFieldItNames) {
+  for (const auto& list : {search_arrivals(), random_arrivals()}) {
+    for (const StudyArrival& arrival : list) {
+      EXPECT_FALSE(arrival.arrived(study_of(search_block(arrival.kind))))
+          << arrival.key << ": the test needs a value that is not there already";
+      std::vector<std::string> sets = arrival.with;
+      sets.push_back(arrival.key + "=" + arrival.value);
+      const Study study = study_of(search_block(arrival.kind), sets);
+      EXPECT_TRUE(arrival.arrived(study)) << arrival.key;
+      const Study again = study_of(study.resolved_toml());
+      EXPECT_TRUE(arrival.arrived(again)) << arrival.key << " from\n" << study.resolved_toml();
+      EXPECT_EQ(again.resolved_toml(), study.resolved_toml());
+    }
+  }
+}
+
+TEST(Schema, EveryKeyOfSearchesAndSamplesIsCoveredByTheTestAbove) {
+  std::vector<std::string> covered;
+  for (const auto& list : {search_arrivals(), random_arrivals()}) {
+    for (const StudyArrival& arrival : list) covered.push_back(pattern_of(arrival.key));
+  }
+  for (const KeySpec& spec : key_table()) {
+    const bool of_study = spec.path.starts_with("study.") || spec.path.starts_with("window.");
+    if ((spec.study_field == nullptr || of_study) && spec.block_field == nullptr) continue;
+    EXPECT_NE(std::find(covered.begin(), covered.end(), spec.path), covered.end()) << spec.path;
+  }
+}
+
 TEST(Schema, EveryDimensionalKeyEndsInItsUnit) {
   EXPECT_EQ(unit_of("strategy.lift_acceleration_m_s2")->udunits, "m s-2");
   EXPECT_EQ(unit_of("product.spring[].damping_N_s_m")->udunits, "N s m-1");
@@ -265,11 +420,23 @@ TEST(Schema, OneDeletedOrSwappedLetterIsRecognised) {
   EXPECT_GE(static_cast<double>(right), 0.95 * static_cast<double>(typos)) << right << " of " << typos;
 }
 
+TEST(Schema, AWordIsSuggestedWhateverItsCaseButNotForShortOrStrangeOnes) {
+  const std::vector<std::string_view> words = {"COBYLA", "BOBYQA", "x", "box"};
+  EXPECT_EQ(word_suggestion("cobyla", words), "; did you mean \"COBYLA\"?");
+  EXPECT_EQ(word_suggestion("BOBYAQ", words), "; did you mean \"BOBYQA\"?");
+  EXPECT_EQ(word_suggestion("y", words), "");
+  EXPECT_EQ(word_suggestion("blob", words), "");
+  EXPECT_EQ(word_suggestion("", words), "");
+}
+
 TEST(Schema, ExplainAnswersForKeysIndicesAndTables) {
   EXPECT_NE(explain_key("strategy.grip_force_N")->find("in N"), std::string::npos);
   EXPECT_EQ(explain_key("product.size_m[0]"), explain_key("product.size_m"));
   EXPECT_EQ(explain_key("product.particle[3].mass_kg"), explain_key("product.particle[].mass_kg"));
   EXPECT_NE(explain_key("strategy")->find("strategy.recover_s"), std::string::npos);
+  EXPECT_EQ(explain_key("candidate[1].grip_force_N"), explain_key("strategy.grip_force_N"));
+  EXPECT_NE(explain_key("random")->find("random[].relative_deviation"), std::string::npos);
+  EXPECT_NE(explain_key("search.algorithm")->find("\"AUGLAG\""), std::string::npos);
   EXPECT_EQ(explain_key("strategy.grip"), std::nullopt);
   EXPECT_EQ(nearest_key("strategy.grip_forc_N"), "strategy.grip_force_N");
   EXPECT_EQ(nearest_key("stratgy"), "strategy");

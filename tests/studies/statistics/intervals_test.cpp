@@ -324,6 +324,32 @@ TEST(Bootstrap, OfAMeanIsAsWideAsTheNormalInterval) {
   EXPECT_EQ(found.high, again.high);
 }
 
+TEST(Proportion, KnowsFromAMeasureBehindTheOutcomesHowMuchClustersShare) {
+  // All held. A measure without any share of the clusters leaves nearly all of the 200 products; one that the
+  // clusters decide leaves the ten clusters.
+  constexpr std::size_t kClusters = 10;
+  constexpr std::size_t kEach = 20;
+  const std::vector<bool> held(kClusters * kEach, true);
+  std::vector<std::size_t> cluster;
+  std::vector<double> own;
+  std::vector<double> shared;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    cluster.push_back(i % kClusters);
+    own.push_back(unit_random(3, 1, i));
+    shared.push_back(static_cast<double>(i % kClusters) + 1e-3 * unit_random(3, 2, i));
+  }
+  const Proportion blind = proportion(held, cluster, 0.95);
+  const Proportion free = proportion(held, cluster, 0.95, own);
+  const Proportion bound = proportion(held, cluster, 0.95, shared);
+  EXPECT_EQ(blind.effective_size, kClusters);
+  // Without a share only Student's t of 9 degrees of freedom costs: (1.97 / 2.26)^2 = 0.76, and a chance share of
+  // the measure up to about 0.05 makes that 0.4.
+  EXPECT_GT(free.effective_size, 0.4 * 200.0);
+  EXPECT_LE(free.effective_size, 200.0);
+  EXPECT_NEAR(bound.effective_size, kClusters, 0.1 * kClusters);
+  EXPECT_GT(free.interval.low, bound.interval.low);
+}
+
 TEST(Bootstrap, TakesTheSameNumberOfReplicatesOffBothEnds) {
   std::vector<double> replicates(1000);
   std::iota(replicates.begin(), replicates.end(), 1.0);

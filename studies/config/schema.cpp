@@ -45,6 +45,12 @@ int edit_distance(std::string_view a, std::string_view b) {
   return above[n];
 }
 
+/// The edit distance, or infinity where the lengths alone say that it exceeds `most`.
+double edit_distance_within(std::string_view a, std::string_view b, double most) {
+  const std::size_t apart = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
+  return static_cast<double>(apart) > most ? std::numeric_limits<double>::infinity() : edit_distance(a, b);
+}
+
 std::string_view leaf_of(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 std::string_view without_unit(std::string_view leaf) {
@@ -548,12 +554,12 @@ std::string nearest(const std::string& path, const std::vector<std::string>& can
   double best_distance = 1e9;
   for (const std::string& candidate : candidates) {
     const std::string_view other = leaf_of(candidate);
-    double distance = edit_distance(wanted, candidate);
+    const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
+    double distance = edit_distance_within(wanted, candidate, allowed);
     // The right name in the wrong table, or with another unit, is near however long the table's name or the unit
     // is.
-    distance = std::min(distance, edit_distance(leaf, other) + 1.5);
+    distance = std::min(distance, edit_distance_within(leaf, other, allowed - 1.5) + 1.5);
     if (!stem.empty() && stem == without_unit(other)) distance = std::min(distance, 1.5);
-    const double allowed = std::max(2.0, static_cast<double>(std::min(leaf.size(), other.size())) / 3.0);
     if (distance <= allowed && distance < best_distance) {
       best_distance = distance;
       best = candidate;

@@ -1,4 +1,4 @@
-// Objectives, constraints and metric names as they stand in a config. The first byte chooses the context.
+// Objectives, constraints and metric names as they stand in a config. The first byte chooses the context and what is read.
 
 #include <array>
 #include <cmath>
@@ -56,10 +56,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const auto context = (data[0] & 1U) != 0 ? GoalContext::sampled : GoalContext::single;
   const std::string_view text = unbruised::fuzz::text_of(data + 1, size - 1);
-  const auto objective = parse_objective(text, context);
-  if (const auto* goal = std::get_if<Objective>(&objective)) use(*goal, context);
-  const auto constraint = parse_constraint(text, context);
-  if (const auto* goal = std::get_if<Constraint>(&constraint)) use(*goal, context);
-  (void)parse_metric(text);
+  switch (data[0] / 2 % 3) {
+    case 0: {
+      const auto objective = parse_objective(text, context);
+      if (const auto* goal = std::get_if<Objective>(&objective)) use(*goal, context);
+      break;
+    }
+    case 1: {
+      const auto constraint = parse_constraint(text, context);
+      if (const auto* goal = std::get_if<Constraint>(&constraint)) use(*goal, context);
+      break;
+    }
+    default:
+      (void)parse_metric(text);
+  }
   return 0;
 }

@@ -8,9 +8,9 @@ target_compile_options(unbruised_options INTERFACE
   -Woverloaded-virtual -Wcast-align -Wnull-dereference -Wimplicit-fallthrough
   -Werror
   # GCC 12 sees uninitialised values inside its own AVX-512 headers (PR 105593).
-  -Wno-uninitialized -Wno-maybe-uninitialized
+  -Wno-uninitialized $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   # ... and overlaps in "literal" + std::string (PR 105651).
-  -Wno-restrict
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   -fno-math-errno -fno-trapping-math -fopenmp-simd
   # In a * b + c * d the compiler may fuse either product, and does not choose alike in the two halves of a lane value:
   # a scenario's bits would depend on its lane. Kernels of the plain form c += a * b switch it on again.
@@ -24,6 +24,16 @@ endif()
 if(UNBRUISED_SANITIZER)
   target_compile_options(unbruised_options INTERFACE -fsanitize=${UNBRUISED_SANITIZER} -fno-omit-frame-pointer)
   target_link_options(unbruised_options INTERFACE -fsanitize=${UNBRUISED_SANITIZER})
+endif()
+if(UNBRUISED_FUZZ)
+  # What the sanitizer finds has to end the run, or libFuzzer does not see it. clang only looks for crashes: the warnings
+  # that count are GCC's.
+  target_compile_options(unbruised_options INTERFACE -fsanitize=fuzzer-no-link,float-cast-overflow -fno-sanitize-recover=all
+    -Wno-error)
+endif()
+if(UNBRUISED_COVERAGE)
+  target_compile_options(unbruised_options INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(unbruised_options INTERFACE --coverage)
 endif()
 # Asserts cost little beside the kernels; the presets decide with NDEBUG.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")

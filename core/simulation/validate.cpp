@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/product/lattice_stiffness.hpp"
@@ -18,6 +19,15 @@ class Checker {
   void not_negative(double value, const char* field) {
     require(std::isfinite(value) && value >= 0.0, field, "must be >= 0");
   }
+  void finite(double value, const char* field) { require(std::isfinite(value), field, "must be finite"); }
+  template <std::size_t N>
+  void finite(const std::array<double, N>& values, const char* field) {
+    require(std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }), field,
+            "must be finite");
+  }
+  void finite(const std::optional<double>& value, const char* field) {
+    if (value) finite(*value, field);
+  }
   [[nodiscard]] std::vector<Violation> take() { return std::move(violations_); }
 
  private:
@@ -37,6 +47,7 @@ void check_lattice(const LatticeParameters& p, Checker& check) {
   if (p.mass_kg) check.positive(*p.mass_kg, "product.mass_kg");
   if (p.density_kg_m3) check.positive(*p.density_kg_m3, "product.density_kg_m3");
   check.not_negative(p.friction, "product.friction");
+  check.finite(p.initial_velocity_m_s, "product.initial_velocity_m_s");
   check.require(p.yield_stress_Pa.has_value() == p.tangent_modulus_Pa.has_value(), "product.tangent_modulus_Pa",
                 "yield_stress_Pa and tangent_modulus_Pa come together");
   if (p.yield_stress_Pa) check.positive(*p.yield_stress_Pa, "product.yield_stress_Pa");
@@ -72,6 +83,10 @@ void check_network(const NetworkParameters& p, Checker& check) {
     const bool wall = particle.fixed[0] && particle.fixed[1] && particle.fixed[2];
     check.require(particle.mass_kg > 0.0 || (wall && particle.mass_kg == 0.0), "product.particle.mass_kg",
                   "must be > 0 unless all three freedoms are fixed");
+    check.finite(particle.mass_kg, "product.particle.mass_kg");
+    check.finite(particle.position_m, "product.particle.position_m");
+    check.finite(particle.initial_displacement_m, "product.particle.initial_displacement_m");
+    check.finite(particle.initial_velocity_m_s, "product.particle.initial_velocity_m_s");
     check.not_negative(particle.contact_stiffness_N_m, "product.particle.contact_stiffness_N_m");
   }
   for (const NetworkSpring& spring : p.spring) {
@@ -92,12 +107,23 @@ void check_network(const NetworkParameters& p, Checker& check) {
     if (spring.yield_force_N) check.positive(*spring.yield_force_N, "product.spring.yield_force_N");
     check.not_negative(spring.hardening_ratio, "product.spring.hardening_ratio");
   }
+  for (const NetworkLoad& load : p.load) {
+    check.require(load.particle >= 0 && load.particle < count, "product.load.particle",
+                  "must be a particle of the network");
+    check.require(!load.time_s.empty() && load.time_s.size() == load.force_N.size(), "product.load.force_N",
+                  "must have as many entries as time_s, at least one");
+    for (const double time : load.time_s) check.finite(time, "product.load.time_s");
+    check.require(std::is_sorted(load.time_s.begin(), load.time_s.end()), "product.load.time_s",
+                  "must not decrease");
+    for (const auto& force : load.force_N) check.finite(force, "product.load.force_N");
+  }
 }
 
 void check_gripper(const GripperParameters& p, Checker& check) {
   check.positive(p.finger_mass_kg, "gripper.finger_mass_kg");
   check.positive(p.stroke_m, "gripper.stroke_m");
   check.require(p.pad_size_m[0] > 0.0 && p.pad_size_m[1] > 0.0, "gripper.pad_size_m", "must be two numbers > 0");
+  check.finite(p.pad_size_m, "gripper.pad_size_m");
   check.positive(p.pad_thickness_m, "gripper.pad_thickness_m");
   check.positive(p.pad_modulus_Pa, "gripper.pad_modulus_Pa");
   check.not_negative(p.pad_relaxation_time_s, "gripper.pad_relaxation_time_s");
@@ -132,8 +158,22 @@ void check_strategy(const Scenario& scenario, Checker& check) {
   check.not_negative(s.recover_s, "strategy.recover_s");
   check.positive(cell.approach_gap_m, "cell.approach_gap_m");
   check.not_negative(cell.lift_height_m, "cell.lift_height_m");
+  check.finite(cell.grip_height_m, "cell.grip_height_m");
+  check.finite(cell.transfer_m, "cell.transfer_m");
+  check.finite(cell.place_height_m, "cell.place_height_m");
   check.require(cell.place_height_m + s.release_height_m <= cell.lift_height_m, "cell.place_height_m",
                 "place_height_m + strategy.release_height_m must be at most lift_height_m");
+}
+
+void check_limits(const LimitParameters& limits, Checker& check) {
+  check.finite(limits.permanent_set_m, "limits.permanent_set_m");
+  check.finite(limits.plastic_strain, "limits.plastic_strain");
+  check.finite(limits.bruised_volume_m3, "limits.bruised_volume_m3");
+  check.finite(limits.peak_pressure_Pa, "limits.peak_pressure_Pa");
+  check.finite(limits.absorbed_energy_J, "limits.absorbed_energy_J");
+  check.finite(limits.finger_force_N, "limits.finger_force_N");
+  check.finite(limits.contact_yield_ratio, "limits.contact_yield_ratio");
+  check.positive(limits.slip_m, "limits.slip_m");
 }
 
 }  // namespace
@@ -159,10 +199,14 @@ std::vector<Violation> validate(const Scenario& scenario) {
   check.positive(scenario.cell.support_modulus_Pa, "cell.support_modulus_Pa");
   check.positive(scenario.cell.support_thickness_m, "cell.support_thickness_m");
   check.not_negative(scenario.cell.support_relaxation_time_s, "cell.support_relaxation_time_s");
-  check.positive(scenario.limits.slip_m, "limits.slip_m");
+  check.finite(scenario.cell.gravity_m_s2, "cell.gravity_m_s2");
+  check_limits(scenario.limits, check);
   check.positive(scenario.simulation.time_step_s, "simulation.time_step_s");
   check.require(scenario.simulation.theta >= 1.37 && scenario.simulation.theta <= 3.0, "simulation.theta",
                 "must be >= 1.37 and <= 3: below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable");
+  if (scenario.simulation.trace_interval_s) {
+    check.positive(*scenario.simulation.trace_interval_s, "simulation.trace_interval_s");
+  }
   check.positive(scenario.simulation.pressure_patch_m, "simulation.pressure_patch_m");
   check.positive(scenario.simulation.max_strain, "simulation.max_strain");
   check.positive(scenario.simulation.max_rotation_rad, "simulation.max_rotation_rad");

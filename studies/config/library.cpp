@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 constexpr std::size_t kMaxCsvBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxPathBytes = 4096;
 
 std::optional<std::string> read_bytes(const std::filesystem::path& path, std::size_t most, std::string& why) {
   std::error_code error;
@@ -98,7 +99,12 @@ std::optional<std::string> read_text_file(const std::filesystem::path& path, std
 }
 
 std::optional<Library::Text> Library::open(const Entry& named, Problems& problems) {
-  const std::filesystem::path wanted = named.value.text;
+  const std::string& name = named.value.text;
+  if (name.size() > kMaxPathBytes || name.find('\0') != std::string::npos) {
+    problems.add(named.origin, named.path, toml_string(name), "is not the path of a file");
+    return std::nullopt;
+  }
+  const std::filesystem::path wanted = name;
   const std::size_t most = named.path.ends_with("_csv") ? kMaxCsvBytes : kMaxBytes;
   std::string why;
   std::string places;
@@ -172,18 +178,22 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
 
 std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, Problems& problems) {
   const auto text = open(named, problems);
-  if (!text) return {};
+  return text ? csv_entries(list, text->content, text->file, text->rank, problems) : std::vector<Entry>{};
+}
+
+std::vector<Entry> csv_entries(std::string_view list, std::string_view content,
+                               const std::shared_ptr<const std::string>& file, int rank, Problems& problems) {
   std::vector<Entry> out;
   std::vector<CsvColumn> columns;
-  std::string_view rest = text->content;
+  std::string_view rest = content;
   int row = 0;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
-    const std::string_view content = rest.substr(0, end);
+    const std::string_view current = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    const Origin origin{text->file, text->rank, line};
-    if (trimmed(content).empty() || content.front() == '#') continue;
-    const std::vector<std::string> cells = cells_of(content);
+    const Origin origin{file, rank, line};
+    if (trimmed(current).empty() || current.front() == '#') continue;
+    const std::vector<std::string> cells = cells_of(current);
     if (columns.empty()) {
       for (const std::string& name : cells) {
         columns.push_back(csv_column(list, name));
@@ -200,13 +210,17 @@ std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, 
                        "), not " + std::to_string(cells.size()));
       return {};
     }
+    if (row == kMaxListRows) {
+      problems.add(origin, list, "more than 1,000,000 rows");
+      return {};
+    }
     const std::string path = std::string(list) + "[" + std::to_string(row++) + "].";
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].empty()) continue;
       out.push_back({path + columns[i].key, cell_value(*columns[i].spec, cells[i]), origin});
     }
   }
-  if (row == 0) problems.add({text->file, text->rank, 1}, list, "the file has no rows");
+  if (row == 0) problems.add({file, rank, 1}, list, "the file has no rows");
   return out;
 }
 

@@ -15,6 +15,9 @@
 
 namespace unbruised::studies {
 
+/// Particles, springs or loads of a network.
+constexpr int kMaxListRows = 1'000'000;
+
 /// Opens the files of one study; each gets its rank for the order of messages.
 class Library {
  public:
@@ -48,6 +51,12 @@ class Library {
 /// @param prefix of the entries' paths to be taken away, e.g. "vary[0].variant[1]."; empty for a whole file
 std::vector<Entry> library_entries(const Document& document, std::string_view prefix, std::string_view table,
                                    Problems& problems);
+
+/// Entries of a CSV text of particles or springs, at most kMaxListRows of them.
+/// @param list "product.particle" or "product.spring"
+/// @param file, rank of the text, for messages
+std::vector<Entry> csv_entries(std::string_view list, std::string_view content,
+                               const std::shared_ptr<const std::string>& file, int rank, Problems& problems);
 
 /// Reads a file of at most 4 MiB (one byte more is returned for a larger one). Returns nothing and sets `why` when
 /// it cannot be read.

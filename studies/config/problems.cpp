@@ -7,19 +7,36 @@
 #include "studies/config/schema.hpp"
 
 namespace unbruised::studies {
+namespace {
+
+constexpr std::size_t kShownOfKey = 160;
+constexpr std::size_t kShownOfValue = 80;
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // whole characters only
+  return std::string(text.substr(0, end)) + "...";
+}
+
+/// Words of a file can hold anything; a terminal must not obey them.
+std::string printable(std::string text) {
+  for (char& letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x20 || byte == 0x7F) letter = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
 void Problems::add(const Origin& origin, std::string_view key, std::string_view rule) {
-  all_.push_back({origin, std::string(key) + ": " + std::string(rule)});
+  all_.push_back({origin, shortened(key, kShownOfKey) + ": " + std::string(rule)});
 }
 
 void Problems::add(const Origin& origin, std::string_view key, const std::string& value, std::string_view rule) {
-  constexpr std::size_t kShown = 80;
-  std::string shown = value;
-  if (shown.size() > kShown) {
-    std::size_t end = kShown;
-    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xC0U) == 0x80U) --end;  // whole characters only
-    shown = shown.substr(0, end) + "...";
-  }
-  all_.push_back({origin, std::string(key) + " = " + shown + ": " + std::string(rule)});
+  all_.push_back(
+      {origin, shortened(key, kShownOfKey) + " = " + shortened(value, kShownOfValue) + ": " + std::string(rule)});
 }
 
 std::vector<std::string> Problems::lines() const {
@@ -30,7 +47,7 @@ std::vector<std::string> Problems::lines() const {
   std::vector<std::string> out;
   std::set<std::string> seen;
   for (const Problem& problem : sorted) {
-    std::string line = problem.origin.text() + ": " + problem.text;
+    std::string line = printable(problem.origin.text() + ": " + problem.text);
     if (seen.insert(line).second) out.push_back(std::move(line));
   }
   return out;

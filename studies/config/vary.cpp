@@ -61,6 +61,7 @@ std::vector<double> spread(const VaryBlock& block) {
 struct Planner {
   Problems& problems;
   VaryPlan plan;
+  std::uint64_t value_count = 0;  ///< of all blocks together
 
   /// Is the block complete and not contradictory?
   bool well_formed(const RawBlock& raw, std::size_t i) {
@@ -106,17 +107,18 @@ struct Planner {
     const bool is_text =
         spec.type == KeyType::text || spec.type == KeyType::choice || spec.type == KeyType::boolean;
     column.input.is_text = is_text;
-    std::vector<Value> values = block.values.items;
-    if (values.empty()) {
-      for (const double number : spread(block)) values.push_back(number_value(number));
-    }
-    for (const Value& value : values) {
+    const std::vector<Value>& values = block.values.items;
+    const auto is_sound = [&](const Value& value) {
       auto rule = check_value(spec, value, column.address.elements.size());
       if (!rule && !is_text && !value.is_number()) rule = "must be a number";
-      if (rule) {
-        problems.add(block.origin, block.key, spelled(value), *rule);
-        return false;
-      }
+      if (rule) problems.add(block.origin, block.key, spelled(value), *rule);
+      return !rule;
+    };
+    if (!std::all_of(values.begin(), values.end(), is_sound)) return false;
+    if (values.empty()) {  // a range may have ten million numbers: no Value for each of them
+      column.input.numbers = spread(block);
+      const auto is_sound_number = [&](double number) { return is_sound(number_value(number)); };
+      if (!std::all_of(column.input.numbers.begin(), column.input.numbers.end(), is_sound_number)) return false;
     }
     if (!is_text) {
       for (const Value& value : values) column.input.numbers.push_back(value.number);
@@ -127,7 +129,7 @@ struct Planner {
     for (const Value& value : values) {
       column.input.texts.push_back(value.kind == Value::Kind::text ? value.text : spelled(value));
     }
-    column.words = std::move(values);
+    column.words = values;
     return true;
   }
 
@@ -175,8 +177,13 @@ struct Planner {
     column.input.key = raw.block.key;
     column.address = find_key(raw.block.key);
     column.origin = raw.block.origin;
-    if (!variable(column.address, raw.block) || !fill_values(column, raw.block) || !fill_variants(column, raw))
+    if (!variable(column.address, raw.block)) return;
+    value_count += raw.has("values") ? raw.block.values.items.size() : raw.block.count;
+    if (value_count > kMaxScenarios) {
+      problems.add(raw.block.origin, "vary", "more than 10,000,000 values in all blocks");
       return;
+    }
+    if (!fill_values(column, raw.block) || !fill_variants(column, raw)) return;
     const bool twice = std::any_of(plan.columns.begin(), plan.columns.end(),
                                    [&](const VaryColumn& other) { return other.input.key == column.input.key; });
     if (twice) {
@@ -235,7 +242,7 @@ VaryPlan plan_vary(const std::vector<Entry>& entries, const std::vector<Entry>& 
     }
     read_block_entry(raws[i], entry, block_prefix(i).size(), problems);
   }
-  Planner planner{problems, {}};
+  Planner planner{problems, {}, 0};
   for (std::size_t i = 0; i < raws.size(); ++i) planner.add(raws[i], i);
   planner.count(raws.empty() ? fallback : raws.front().block.origin);
   return std::move(planner.plan);

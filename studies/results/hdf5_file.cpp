@@ -326,7 +326,7 @@ herr_t take_scale_name(hid_t, unsigned, hid_t scale, void* target) {
   std::string name(1024, '\0');
   const ssize_t length = H5Iget_name(scale, name.data(), name.size());
   if (length <= 0) return 0;
-  name.resize(static_cast<std::size_t>(length));
+  name.resize(std::min(static_cast<std::size_t>(length), name.size() - 1));
   *static_cast<std::string*>(target) = last_part(name);
   return 1;
 }

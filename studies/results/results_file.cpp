@@ -628,6 +628,21 @@ std::vector<std::string> signal_names(const Hdf5File& file) {
   return names;
 }
 
+// Every time has a value per freedom, and per element of every signal.
+void require_whole(const Trace& trace) {
+  const std::size_t times = trace.time_s.size();
+  const std::size_t freedoms = 3 * static_cast<std::size_t>(trace.particle_count);
+  require_length("/trace/rest_position_m", trace.rest_position_m.size(), freedoms);
+  require_length("/trace/displacement_m", trace.displacement_m.size(), times * freedoms);
+  require_length("/trace/velocity_m_s", trace.velocity_m_s.size(), times * freedoms);
+  require_length("/trace/acceleration_m_s2", trace.acceleration_m_s2.size(), times * freedoms);
+  for (const TraceSignal& signal : trace.signals) {
+    std::size_t width = 1;
+    for (const int extent : signal.extents) width *= static_cast<std::size_t>(extent);
+    require_length(joined({"/trace/", signal.name}), signal.values.size(), times * width);
+  }
+}
+
 std::vector<ContactEvent> read_events(const Hdf5File& file) {
   const auto times = file.read_doubles("/contact_events/time_s");
   const auto nodes = read_integer_column(file, "/contact_events/node", times.size());
@@ -635,6 +650,9 @@ std::vector<ContactEvent> read_events(const Hdf5File& file) {
   const auto kinds = read_integer_column(file, "/contact_events/kind", times.size());
   std::vector<ContactEvent> events(times.size());
   for (std::size_t i = 0; i < events.size(); ++i) {
+    if (kinds[i] < 0 || kinds[i] > static_cast<std::int64_t>(ContactEvent::Kind::slip)) {
+      throw Hdf5Failure(joined({"/contact_events/kind holds the unknown kind ", std::to_string(kinds[i])}));
+    }
     events[i] = {times[i], static_cast<int>(nodes[i]), static_cast<int>(surfaces[i]),
                  static_cast<ContactEvent::Kind>(kinds[i])};
   }
@@ -678,6 +696,7 @@ Expected<Trace> read_trace(const fs::path& path) {
     trace.acceleration_m_s2 = file->read_doubles("/trace/acceleration_m_s2");
     for (const std::string& name : signal_names(*file)) trace.signals.push_back(read_signal(*file, name));
     trace.events = read_events(*file);
+    require_whole(trace);
     return trace;
   } catch (const std::exception& failure) {
     return damaged(path, failure.what());

@@ -22,20 +22,20 @@ for script in $(bash_scripts); do
   [[ -x "$script" ]] || fail "$script is not executable"
   grep -q '^set -euo pipefail$' "$script" || fail "$script does not stop at errors"
 done
-for script in setup build run test format; do
+for script in setup build run test format fuzz coverage; do
   [[ "$(scripts/$script --help)" == usage:\ scripts/$script* ]] || fail "scripts/$script --help does not explain it"
 done
 [[ "$(report/build --help)" == usage:\ report/build* ]] || fail "report/build --help does not explain it"
 [[ "$(scripts/setup --tests --list)" == *chromium* && "$(scripts/setup --list)" != *chromium* ]] ||
   fail "scripts/setup --tests, and only that, names the browser"
-for script in setup build format; do
+for script in setup build format fuzz; do
   status=0
   scripts/$script --no-such-option >/dev/null 2>&1 || status=$?
   ((status == 2)) || fail "scripts/$script --no-such-option gave exit status $status, not 2"
 done
 
 # setup names each package once, and `--check` and dpkg agree.
-[[ -z "$(scripts/setup --list | sort | uniq -d)" ]] || fail "scripts/setup --list names a package twice"
+[[ -z "$(scripts/setup --fuzz --coverage --list | sort | uniq -d)" ]] || fail "scripts/setup --list names a package twice"
 if command -v dpkg-query >/dev/null; then
   missing=$(scripts/setup --check) && status=0 || status=$?
   if ((status == 0)); then

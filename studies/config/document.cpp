@@ -20,6 +20,8 @@ namespace unbruised::studies {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
+/// Dots of one key: each opens a table inside the last, and 100,000 of them exhaust the stack. Ours have three at most.
+constexpr int kMaxKeyDots = 16;
 
 /// Length of the UTF-8 sequence that starts at `at`; 0 when it is none (RFC 3629: no overlong forms, no
 /// surrogates).
@@ -55,6 +57,7 @@ std::optional<Complaint> guard(std::string_view text) {
   enum class Place { bare, comment, basic, literal, basic_block, literal_block };
   Place place = Place::bare;
   int line = 1;
+  int dots = 0;
   const auto triple = [&](std::size_t at, char quote) {
     return at + 2 < text.size() && text[at] == quote && text[at + 1] == quote && text[at + 2] == quote;
   };
@@ -67,6 +70,10 @@ std::optional<Complaint> guard(std::string_view text) {
     if (length > 1 && place == Place::bare) {
       return Complaint{line, "the character '" + std::string(text.substr(at, length)) +
                                  "' may stand only in comments and quoted strings"};
+    }
+    if (place == Place::bare) {
+      if (c == '.' && ++dots > kMaxKeyDots) return Complaint{line, "a key of more than 17 parts"};
+      if (c == '=' || c == ',' || c == '[' || c == '{' || c == '\n') dots = 0;
     }
     std::size_t step = length;
     if (c == '\n') {

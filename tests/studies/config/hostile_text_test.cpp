@@ -107,6 +107,7 @@ TEST(HostileText, NestingIsLimited) {
 }
 
 TEST(HostileText, DottedKeysCannotExhaustTheStack) {
+  expect_refused("a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r = 1\n", 1, "a key of more than 17 parts");
   std::string key = "a";
   for (int i = 0; i < 100'000; ++i) key += ".a";
   EXPECT_FALSE(errors_of(key + " = 1\n").empty());

@@ -425,28 +425,28 @@ function outcomeBar(study) {
   );
 }
 
-function banners(study) {
-  const found = [];
+function incomplete(study) {
   const { counts, rows } = study.scenarios;
-  if (!study.complete) {
-    const run = rows - (counts.not_run ?? 0);
-    const of = study.kind === "window" ? "" : ` of ${thousands(study.wanted ?? rows)}`;
-    const again = study.replay_command.replace(/ --scenario$/, "");
-    found.push(
-      h(
-        "div",
-        { class: "banner", role: "note" },
-        h("p", {}, h("b", {}, "This study is not complete. "), `${thousands(run)}${of} scenarios have run; what stands here is what is known so far.`),
-        again ? h("p", { class: "soft" }, "The same command continues it:") : null,
-        again ? command(again) : null,
-      ),
-    );
-  }
-  const lost = [["diverged", "diverged: a number stopped being finite or a solve did not converge"], ["out_of_range", "left the range of strains and rotations in which the model holds"]]
+  if (study.complete) return null;
+  const run = rows - (counts.not_run ?? 0);
+  const of = study.kind === "window" ? "" : ` of ${thousands(study.wanted ?? rows)}`;
+  const again = study.replay_command.replace(/ --scenario$/, "");
+  return h(
+    "div",
+    { class: "banner", role: "note" },
+    h("p", {}, h("b", {}, "This study is not complete. "), `${thousands(run)}${of} scenarios have run; what stands here is what is known so far.`),
+    again ? h("p", { class: "soft" }, "The same command continues it:") : null,
+    again ? command(again) : null,
+  );
+}
+
+/** Scenarios whose numbers cannot be believed. */
+function lost(study) {
+  const { counts } = study.scenarios;
+  const words = [["diverged", "diverged: a number stopped being finite or a solve did not converge"], ["out_of_range", "left the range of strains and rotations in which the model holds"]]
     .filter(([word]) => counts[word])
     .map(([word, text]) => `${plural(counts[word], "scenario")} ${text}`);
-  if (lost.length) found.push(h("p", { class: "remark" }, `${lost.join("; ")}. Such scenarios count neither as held nor as safe.`));
-  return found;
+  return words.length ? h("p", { class: "remark" }, `${words.join("; ")}. Such scenarios count neither as held nor as safe.`) : null;
 }
 
 export function answer(study) {
@@ -456,7 +456,7 @@ export function answer(study) {
   return h(
     "section",
     { class: "answer", id: "answer", "aria-labelledby": "answer-title" },
-    banners(study),
+    incomplete(study),
     h("p", { class: "kicker" }, kicker),
     typeof headline === "string"
       ? h("h1", { id: "answer-title", class: long ? "long" : null }, headline, unit ? h("small", {}, ` ${unit}`) : null)
@@ -466,5 +466,6 @@ export function answer(study) {
     extra,
     known.length ? h("dl", { class: "facts" }, known) : null,
     outcomeBar(study),
+    lost(study),
   );
 }

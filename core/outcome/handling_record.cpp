@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace unbruised {
 namespace {
@@ -10,6 +12,20 @@ namespace {
 constexpr double kLeastTangentialShare = 1e-6;
 
 double norm(const std::array<double, 3>& x) { return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
+
+/// Numbers that overflow while the motion itself is finite: a squared speed of 1e200 m/s. None of them may look
+/// like a measurement; NaN is "does not exist".
+void refuse_infinite_metrics(ScenarioResult& result, double end_time_s) {
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    double& value = result.metrics.values()[i];
+    if (!std::isinf(value)) continue;
+    value = std::numeric_limits<double>::quiet_NaN();
+    if (result.outcome == Outcome::diverged) continue;
+    result.outcome = Outcome::diverged;
+    result.cause = std::string(kMetricTable[i].name) + " is not finite";
+    result.outcome_time_s = end_time_s;
+  }
+}
 
 }  // namespace
 
@@ -186,6 +202,7 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   } else {
     result.outcome = Outcome::held;
   }
+  refuse_infinite_metrics(result, end_time_s);
   return result;
 }
 

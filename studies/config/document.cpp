@@ -20,7 +20,8 @@ namespace unbruised::studies {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
-/// Dots of one key: each opens a table inside the last, and 100,000 of them exhaust the stack. Ours have three at most.
+/// Dots of one key: each opens a table inside the last, and 100,000 of them exhaust the stack. Ours have three at
+/// most.
 constexpr int kMaxKeyDots = 16;
 
 /// Length of the UTF-8 sequence that starts at `at`; 0 when it is none (RFC 3629: no overlong forms, no

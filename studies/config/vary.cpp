@@ -15,6 +15,7 @@ struct RawBlock {
   VaryBlock block;
   Document variants;  ///< paths "variant[j]. ..."
   std::vector<std::string> given;
+  bool refused = false;  ///< a value was refused at its own line
 
   [[nodiscard]] bool has(std::string_view key) const {
     return std::find(given.begin(), given.end(), key) != given.end();
@@ -34,11 +35,12 @@ void read_block_entry(RawBlock& raw, const Entry& entry, std::size_t prefix, Pro
     problems.add(entry.origin, entry.path, spelled(entry.value), unknown_key_rule(entry.path));
     return;
   }
+  raw.given.push_back(local);
   if (const auto rule = check_value(*address.spec, entry.value, address.elements.size())) {
     problems.add(entry.origin, entry.path, spelled(entry.value), *rule);
+    raw.refused = true;
     return;
   }
-  raw.given.push_back(local);
   if (address.spec->vary_field != nullptr) {
     assign(*address.spec, address.spec->vary_field(raw.block), entry.value, {});
   } else {
@@ -74,10 +76,11 @@ struct Planner {
     if (!raw.has("key")) return complain(".key", "missing");
     const bool range = raw.has("from") || raw.has("to") || raw.has("count") || raw.has("scale");
     if (raw.has("values") && range) return complain(".values", "excludes from, to, count and scale");
-    if (raw.has("values")) return true;
-    if (!raw.block.from || !raw.block.to || raw.block.count == 0) {
+    if (!raw.has("values") && !(raw.has("from") && raw.has("to") && raw.has("count"))) {
       return complain("", "needs from, to and count, or values");
     }
+    if (raw.refused) return false;
+    if (raw.has("values")) return true;
     if (raw.block.scale == VaryScale::log && (*raw.block.from <= 0.0 || *raw.block.to <= 0.0)) {
       return complain(".scale", "\"log\" needs from > 0 and to > 0");
     }

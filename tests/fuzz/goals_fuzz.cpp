@@ -1,4 +1,5 @@
-// Objectives, constraints and metric names as they stand in a config. The first byte chooses the context and what is read.
+// Objectives, constraints and metric names as they stand in a config. The first byte chooses the context and what
+// is read.
 
 #include <array>
 #include <cmath>

@@ -43,8 +43,11 @@ class Damage:
         kind, finished, template = dice.choice(self.templates)
         directory = self.folder / f"trial_{seed}"
         shutil.copytree(template, directory)
-        path = dice.choice([directory / "results.h5", directory / "results.h5", trials.journals(directory)[0],
-                            trials.journals(directory)[0], directory / "results.h5.sha256", directory / "config.toml"])
+        journal = trials.journals(directory)[0]
+        choices = [journal, journal, directory / "config.toml"]
+        if (directory / "results.h5").exists():  # a study of one scenario has none before its end
+            choices += [directory / "results.h5", directory / "results.h5", directory / "results.h5.sha256"]
+        path = dice.choice(choices)
         data = bytearray(path.read_bytes())
         if dice.random() < 0.35:
             del data[dice.randrange(len(data)):]

@@ -120,7 +120,7 @@ TEST(HostileText, CountsAreLimited) {
   };
   const std::string sweep = gripped_block("sweep");
   for (const std::string count : {"10000001", "9223372036854775807", "1e300", "-1", "0"}) {
-    expect_refused(sweep + vary("strategy.grip_force_N", count), 14, "must be >= 1, <= 10000000");
+    expect_refused(sweep + vary("strategy.grip_force_N", count), 14, "must be >= 1, <= 1e7");
   }
   expect_refused(sweep + vary("strategy.grip_force_N", "10000") + vary("strategy.hold_s", "1001"), 10,
                  "more than 10,000,000 scenarios");

@@ -21,17 +21,17 @@ ResultsError system_error(std::string_view action, const fs::path& path, int err
           {}};
 }
 
-namespace {
-
-MaybeError sync_path(const fs::path& path, int flags) {
-  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
-  if (descriptor < 0) return system_error("open", path, errno);
+MaybeError sync_directory(const fs::path& directory) {
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return system_error("open", directory, errno);
   const int outcome = ::fsync(descriptor);
   const int reason = errno;
   ::close(descriptor);
-  if (outcome != 0) return system_error("sync", path, reason);
+  if (outcome != 0) return system_error("sync", directory, reason);
   return {};
 }
+
+namespace {
 
 MaybeError write_all(int descriptor, std::string_view text, const fs::path& path) {
   while (!text.empty()) {
@@ -43,32 +43,24 @@ MaybeError write_all(int descriptor, std::string_view text, const fs::path& path
   return {};
 }
 
-}  // namespace
-
-MaybeError sync_directory(const fs::path& directory) { return sync_path(directory, O_RDONLY | O_DIRECTORY); }
-
-MaybeError sync_file(const fs::path& path) { return sync_path(path, O_RDONLY); }
-
-fs::path temporary_name(const fs::path& path) {
-  fs::path name = path;
-  name += ".tmp";
-  return name;
-}
-
-MaybeError publish_temporary(const fs::path& path) {
-  const fs::path temporary = temporary_name(path);
+MaybeError publish(const fs::path& temporary, const fs::path& path) {
   if (::rename(temporary.c_str(), path.c_str()) != 0) return system_error("rename", temporary, errno);
   return sync_directory(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
+}  // namespace
+
 MaybeError write_text_file(const fs::path& path, std::string_view text) {
-  const fs::path temporary = temporary_name(path);
+  fs::path temporary = path;
+  temporary += ".tmp";
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return system_error("create", temporary, errno);
   MaybeError error = write_all(descriptor, text, temporary);
   if (!error && ::fsync(descriptor) != 0) error = system_error("sync", temporary, errno);
   if (::close(descriptor) != 0 && !error) error = system_error("close", temporary, errno);
-  return error ? error : publish_temporary(path);
+  if (!error) error = publish(temporary, path);
+  if (error) ::unlink(temporary.c_str());  // what is unfinished is of no use, and takes room
+  return error;
 }
 
 Expected<std::string> read_text_file(const fs::path& path) {

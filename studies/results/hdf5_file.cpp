@@ -13,6 +13,8 @@ namespace unbruised::studies {
 
 namespace {
 
+/// What a file in memory grows by.
+constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
 constexpr std::uint64_t kChunkBytes = 128 * 1024;
 // A damaged extent must not be believed into an allocation: more than any study or trace of ours.
 constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 34;
@@ -113,6 +115,8 @@ void Hdf5File::check(herr_t status, const char* action, const std::string& objec
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
+  const bool has_backing_store = false;
+  H5Pset_fapl_core(access.id(), kImageGrowth, has_backing_store);
   Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
   if (!file.valid()) throw Hdf5Failure(joined({"cannot create ", path.string(), ": ", hdf5_reason()}));
   return {path, std::move(file)};
@@ -124,9 +128,13 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   return {path, std::move(file)};
 }
 
-void Hdf5File::close() {
+std::string Hdf5File::image() const {
   check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush", "/");
-  check(file_.reset(), "close", "/");
+  const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);
+  if (size < 0) throw failure("measure", "/");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file_.id(), bytes.data(), bytes.size()) != size) throw failure("take the bytes of", "/");
+  return bytes;
 }
 
 void Hdf5File::make_group(const std::string& name) {

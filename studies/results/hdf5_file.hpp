@@ -58,12 +58,14 @@ using Hdf5Extents = std::vector<std::uint64_t>;
 /// chunked; numbers are little endian with fletcher32, texts variable-length UTF-8 (without: HDF5 cannot).
 class Hdf5File {
  public:
-  /// A new file of the earliest format, truncating what is there.
+  /// A new file of the earliest format, in memory alone: HDF5 does not tell every write error (one of a chunk that
+  /// is flushed at H5Dclose is lost), so it writes to no disk.
+  /// @param path for messages
   static Hdf5File create(const std::filesystem::path& path);
   /// An existing file, read-only.
   static Hdf5File open(const std::filesystem::path& path);
-  /// Flushes and closes; throws when either fails.
-  void close();
+  /// The bytes of a file made by `create`, as they belong on the disk.
+  [[nodiscard]] std::string image() const;
 
   void make_group(const std::string& name);
   void write(const std::string& name, std::span<const double> values, const Hdf5Extents& extents);

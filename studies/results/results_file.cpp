@@ -364,13 +364,6 @@ void write_content(Hdf5File& file, const ResultsContent& content) {
   write_events(file, content.trace->events);
 }
 
-// The error, with the file that it left unfinished removed.
-ResultsError without(const fs::path& unfinished, ResultsError error) {
-  std::error_code ignored;
-  fs::remove(unfinished, ignored);
-  return error;
-}
-
 ResultsContent sorted_by_id(const ResultsContent& content) {
   ResultsContent sorted = content;
   std::stable_sort(sorted.rows.begin(), sorted.rows.end(),
@@ -380,19 +373,20 @@ ResultsContent sorted_by_id(const ResultsContent& content) {
 
 }  // namespace
 
-MaybeError write_results_file(const fs::path& path, const ResultsContent& content) {
+Expected<std::string> results_image(const fs::path& path, const ResultsContent& content) {
   const Hdf5Silence silence;
-  const fs::path temporary = temporary_name(path);
   try {
-    Hdf5File file = Hdf5File::create(temporary);
+    Hdf5File file = Hdf5File::create(path);
     write_content(file, sorted_by_id(content));
-    file.close();
+    return file.image();
   } catch (const std::exception& failure) {
-    return without(temporary, {ResultsErrorKind::io, failure.what(), {}});
+    return ResultsError{ResultsErrorKind::io, failure.what(), {}};
   }
-  if (auto error = sync_file(temporary)) return without(temporary, *error);
-  if (auto error = publish_temporary(path)) return without(temporary, *error);
-  return {};
+}
+
+MaybeError write_results_file(const fs::path& path, const ResultsContent& content) {
+  const auto image = results_image(path, content);
+  return image ? write_text_file(path, *image) : image.error();
 }
 
 std::string ResultsSummary::digest() const { return digest_text(digest_of_digests(digests)); }

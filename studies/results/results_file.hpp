@@ -18,8 +18,11 @@ namespace unbruised::studies {
 /// Root attribute format_version of files this program writes.
 inline constexpr int kResultsFormatVersion = 1;
 
-/// Writes `path` atomically: `<path>.tmp`, flushed, fsync, renamed, directory fsync. Replaces an existing
-/// file; a failure leaves that one untouched. Errors: io.
+/// The bytes of a results file. Errors: io, with `path` in the sentence.
+Expected<std::string> results_image(const std::filesystem::path& path, const ResultsContent& content);
+
+/// Writes them to `path` atomically and durably. Replaces an existing file; a failure leaves that one untouched.
+/// Errors: io.
 MaybeError write_results_file(const std::filesystem::path& path, const ResultsContent& content);
 
 /// What a results file says, without traces.

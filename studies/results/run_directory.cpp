@@ -371,12 +371,12 @@ MaybeError RunDirectory::finish(ResultsContent content) {
 }
 
 MaybeError RunDirectory::write_results(const ResultsContent& content) {
+  const auto image = results_image(results_path(), content);
+  if (!image) return image.error();
   std::error_code ignored;
   fs::remove(hash_path(results_path()), ignored);
-  if (auto error = write_results_file(results_path(), content)) return error;
-  const auto bytes = read_text_file(results_path());
-  if (!bytes) return bytes.error();
-  return write_text_file(hash_path(results_path()), hash_line(*bytes));
+  if (auto error = write_text_file(results_path(), *image)) return error;
+  return write_text_file(hash_path(results_path()), hash_line(*image));
 }
 
 }  // namespace unbruised::studies

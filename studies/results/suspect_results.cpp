@@ -349,7 +349,10 @@ Expected<std::string> in_child_process(const fs::path& path, const std::function
   if (::pipe2(ends, O_CLOEXEC) != 0) return system_error("start a process to read", path, errno);
   const pid_t child = ::fork();
   const int reason = errno;
-  if (child == 0) answer_and_end(ends[1], body);
+  if (child == 0) {
+    ::close(ends[0]);  // else a child whose parent was killed would wait for a reader for ever
+    answer_and_end(ends[1], body);
+  }
   ::close(ends[1]);
   if (child < 0) {
     ::close(ends[0]);

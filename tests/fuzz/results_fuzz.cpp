@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -201,7 +202,7 @@ void forge_file(const fs::path& path, std::string_view input) {
   forge_window(forge, 2);
   forge_table(forge, file, 1);
   forge_trace(forge, 3);
-  file.close();
+  std::ofstream(path, std::ios::binary) << file.image();
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class Damage:
         shutil.copytree(directory, half)
         journal = trials.journals(half)[0]
         data = journal.read_bytes()
-        journal.write_bytes(data[:trials.boundary(data, len(trials.scenarios(data)) // 2)])
+        journal.write_bytes(data[:trials.boundary(data, max(1, len(trials.scenarios(data)) // 2))])
         for path in half.glob("results.h5*"):
             path.unlink()
         self.program.call("info", half)  # writes an unfinished results.h5

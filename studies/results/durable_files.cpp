@@ -21,15 +21,25 @@ ResultsError system_error(std::string_view action, const fs::path& path, int err
           {}};
 }
 
-MaybeError sync_directory(const fs::path& directory) {
-  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return system_error("open", directory, errno);
-  const int outcome = ::fsync(descriptor);
+namespace {
+
+MaybeError sync_path(const fs::path& path, int flags, int (*sync)(int)) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (descriptor < 0) return system_error("open", path, errno);
+  const int outcome = sync(descriptor);
   const int reason = errno;
   ::close(descriptor);
-  if (outcome != 0) return system_error("sync", directory, reason);
+  if (outcome != 0) return system_error("sync", path, reason);
   return {};
 }
+
+}  // namespace
+
+MaybeError sync_directory(const fs::path& directory) {
+  return sync_path(directory, O_RDONLY | O_DIRECTORY, ::fsync);
+}
+
+MaybeError sync_file(const fs::path& path) { return sync_path(path, O_RDONLY, ::fdatasync); }
 
 namespace {
 

@@ -17,6 +17,9 @@ ResultsError system_error(std::string_view action, const std::filesystem::path& 
 /// Makes names created in or renamed into `directory` durable.
 MaybeError sync_directory(const std::filesystem::path& directory);
 
+/// Makes the contents of `path` durable.
+MaybeError sync_file(const std::filesystem::path& path);
+
 /// Writes `text` to `path` atomically and durably: to `<path>.tmp`, synced, renamed, the directory synced. A
 /// failure leaves an old `path` untouched and no temporary file.
 MaybeError write_text_file(const std::filesystem::path& path, std::string_view text);

@@ -217,6 +217,8 @@ MaybeError RunDirectory::refuse_other_build() const {
 MaybeError RunDirectory::recover_journals() {
   const auto files = journal_files(directory_);
   for (const fs::path& file : files) {
+    // What a killed process wrote may stand in the page cache alone; results.h5 must not outlive it.
+    if (auto error = sync_file(file)) return error;
     const auto scan = scan_journal(file, config_hash_prefix(config_sha256_));
     if (!scan) return scan.error();
     recover_journal(file, *scan);

@@ -10,7 +10,7 @@ import shutil
 import trials
 
 STUDY = str(trials.HERE / "studies/sweep.toml")
-FAULTS = ["kill", "torn", "full", "eio"]
+FAULTS = ["kill", "torn", "full", "eio", "denied"]
 
 
 class Path:
@@ -80,7 +80,7 @@ class FaultPoints:
 
     def judge_fault(self, name, kind, answer):
         self.figures.expect(not answer.crashed, f"{name}: crashed: {answer.status} {answer.err}")
-        if kind in ("full", "eio"):
+        if kind in ("full", "eio", "denied"):
             # 0: the call did not matter, as that of a line in the log; info goes without compaction.
             self.figures.expect(answer.status in (0, 5), f"{name}: status {answer.status}: {answer.err}")
             self.figures.expect(answer.status == 0 or str(self.folder) in answer.err, f"{name}: no path: {answer.err}")
@@ -117,7 +117,7 @@ def main():
     figures.finish(
         f"fault points: {len(items)} ({figures['calls of run']} calls of a run, {figures['calls of compaction']} of a "
         f"compaction, {figures['calls of resume']} of a resume; kill {figures['kill']}, torn {figures['torn']}, disk full "
-        f"{figures['full']}, I/O error {figures['eio']}): {figures['acknowledged']} acknowledged scenarios, "
+        f"{figures['full']}, I/O error {figures['eio']}, denied {figures['denied']}): {figures['acknowledged']} acknowledged scenarios, "
         f"{figures['lost']} lost, {figures['changed digests']} changed digests")
 
 

@@ -9,43 +9,45 @@ import shutil
 
 import trials
 
-STUDY = str(trials.HERE / "studies/sweep.toml")
-FAULTS = ["kill", "torn", "full", "eio", "denied"]
+FAULTS = ["kill", "torn", "full", "quota", "eio", "denied"]
 
 
 class Path:
-    """One of the ways into a run directory."""
+    """One of the ways into a run directory, and the run that a resume makes of it."""
 
-    def __init__(self, name, words, template):
+    def __init__(self, name, words, template, run_words, digest):
         self.name, self.words, self.template = name, words, template
+        self.run_words, self.digest = run_words, digest
 
     def prepare(self, directory):
         if self.template:
             shutil.copytree(self.template, directory)
 
-    def command(self, directory):
-        return [directory if word == "DIR" else word for word in self.words]
-
 
 class FaultPoints:
     def __init__(self, program, folder, figures):
         self.program, self.folder, self.figures = program, folder, figures
-        self.run_words = ["run", STUDY, "--output", "DIR", "--threads", "1", "--quiet"]
-        whole = folder / "whole"
-        answer = self.call(self.run_words, whole)
+        run, digest = self.reference("sweep")
+        search, search_digest = self.reference("optimize")
+        self.paths = [Path("run", run, None, run, digest),
+                      Path("compaction", ["info", "DIR"], self.half_done("sweep", "half", 40), run, digest),
+                      Path("resume", run, self.half_done("sweep", "resumed", 20), run, digest),
+                      Path("search", search, None, search, search_digest)]
+
+    def reference(self, kind):
+        """The words that run the small study of a kind, and the digest of an undisturbed run."""
+        words = ["run", *trials.words_of(kind), "--output", "DIR", "--threads", "1", "--quiet"]
+        answer = self.call(words, self.folder / kind)
         assert answer.status == 0, answer.err
-        self.digest = answer.digest
-        self.paths = [Path("run", self.run_words, None),
-                      Path("compaction", ["info", "DIR"], self.half_done(whole, "half", 40)),
-                      Path("resume", self.run_words, self.half_done(whole, "resumed", 20))]
+        return words, answer.digest
 
     def call(self, words, directory, **how):
         return self.program.call(*[directory if word == "DIR" else word for word in words], **how)
 
-    def half_done(self, whole, name, rows):
+    def half_done(self, kind, name, rows):
         """A directory as a kill leaves it: a journal of so many scenarios, no results."""
         directory = self.folder / name
-        shutil.copytree(whole, directory)
+        shutil.copytree(self.folder / kind, directory)
         for path in directory.glob("results.h5*"):
             path.unlink()
         journal = trials.journals(directory)[0]
@@ -74,30 +76,30 @@ class FaultPoints:
         lost = [number for number, row in kept.items() if trials.recorded(directory).get(number) != row]
         self.figures.add("lost", len(lost))
         self.figures.expect(not lost, f"{name}: lost {lost}")
-        self.judge_afterwards(name, directory, len(kept))
+        self.judge_afterwards(name, path, directory, len(kept))
         shutil.rmtree(directory, ignore_errors=True)
         log.unlink(missing_ok=True)
 
     def judge_fault(self, name, kind, answer):
         self.figures.expect(not answer.crashed, f"{name}: crashed: {answer.status} {answer.err}")
-        if kind in ("full", "eio", "denied"):
+        if kind in ("full", "quota", "eio", "denied"):
             # 0: the call did not matter, as that of a line in the log; info goes without compaction.
             self.figures.expect(answer.status in (0, 5), f"{name}: status {answer.status}: {answer.err}")
             self.figures.expect(answer.status == 0 or str(self.folder) in answer.err, f"{name}: no path: {answer.err}")
 
-    def judge_afterwards(self, name, directory, kept):
+    def judge_afterwards(self, name, path, directory, kept):
         for command in ("info", "verify"):
             answer = self.program.call(command, directory)
             allowed = (0,) if kept else (0, 2)  # 2: killed before there was a run directory
             self.figures.expect(answer.status in allowed, f"{name}: {command}: {answer.status} {answer.err}")
-        answer = self.call(self.run_words, directory)
+        answer = self.call(path.run_words, directory)
         if answer.status == 2 and "finished" in answer.err:
             answer = self.program.call("info", directory)
         else:
             found = trials.found_scenarios(answer)
             self.figures.expect(found >= kept, f"{name}: resume found {found} of {kept}: {answer.err}")
         self.figures.expect(answer.status == 0, f"{name}: resume: {answer.status} {answer.err}")
-        if not self.figures.expect(answer.digest == self.digest, f"{name}: digest {answer.digest}"):
+        if not self.figures.expect(answer.digest == path.digest, f"{name}: digest {answer.digest}"):
             self.figures.add("changed digests")
 
 
@@ -114,11 +116,10 @@ def main():
             faults = ["kill", "full"] if options.quick else FAULTS
             items += [(path, kind, at) for kind in faults for at in chosen]
         trials.in_parallel(points.trial, items)
-    figures.finish(
-        f"fault points: {len(items)} ({figures['calls of run']} calls of a run, {figures['calls of compaction']} of a "
-        f"compaction, {figures['calls of resume']} of a resume; kill {figures['kill']}, torn {figures['torn']}, disk full "
-        f"{figures['full']}, I/O error {figures['eio']}, denied {figures['denied']}): {figures['acknowledged']} acknowledged scenarios, "
-        f"{figures['lost']} lost, {figures['changed digests']} changed digests")
+    calls = ", ".join(f"{figures[f'calls of {path.name}']} of a {path.name}" for path in points.paths)
+    kinds = ", ".join(f"{kind} {figures[kind]}" for kind in faults)
+    figures.finish(f"fault points: {len(items)} (calls: {calls}; faults: {kinds}): {figures['acknowledged']} acknowledged "
+                   f"scenarios, {figures['lost']} lost, {figures['changed digests']} changed digests")
 
 
 if __name__ == "__main__":

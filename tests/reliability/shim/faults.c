@@ -5,6 +5,7 @@
  *   UNBRUISED_FAULT_KIND    kill   kill -9 before the call
  *                           torn   half of the write, then kill -9; of other calls: the call, then kill -9
  *                           full   half of the write, then ENOSPC from there on
+ *                           quota  the same with EDQUOT
  *                           eio    EIO, once
  *                           denied EACCES from there on
  *   UNBRUISED_FAULT_LOG     gets a line "ack <size> <path>" after each fdatasync of a journal (so many bytes of it are
@@ -75,10 +76,9 @@ static enum Fate fate(void) {
   } else if (number == fault_at) {
     if (strcmp(kind, "kill") == 0) die();
     if (strcmp(kind, "torn") == 0) result = kTorn;
-    if (strcmp(kind, "full") == 0) {
-      failing = ENOSPC;
-      result = kHalf;
-    }
+    if (strcmp(kind, "full") == 0) failing = ENOSPC;
+    if (strcmp(kind, "quota") == 0) failing = EDQUOT;
+    if (failing != 0) result = kHalf;
     if (strcmp(kind, "denied") == 0) {
       errno = failing = EACCES;
       result = kFails;
@@ -96,7 +96,7 @@ static enum Fate fate(void) {
 static enum Fate fate_of_name(void) {
   enum Fate result = fate();
   if (result == kHalf) {
-    errno = ENOSPC;
+    errno = failing;
     return kFails;
   }
   return result;
@@ -152,7 +152,7 @@ static ssize_t write_any(int file, const void *bytes, size_t size, off_t at) {
   }
   if (end == kTorn) die();
   if (end == kHalf && written == 0) {
-    errno = ENOSPC;
+    errno = failing;
     return -1;
   }
   return written;
@@ -174,7 +174,7 @@ ssize_t pwrite64(int file, const void *bytes, size_t size, off_t at) { return wr
 
 static enum Fate fate_of_cut(void) {
   enum Fate result = fate();
-  if (result == kHalf || (result == kFails && errno == ENOSPC)) return kWorks;
+  if (result == kHalf || (result == kFails && (errno == ENOSPC || errno == EDQUOT))) return kWorks;
   return result;
 }
 

@@ -76,7 +76,10 @@ TEST_P(ShippedKind, EndsWithTheSameDigestAfterAnInterruption) {
     ++interruptions;
     if (!std::filesystem::exists(folder_ / "pieces" / "results.h5")) continue;
     EXPECT_EQ(call("verify pieces").status, 0);
-    EXPECT_NE(call("info pieces").out.find("not complete"), std::string::npos);
+    const std::string info = call("info pieces").out;
+    if (info.find("not complete") != std::string::npos) continue;
+    // `timeout` signals twice, so the program may end at once while it makes the report of a finished study.
+    digest = line_after(info, "digest ");
   }
   EXPECT_EQ(digest, whole);
   EXPECT_GT(interruptions, 0);

@@ -160,11 +160,13 @@ void Hdf5File::write_raw(const std::string& name, hid_t file_type, hid_t memory_
   if (fill != nullptr) check(H5Pset_fill_value(creation.id(), memory_type, fill), "set the fill value of", name);
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.id(), 1);
-  const Hdf5Handle set =
+  Hdf5Handle set =
       require(H5Dcreate2(file_.id(), name.c_str(), file_type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
               H5Dclose, "create", name);
-  if (element_count(extents) == 0) return;
-  check(H5Dwrite(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
+  if (element_count(extents) > 0) {
+    check(H5Dwrite(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
+  }
+  check(set.reset(), "close", name);
 }
 
 void Hdf5File::write(const std::string& name, std::span<const double> values, const Hdf5Extents& extents) {
@@ -209,10 +211,11 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
   const Hdf5Handle owner = require(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), H5Oclose, "open", object);
   const hsize_t extent = length.value_or(1);
   const Hdf5Handle space(length ? H5Screate_simple(1, &extent, nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle attribute_handle =
+  Hdf5Handle attribute_handle =
       require(H5Acreate2(owner.id(), name.c_str(), file_type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
               "add an attribute to", object);
   check(H5Awrite(attribute_handle.id(), memory_type, values), "write an attribute of", object);
+  check(attribute_handle.reset(), "close an attribute of", object);
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const std::string& text) {

@@ -32,6 +32,7 @@ class Hdf5Handle {
   ~Hdf5Handle() { reset(); }
   [[nodiscard]] hid_t id() const { return id_; }
   [[nodiscard]] bool valid() const { return id_ >= 0; }
+  /// Closes it; a negative status where that failed, which for what was written means that it may not be there.
   herr_t reset();
 
  private:
@@ -58,8 +59,8 @@ using Hdf5Extents = std::vector<std::uint64_t>;
 /// chunked; numbers are little endian with fletcher32, texts variable-length UTF-8 (without: HDF5 cannot).
 class Hdf5File {
  public:
-  /// A new file of the earliest format, in memory alone: HDF5 does not tell every write error (one of a chunk that
-  /// is flushed at H5Dclose is lost), so it writes to no disk.
+  /// A new file of the earliest format, in memory alone: HDF5 writes much of a file whenever it likes, also while
+  /// objects are closed, where an error of the disk is easily missed.
   /// @param path for messages
   static Hdf5File create(const std::filesystem::path& path);
   /// An existing file, read-only.

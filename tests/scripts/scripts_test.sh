@@ -35,7 +35,7 @@ for script in setup build format fuzz; do
 done
 
 # setup names each package once, and `--check` and dpkg agree.
-[[ -z "$(scripts/setup --fuzz --coverage --list | sort | uniq -d)" ]] || fail "scripts/setup --list names a package twice"
+[[ -z "$(scripts/setup --clang --coverage --list | sort | uniq -d)" ]] || fail "scripts/setup --list names a package twice"
 if command -v dpkg-query >/dev/null; then
   missing=$(scripts/setup --check) && status=0 || status=$?
   if ((status == 0)); then

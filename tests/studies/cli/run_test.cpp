@@ -179,7 +179,7 @@ TEST_F(RunProgram, SaysThatNobodyCouldReadWhatItPrinted) {
 }
 
 TEST_F(RunProgram, RefusesAProductThatDoesNotFitIntoMemory) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef UNBRUISED_SANITIZER
   GTEST_SKIP() << "sanitizers need more address space than this test leaves";
 #endif
   const std::string study = quoted(UNBRUISED_SOURCE_DIR "/configs/kiwi_sweep.toml");

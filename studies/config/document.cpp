@@ -52,11 +52,63 @@ struct Complaint {
   std::string text;
 };
 
+/// Where in the grammar a bare character stands: in a key, before a value or in one. toml++ looks for the end of a
+/// value that is no string with a function whose behaviour is undefined for most letters beyond ASCII, and takes
+/// quotes in it for letters.
+class Grammar {
+ public:
+  void take(char c) {
+    switch (c) {
+      case ' ':
+      case '\t':
+      case '\r':
+        return;
+      case '\n':
+        if (open_.empty()) in_value_ = false;
+        return;
+      case ',':
+        in_value_ = !open_.empty() && open_.back() == '[';
+        begun_ = false;
+        return;
+      case '=':
+        begun_ = in_value_;
+        in_value_ = true;
+        return;
+      case '[':
+      case '{':
+        if (!in_value_ || begun_) return;
+        open_.push_back(c);
+        in_value_ = c == '[';
+        return;
+      case ']':
+      case '}':
+        if (open_.empty()) return;
+        open_.pop_back();
+        in_value_ = begun_ = true;
+        return;
+      default:
+        begun_ = in_value_;
+    }
+  }
+  /// At a quote: false inside a value that has begun.
+  bool opens_string() {
+    if (in_value_ && begun_) return false;
+    begun_ = in_value_;
+    return true;
+  }
+
+ private:
+  std::string open_;       // brackets of values
+  bool in_value_ = false;  // after `=`, or in an array
+  bool begun_ = false;     // the value has a first character
+};
+
 /// Walks over the text once, knowing what is a string and what a comment.
 std::optional<Complaint> guard(std::string_view text) {
   if (text.size() > kMaxBytes) return Complaint{1, "the file is larger than 4 MiB"};
   enum class Place { bare, comment, basic, literal, basic_block, literal_block };
   Place place = Place::bare;
+  Grammar grammar;
   int line = 1;
   int dots = 0;
   const auto triple = [&](std::size_t at, char quote) {
@@ -79,14 +131,21 @@ std::optional<Complaint> guard(std::string_view text) {
     std::size_t step = length;
     if (c == '\n') {
       ++line;
-      if (place != Place::basic_block && place != Place::literal_block) place = Place::bare;
+      if (place != Place::basic_block && place != Place::literal_block) {
+        place = Place::bare;
+        grammar.take(c);
+      }
     } else if (place == Place::bare && c == '#') {
       place = Place::comment;
-    } else if (place == Place::bare && (c == '"' || c == '\'')) {
-      const bool block = triple(at, c);
-      if (c == '"') place = block ? Place::basic_block : Place::basic;
-      if (c == '\'') place = block ? Place::literal_block : Place::literal;
-      if (block) step = 3;
+    } else if (place == Place::bare && c != '"' && c != '\'') {
+      grammar.take(c);
+    } else if (place == Place::bare) {
+      if (grammar.opens_string()) {
+        const bool block = triple(at, c);
+        if (c == '"') place = block ? Place::basic_block : Place::basic;
+        if (c == '\'') place = block ? Place::literal_block : Place::literal;
+        if (block) step = 3;
+      }
     } else if ((place == Place::basic || place == Place::basic_block) && c == '\\') {
       if (at + 1 < text.size() && text[at + 1] != '\n' && static_cast<unsigned char>(text[at + 1]) < 0x80U)
         step = 2;

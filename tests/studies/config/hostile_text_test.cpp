@@ -81,6 +81,25 @@ TEST(HostileText, CharactersOutsideAsciiAreRefusedWhereTheParserIsUndefinedOnThe
   }
 }
 
+TEST(HostileText, AQuoteInsideAValueOpensNoString) {
+  // The first of these was found by fuzzing: toml++ looks for the end of `0.a'Þ`, and `Þ` is no string's to it.
+  for (const std::string value :
+       {"0.a'Þ (1(", "1\"Þ\"", "1='Þ'", "1['Þ']", "1{'Þ'}", "'x''Þ'", "[1'Þ']", "[1['Þ']]", "{b = 1'Þ'}",
+        "{b = 1{'Þ'}}", "[[1], 1'Þ']", "[1] 'Þ'", "1979-05-27 0'Þ'", "{b = [1], c = 1'Þ'}"}) {
+    expect_refused("# a study\na = " + value + "\n", 2, "may stand only in comments and quoted strings");
+  }
+  for (const std::string line :
+       {"a='Þ'", "a = \"Þ\"", "a = ['Þ', \"Þ\"]", "a = [['Þ'], ['Þ']]", "a = [\n'Þ', # Þ\n'Þ'\n]",
+        "a = {b='Þ', c = [1, 'Þ'], d = 'Þ'}", "a = [{b = 1, c = 'Þ'}, {b = 'Þ'}]", "'Þ' = 1", "a.'Þ' = 1", "['Þ']",
+        "[['Þ']]", "a = \"\"\"\nÞ\"\"\"", "a = '''\nÞ'''", "a = 1\n'Þ' = 2", "a = [1]\n'Þ' = 2",
+        "a = {'Þ' = 1}"}) {
+    for (const std::string& error : errors_of(line + "\n")) {
+      EXPECT_EQ(error.find("may stand only"), std::string::npos) << error;
+      EXPECT_EQ(error.find("not valid TOML"), std::string::npos) << error;
+    }
+  }
+}
+
 TEST(HostileText, BytesThatAreNotUtf8AreRefusedEverywhere) {
   for (const std::string bytes :
        {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80", "\xE2\x80",

@@ -21,6 +21,11 @@ check_cxx_compiler_flag(-mprefer-vector-width=512 UNBRUISED_HAS_VECTOR_WIDTH_FLA
 if(UNBRUISED_HAS_VECTOR_WIDTH_FLAG)
   target_compile_options(unbruised_options INTERFACE -mprefer-vector-width=512)
 endif()
+# clang makes nothing of masked assignments in the AVX-512 form of libstdc++ 12's <experimental/simd>.
+check_cxx_compiler_flag(-mno-avx512f UNBRUISED_HAS_AVX512_FLAG)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND UNBRUISED_HAS_AVX512_FLAG)
+  target_compile_options(unbruised_options INTERFACE -mno-avx512f)
+endif()
 if(UNBRUISED_SANITIZER)
   # -O2: the physics is too slow with less. The warnings that count are GCC's.
   target_compile_options(unbruised_options INTERFACE -fsanitize=${UNBRUISED_SANITIZER} -fno-sanitize-recover=all

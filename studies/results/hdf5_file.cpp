@@ -14,7 +14,7 @@ namespace unbruised::studies {
 namespace {
 
 /// What a file in memory grows by.
-constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
+constexpr std::size_t kImageGrowth = std::size_t{256} << 10;
 constexpr std::uint64_t kChunkBytes = 128 * 1024;
 // A damaged extent must not be believed into an allocation: more than any study or trace of ours.
 constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 34;
@@ -283,8 +283,9 @@ Hdf5Handle Hdf5File::dataset(const std::string& name) const {
   return require(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "open", name);
 }
 
-Hdf5Extents Hdf5File::extents(const std::string& name) const {
-  const Hdf5Handle set = dataset(name);
+Hdf5Extents Hdf5File::extents(const std::string& name) const { return extents(dataset(name), name); }
+
+Hdf5Extents Hdf5File::extents(const Hdf5Handle& set, const std::string& name) const {
   const Hdf5Handle space = require(H5Dget_space(set.id()), H5Sclose, "size", name);
   const int rank = H5Sget_simple_extent_ndims(space.id());
   check(rank, "size", name);
@@ -293,38 +294,40 @@ Hdf5Extents Hdf5File::extents(const std::string& name) const {
   return {size.begin(), size.end()};
 }
 
-bool Hdf5File::holds_text(const std::string& name) const {
-  const Hdf5Handle set = dataset(name);
+bool Hdf5File::holds_text(const std::string& name) const { return holds_text(dataset(name), name); }
+
+bool Hdf5File::holds_text(const Hdf5Handle& set, const std::string& name) const {
   const Hdf5Handle type = require(H5Dget_type(set.id()), H5Tclose, "type", name);
   return H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) > 0;
 }
 
 template <class T>
-std::vector<T> Hdf5File::read_raw(const std::string& name, hid_t memory_type) const {
-  const std::uint64_t count = element_count(extents(name));
+std::vector<T> Hdf5File::read_raw(const Hdf5Handle& set, const std::string& name, hid_t memory_type) const {
+  const std::uint64_t count = element_count(extents(set, name));
   if (count > kMaxElements) throw Hdf5Failure(joined({name, " in ", path_.string(), " has an absurd size"}));
   std::vector<T> values(count);
   if (count == 0) return values;
-  check(H5Dread(dataset(name).id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", name);
+  check(H5Dread(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", name);
   return values;
 }
 
 std::vector<double> Hdf5File::read_doubles(const std::string& name) const {
-  return read_raw<double>(name, H5T_NATIVE_DOUBLE);
+  return read_raw<double>(dataset(name), name, H5T_NATIVE_DOUBLE);
 }
 
 std::vector<std::int64_t> Hdf5File::read_integers(const std::string& name) const {
-  return read_raw<std::int64_t>(name, H5T_NATIVE_INT64);
+  return read_raw<std::int64_t>(dataset(name), name, H5T_NATIVE_INT64);
 }
 
 std::vector<std::uint64_t> Hdf5File::read_unsigned(const std::string& name) const {
-  return read_raw<std::uint64_t>(name, H5T_NATIVE_UINT64);
+  return read_raw<std::uint64_t>(dataset(name), name, H5T_NATIVE_UINT64);
 }
 
 std::vector<std::string> Hdf5File::read_texts(const std::string& name) const {
-  if (!holds_text(name)) throw Hdf5Failure(joined({name, " in ", path_.string(), " does not hold text"}));
+  const Hdf5Handle set = dataset(name);
+  if (!holds_text(set, name)) throw Hdf5Failure(joined({name, " in ", path_.string(), " does not hold text"}));
   const Hdf5Handle type = text_type();
-  std::vector<char*> pointers = read_raw<char*>(name, type.id());
+  std::vector<char*> pointers = read_raw<char*>(set, name, type.id());
   std::vector<std::string> texts;
   for (const char* pointer : pointers) texts.emplace_back(pointer == nullptr ? "" : pointer);
   for (char* pointer : pointers) H5free_memory(pointer);
@@ -333,26 +336,45 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& name) const {
 
 namespace {
 
-herr_t take_scale_name(hid_t, unsigned, hid_t scale, void* target) {
-  std::string name(1024, '\0');
-  const ssize_t length = H5Iget_name(scale, name.data(), name.size());
-  if (length <= 0) return 0;
-  name.resize(std::min(static_cast<std::size_t>(length), name.size() - 1));
-  *static_cast<std::string*>(target) = last_part(name);
-  return 1;
+/// What H5DSset_scale called a dimension scale; empty where that is no text of fixed length.
+std::string scale_name(hid_t scale) {
+  if (H5Aexists(scale, "NAME") <= 0) return {};
+  const Hdf5Handle attribute(H5Aopen(scale, "NAME", H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 ||
+      H5Sget_simple_extent_npoints(space.id()) != 1) {
+    return {};
+  }
+  std::string name(H5Tget_size(type.id()), '\0');
+  if (H5Aread(attribute.id(), type.id(), name.data()) < 0) return {};
+  return name.substr(0, name.find('\0'));
 }
 
 }  // namespace
 
+// Not by H5DSiterate_scales: that one takes the attribute for a list of references unseen, and crashes where it is
+// none.
 std::vector<std::string> Hdf5File::dimension_names(const std::string& name) const {
   std::vector<std::string> names(extents(name).size());
-  const Hdf5Handle set = dataset(name);
-  for (std::size_t axis = 0; axis < names.size(); ++axis) {
-    const auto dimension = static_cast<unsigned>(axis);
-    if (H5DSget_num_scales(set.id(), dimension) < 1) continue;
-    check(H5DSiterate_scales(set.id(), dimension, nullptr, take_scale_name, &names[axis]),
-          "find the dimension scales of", name);
+  const Hdf5Handle list = attribute(name, "DIMENSION_LIST");
+  if (!list.valid()) return names;
+  const Hdf5Handle stored(H5Aget_type(list.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(list.id()), H5Sclose);
+  const bool is_list = H5Tget_class(stored.id()) == H5T_VLEN;
+  const Hdf5Handle element(is_list ? H5Tget_super(stored.id()) : H5I_INVALID_HID, H5Tclose);
+  if (!element.valid() || H5Tequal(element.id(), H5T_STD_REF_OBJ) <= 0 ||
+      H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(names.size())) {
+    throw failure("understand the dimension scales of", name);
   }
+  std::vector<hvl_t> scales(names.size());
+  check(H5Aread(list.id(), stored.id(), scales.data()), "read the dimension scales of", name);
+  for (std::size_t axis = 0; axis < names.size(); ++axis) {
+    if (scales[axis].len == 0) continue;
+    const Hdf5Handle scale(H5Rdereference2(list.id(), H5P_DEFAULT, H5R_OBJECT, scales[axis].p), H5Oclose);
+    if (scale.valid()) names[axis] = scale_name(scale.id());
+  }
+  H5Dvlen_reclaim(stored.id(), space.id(), H5P_DEFAULT, scales.data());
   return names;
 }
 

@@ -120,8 +120,10 @@ class Hdf5File {
                        const void* values, std::optional<std::uint64_t> length);
   [[nodiscard]] Hdf5Handle dataset(const std::string& name) const;
   [[nodiscard]] Hdf5Handle attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] Hdf5Extents extents(const Hdf5Handle& set, const std::string& name) const;
+  [[nodiscard]] bool holds_text(const Hdf5Handle& set, const std::string& name) const;
   template <class T>
-  [[nodiscard]] std::vector<T> read_raw(const std::string& name, hid_t memory_type) const;
+  [[nodiscard]] std::vector<T> read_raw(const Hdf5Handle& set, const std::string& name, hid_t memory_type) const;
 
   std::filesystem::path path_;
   Hdf5Handle file_;

@@ -25,6 +25,9 @@ inline constexpr std::size_t kLaneAlignment = 64;
 
 namespace stdx = std::experimental;
 
+// Operations are inlined in every build: as calls they would be what a build with sanitizers spends its time on,
+// and a linker could give kernels that fuse multiply-adds the copy of a file that does not.
+
 template <int Width>
 struct LanePack;
 
@@ -36,26 +39,26 @@ struct MaskPack {
   Native part[kParts];
 
   MaskPack() = default;
-  explicit MaskPack(bool value) {
+  [[gnu::always_inline]] explicit MaskPack(bool value) {
     for (auto& p : part) p = Native(value);
   }
-  bool operator[](int lane) const {
+  [[gnu::always_inline]] bool operator[](int lane) const {
     return part[lane / static_cast<int>(Native::size())][static_cast<std::size_t>(lane) % Native::size()];
   }
-  void set(int lane, bool value) {
+  [[gnu::always_inline]] void set(int lane, bool value) {
     part[lane / static_cast<int>(Native::size())][static_cast<std::size_t>(lane) % Native::size()] = value;
   }
-  friend MaskPack operator&(const MaskPack& a, const MaskPack& b) {
+  [[gnu::always_inline]] friend MaskPack operator&(const MaskPack& a, const MaskPack& b) {
     MaskPack r;
     for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] && b.part[i];
     return r;
   }
-  friend MaskPack operator|(const MaskPack& a, const MaskPack& b) {
+  [[gnu::always_inline]] friend MaskPack operator|(const MaskPack& a, const MaskPack& b) {
     MaskPack r;
     for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] || b.part[i];
     return r;
   }
-  friend MaskPack operator!(const MaskPack& a) {
+  [[gnu::always_inline]] friend MaskPack operator!(const MaskPack& a) {
     MaskPack r;
     for (int i = 0; i < kParts; ++i) r.part[i] = !a.part[i];
     return r;
@@ -72,33 +75,33 @@ struct LanePack {
   Native part[kParts];
 
   LanePack() = default;
-  LanePack(double value) {  // NOLINT: a scalar is the same value in every lane
+  [[gnu::always_inline]] LanePack(double value) {  // NOLINT: a scalar is the same value in every lane
     for (auto& p : part) p = value;
   }
-  static LanePack load(const double* from) {
+  [[gnu::always_inline]] static LanePack load(const double* from) {
     LanePack r;
     for (int i = 0; i < kParts; ++i) r.part[i].copy_from(from + i * Native::size(), stdx::vector_aligned);
     return r;
   }
-  void store(double* to) const {
+  [[gnu::always_inline]] void store(double* to) const {
     for (int i = 0; i < kParts; ++i) part[i].copy_to(to + i * Native::size(), stdx::vector_aligned);
   }
-  double operator[](int lane) const {
+  [[gnu::always_inline]] double operator[](int lane) const {
     return part[lane / static_cast<int>(Native::size())][static_cast<std::size_t>(lane) % Native::size()];
   }
-  void set(int lane, double value) {
+  [[gnu::always_inline]] void set(int lane, double value) {
     part[lane / static_cast<int>(Native::size())][static_cast<std::size_t>(lane) % Native::size()] = value;
   }
 
-#define UNBRUISED_LANE_OPERATOR(op)                                      \
-  friend LanePack operator op(const LanePack& a, const LanePack& b) {    \
-    LanePack r;                                                          \
-    for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] op b.part[i]; \
-    return r;                                                            \
-  }                                                                      \
-  LanePack& operator op##=(const LanePack& b) {                          \
-    for (int i = 0; i < kParts; ++i) part[i] = part[i] op b.part[i];     \
-    return *this;                                                        \
+#define UNBRUISED_LANE_OPERATOR(op)                                                          \
+  [[gnu::always_inline]] friend LanePack operator op(const LanePack& a, const LanePack& b) { \
+    LanePack r;                                                                              \
+    for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] op b.part[i];                     \
+    return r;                                                                                \
+  }                                                                                          \
+  [[gnu::always_inline]] LanePack& operator op##=(const LanePack& b) {                       \
+    for (int i = 0; i < kParts; ++i) part[i] = part[i] op b.part[i];                         \
+    return *this;                                                                            \
   }
   UNBRUISED_LANE_OPERATOR(+)
   UNBRUISED_LANE_OPERATOR(-)
@@ -106,11 +109,11 @@ struct LanePack {
   UNBRUISED_LANE_OPERATOR(/)
 #undef UNBRUISED_LANE_OPERATOR
 
-#define UNBRUISED_LANE_COMPARISON(op)                                        \
-  friend MaskPack<Width> operator op(const LanePack& a, const LanePack& b) { \
-    MaskPack<Width> r;                                                       \
-    for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] op b.part[i];     \
-    return r;                                                                \
+#define UNBRUISED_LANE_COMPARISON(op)                                                               \
+  [[gnu::always_inline]] friend MaskPack<Width> operator op(const LanePack& a, const LanePack& b) { \
+    MaskPack<Width> r;                                                                              \
+    for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] op b.part[i];                            \
+    return r;                                                                                       \
   }
   UNBRUISED_LANE_COMPARISON(<)
   UNBRUISED_LANE_COMPARISON(>)
@@ -119,7 +122,7 @@ struct LanePack {
   UNBRUISED_LANE_COMPARISON(==)
 #undef UNBRUISED_LANE_COMPARISON
 
-  friend LanePack operator-(const LanePack& a) {
+  [[gnu::always_inline]] friend LanePack operator-(const LanePack& a) {
     LanePack r;
     for (int i = 0; i < kParts; ++i) r.part[i] = -a.part[i];
     return r;
@@ -127,52 +130,53 @@ struct LanePack {
 };
 
 template <int Width>
-LanePack<Width> select(const MaskPack<Width>& mask, const LanePack<Width>& yes, const LanePack<Width>& no) {
+[[gnu::always_inline]] inline LanePack<Width> select(const MaskPack<Width>& mask, const LanePack<Width>& yes,
+                                                     const LanePack<Width>& no) {
   LanePack<Width> r = no;
   for (int i = 0; i < LanePack<Width>::kParts; ++i) stdx::where(mask.part[i], r.part[i]) = yes.part[i];
   return r;
 }
 template <int Width>
-LanePack<Width> max(const LanePack<Width>& a, const LanePack<Width>& b) {
+[[gnu::always_inline]] inline LanePack<Width> max(const LanePack<Width>& a, const LanePack<Width>& b) {
   LanePack<Width> r;
   for (int i = 0; i < LanePack<Width>::kParts; ++i) r.part[i] = stdx::max(a.part[i], b.part[i]);
   return r;
 }
 template <int Width>
-LanePack<Width> min(const LanePack<Width>& a, const LanePack<Width>& b) {
+[[gnu::always_inline]] inline LanePack<Width> min(const LanePack<Width>& a, const LanePack<Width>& b) {
   LanePack<Width> r;
   for (int i = 0; i < LanePack<Width>::kParts; ++i) r.part[i] = stdx::min(a.part[i], b.part[i]);
   return r;
 }
 template <int Width>
-LanePack<Width> abs(const LanePack<Width>& a) {
+[[gnu::always_inline]] inline LanePack<Width> abs(const LanePack<Width>& a) {
   LanePack<Width> r;
   for (int i = 0; i < LanePack<Width>::kParts; ++i) r.part[i] = stdx::abs(a.part[i]);
   return r;
 }
 template <int Width>
-LanePack<Width> sqrt(const LanePack<Width>& a) {
+[[gnu::always_inline]] inline LanePack<Width> sqrt(const LanePack<Width>& a) {
   LanePack<Width> r;
   for (int i = 0; i < LanePack<Width>::kParts; ++i) r.part[i] = stdx::sqrt(a.part[i]);
   return r;
 }
 template <int Width>
-bool any(const MaskPack<Width>& mask) {
+[[gnu::always_inline]] inline bool any(const MaskPack<Width>& mask) {
   for (const auto& p : mask.part) {
     if (stdx::any_of(p)) return true;
   }
   return false;
 }
 template <int Width>
-bool none(const MaskPack<Width>& mask) {
+[[gnu::always_inline]] inline bool none(const MaskPack<Width>& mask) {
   return !any(mask);
 }
 
 using Lane = LanePack<kLanes>;
 using Mask = MaskPack<kLanes>;
 
-inline Lane load(const double* from) { return Lane::load(from); }
-inline void store(double* to, const Lane& value) { value.store(to); }
+[[gnu::always_inline]] inline Lane load(const double* from) { return Lane::load(from); }
+[[gnu::always_inline]] inline void store(double* to, const Lane& value) { value.store(to); }
 
 /// Memory aligned for lanes.
 template <class T>

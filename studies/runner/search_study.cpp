@@ -56,7 +56,7 @@ optimizer::SearchSpace space_of(const Study& study) {
 
 /// A cell size that really gives more cells: extents are divided into a whole number of them.
 double finer_cell_m(const Study& study, double cell_m) {
-  const auto& lattice = std::get<LatticeParameters>(study.scenario(0).product);
+  const auto lattice = std::get<LatticeParameters>(study.scenario(0).product);
   const double extent_m = *std::min_element(lattice.size_m.begin(), lattice.size_m.end());
   const double cells = std::max(2.0, std::round(extent_m / cell_m));
   return extent_m / std::ceil(kMoreCells * cells);

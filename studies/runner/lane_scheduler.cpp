@@ -11,6 +11,13 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include "studies/runner/thread_sanitizer.hpp"
+
+#ifdef UNBRUISED_THREAD_SANITIZER
+// TBB's own reading of a task that another thread made.
+extern "C" const char* __tsan_default_suppressions() { return "race_top:tbb::detail::d1::function_task\n"; }
+#endif
+
 namespace unbruised::studies {
 namespace {
 
@@ -238,9 +245,17 @@ void LaneScheduler::run_workers() {
   tbb::task_arena arena(options_.threads);
   arena.execute([&] {
     tbb::task_group workers;
-    for (int i = 1; i < options_.threads; ++i) workers.run([&] { work(); });
+    hand_over(this);
+    for (int i = 1; i < options_.threads; ++i) {
+      workers.run([&] {
+        take_over(this);
+        work();
+        hand_over(this);
+      });
+    }
     work();
     workers.wait();
+    take_over(this);
   });
 }
 

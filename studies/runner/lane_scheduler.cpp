@@ -14,8 +14,10 @@
 #include "studies/runner/thread_sanitizer.hpp"
 
 #ifdef UNBRUISED_THREAD_SANITIZER
-// TBB's own reading of a task that another thread made.
-extern "C" const char* __tsan_default_suppressions() { return "race_top:tbb::detail::d1::function_task\n"; }
+// TBB's own memory, and its reading of a task that another thread made.
+extern "C" const char* __tsan_default_suppressions() {
+  return "called_from_lib:libtbb.so\nrace_top:tbb::detail::d1::function_task\n";
+}
 #endif
 
 namespace unbruised::studies {

@@ -259,8 +259,13 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
     return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
   });
   for (std::string& line : found_lines(tables.found)) lines.push_back(std::move(line));
-  // Kinds that find something say themselves what is best.
-  if (has_cycles && tables.found.empty()) lines.push_back(best_line(tables));
+  if (!tables.found.empty()) return lines;
+  if (study_kind == "simulate" || study_kind == "sweep" || study_kind == "window") {
+    if (has_cycles) lines.push_back(best_line(tables));
+  } else {
+    // The fastest of the scenarios so far is no answer to what these kinds ask.
+    lines.push_back(joined({"answer: none yet; a study of kind ", study_kind, " has it at its end"}));
+  }
   return lines;
 }
 

@@ -114,6 +114,7 @@ ReportFixture end(ReportFixture fixture) {
   StudyTables tables;
   tables.inputs = fixture.content.inputs;
   tables.rows = fixture.content.rows;
+  tables.found = fixture.content.tables;
   if (fixture.window) tables.window = *fixture.window;
   fixture.context.summary = summary_lines(tables, fixture.content.meta.study_kind);
   return fixture;

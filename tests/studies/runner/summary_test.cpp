@@ -27,6 +27,14 @@ TEST(Summary, TheBestRowIsHeldThenShortThenSafe) {
   EXPECT_EQ(best_row({rows[0]}), nullptr);
 }
 
+TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
+  StudyTables tables;
+  tables.inputs = {{"strategy.grip_force_N", "N", ""}};
+  tables.rows = {row_of(0, Outcome::held, 1.0, 9.0)};
+  EXPECT_TRUE(summary_lines(tables, "sweep").back().starts_with("best: scenario 0"));
+  EXPECT_EQ(summary_lines(tables, "robust").back(), "answer: none yet; a study of kind robust has it at its end");
+}
+
 TEST(Summary, NamesTheWorstBalancesAndTheirScenarios) {
   std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, 1, 1), row_of(1, Outcome::held, 1, 1)};
   rows[0].result.metrics[Metric::impulse_balance_error] = -3e-9;

@@ -27,6 +27,7 @@ ProgressStyle progress_style(int descriptor, bool quiet) {
 std::string progress_text(const ProgressState& state) {
   std::string text = joined(
       {std::to_string(state.done), "/", std::to_string(state.total), state.total_is_final ? "" : " so far"});
+  if (state.done_at_start > 0) text += joined({" (", std::to_string(state.done_at_start), " of an earlier run)"});
   const auto run_now = static_cast<double>(state.done - state.done_at_start);
   if (run_now > 0.0 && state.seconds > 0.0) {
     const double rate = run_now / state.seconds;

@@ -33,7 +33,7 @@ struct ProgressState {
   std::array<std::size_t, kOutcomeWords.size()> outcomes{};
 };
 
-/// "412/1024, 23.1/s, 27 s left; held 300, damaged 112"
+/// "412/1024 (100 of an earlier run), 23.1/s, 27 s left; held 200, damaged 112": outcomes are those of this run.
 std::string progress_text(const ProgressState& state);
 /// "[########------------] " and the text.
 std::string progress_bar(const ProgressState& state);

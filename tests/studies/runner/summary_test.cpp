@@ -96,7 +96,7 @@ TEST(Progress, SaysRateTimeLeftAndOutcomes) {
   ProgressState state{.done = 60, .total = 100, .done_at_start = 20, .seconds = 10.0};
   state.outcomes[0] = 30;
   state.outcomes[3] = 10;
-  EXPECT_EQ(progress_text(state), "60/100, 4/s, 10 s left; held 30, damaged 10");
+  EXPECT_EQ(progress_text(state), "60/100 (20 of an earlier run), 4/s, 10 s left; held 30, damaged 10");
   EXPECT_TRUE(progress_bar(state).starts_with("[############--------] 60/100")) << progress_bar(state);
   EXPECT_EQ(progress_text({}), "0/0");
 }

@@ -7,7 +7,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -138,7 +137,8 @@ class Editor {
                          H5Dclose);
     if (!set.valid()) return;
     fill(set.id(), value);
-    H5Aiterate2(old.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, copy_attribute, const_cast<Hdf5Handle*>(&set));
+    hid_t target = set.id();
+    H5Aiterate2(old.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, copy_attribute, &target);
   }
 
   void replace_by_group(const std::string& name) {
@@ -195,8 +195,7 @@ class Editor {
     std::vector<char> bytes(std::max<std::size_t>(count, 1) * H5Tget_size(type.id()));
     if (H5Aread(from.id(), type.id(), bytes.data()) < 0) return 0;
     const Hdf5Handle to(
-        H5Acreate2(static_cast<Hdf5Handle*>(target)->id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose);
+        H5Acreate2(*static_cast<hid_t*>(target), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     if (to.valid()) H5Awrite(to.id(), type.id(), bytes.data());
     if (H5Tis_variable_str(type.id()) > 0) H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, bytes.data());
     return 0;

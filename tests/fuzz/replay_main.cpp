@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/figures.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 namespace {
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "mutation %ld\n", i);
     feed(mutator.next());
   }
-  std::printf("%zu files and %ld mutations replayed\n", files.size(), mutations);
+  const std::string harness = std::filesystem::path(argv[0]).filename();
+  unbruised::testing::tell_figure(harness, harness + ": " + std::to_string(files.size()) + " files and " +
+                                               std::to_string(mutations) + " mutations of them, read as promised");
   return 0;
 }

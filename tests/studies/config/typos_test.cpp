@@ -2,11 +2,13 @@
 // overlooked?
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <random>
 
 #include "studies/config/problems.hpp"
 #include "studies/config/schema.hpp"
+#include "tests/figures.hpp"
 #include "tests/studies/config/config_testing.hpp"
 
 namespace unbruised::studies {
@@ -120,9 +122,15 @@ Count count_typos(std::size_t each) {
   return count;
 }
 
+std::string summary(const Count& count) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                "typos: %d keys with one wrong letter: %.2f %% answered with the right key first, %d ignored",
+                count.all, 100.0 * count.rate(), count.ignored);
+  return text.data();
+}
+
 void expect_answers(const Count& count) {
-  std::printf("%d keys with one wrong letter: %d answered with the right key first (%.2f %%), %d ignored\n",
-              count.all, count.right, 100.0 * count.rate(), count.ignored);
   std::string wrong;
   for (std::size_t i = 0; i < std::min<std::size_t>(count.wrong.size(), 40); ++i) wrong += count.wrong[i] + "\n";
   EXPECT_GE(count.rate(), 0.95) << wrong;
@@ -135,7 +143,11 @@ TEST(Typos, OfOneLetterAreAnsweredWithTheRightKey) {
   expect_answers(count);
 }
 
-TEST(HeavyTypos, OfOneLetterAreAnsweredWithTheRightKey) { expect_answers(count_typos(60)); }
+TEST(HeavyTypos, OfOneLetterAreAnsweredWithTheRightKey) {
+  const Count count = count_typos(60);
+  unbruised::testing::tell_figure("typos", summary(count));
+  expect_answers(count);
+}
 
 TEST(Typos, InTheNameOfATableAreAnsweredWithTheRightTable) {
   Count count;

@@ -201,12 +201,13 @@ int check_command(const StudyArguments& arguments) {
   const double memory = memory_bytes(cost, threads) + estimated_rows_bytes(evaluations, set.columns.size());
   print_line(joined({"memory: about ", bytes_text(memory), " of ", bytes_text(machine_memory_bytes())}));
   print_line(joined({"disk: about ", bytes_text(disk_bytes(*study, cost, set.columns.size(), evaluations))}));
+  const LaneStepRate rate = measured_lane_step_rate();
   print_line(joined({"time: about ", duration_text(compute_seconds(cost, each) / threads), " on ",
                      std::to_string(threads), threads == 1 ? " thread" : " threads", " (up to ",
                      duration_text(cost.longest_run_s), " simulated per scenario; steps x ",
-                     short_number(1e9 * kLaneStepSecondsPerFactorEntry),
-                     " ns per lane and entry of the factor as measured on an AVX-512 core, without factoring; "
-                     "expect a factor of two either way)"}));
+                     short_number(1e9 * rate.seconds_per_factor_entry),
+                     " ns per lane and entry of the factor as measured on ", rate.measured_on,
+                     ", without factoring; expect a factor of two either way)"}));
   warn_about_contact_time(set, cost);
   const auto refusal = too_much_memory(study->name(), memory);
   if (refusal) print_error(*refusal);

@@ -4,19 +4,28 @@
 /// What a study will cost before it runs: rough, and honest about being rough.
 
 #include <cstddef>
+#include <string>
 
 #include "core/simulation/scenario.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised::studies {
 
-/// Core time of one step of one lane per estimated entry of the factor, all parts of the step included. Measured
-/// over 512 scenarios of a kiwi of 1,099 particles between two pads (AVX-512, 16 lanes); other machines differ.
-inline constexpr double kLaneStepSecondsPerFactorEntry = 1.5e-10;
+/// Core time of one step of one lane per estimated entry of the factor, all parts of the step included.
+struct LaneStepRate {
+  double seconds_per_factor_entry = 0.0;
+  std::string measured_on;  ///< kind of core
+};
+
 /// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).
 inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
 /// A contact that closes and opens again within fewer steps is not resolved (docs/theory.md, "Contact").
 inline constexpr double kStepsPerContact = 20.0;
+
+/// The rate of this build's instruction set, measured over 512 scenarios of a kiwi of 1,099 particles between two
+/// pads (configs/kiwi_sweep.toml, 16 lanes, two threads): 84 s on Zen 5 with AVX-512, 455 s on Zen 3 at 2.4 GHz.
+/// Without either set it is that of AVX2, which flatters the machine.
+LaneStepRate measured_lane_step_rate();
 
 /// Time that passes inside the run, from the start to the end of `recover`; compression is neglected.
 double simulated_duration_s(const Scenario& scenario);

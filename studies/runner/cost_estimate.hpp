@@ -4,7 +4,7 @@
 /// What a study will cost before it runs: rough, and honest about being rough.
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 
 #include "core/simulation/scenario.hpp"
 #include "core/simulation/simulation.hpp"
@@ -14,7 +14,7 @@ namespace unbruised::studies {
 /// Core time of one step of one lane per estimated entry of the factor, all parts of the step included.
 struct LaneStepRate {
   double seconds_per_factor_entry = 0.0;
-  std::string measured_on;  ///< kind of core
+  std::string_view measured_on;  ///< kind of core
 };
 
 /// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/execution/build_info.hpp"
+#include "studies/findings/summary.hpp"
+#include "studies/kinds/study_runner.hpp"
 #include "studies/results/run_directory.hpp"
-#include "studies/runner/build_info.hpp"
-#include "studies/runner/study_runner.hpp"
-#include "studies/runner/summary.hpp"
 
 namespace unbruised::studies {
 namespace {

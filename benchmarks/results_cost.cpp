@@ -10,11 +10,11 @@
 
 #include "benchmarks/stopwatch.hpp"
 #include "studies/config/study.hpp"
+#include "studies/execution/batch_runner.hpp"
+#include "studies/execution/build_info.hpp"
+#include "studies/kinds/study_runner.hpp"
 #include "studies/results/run_directory.hpp"
-#include "studies/runner/batch_runner.hpp"
-#include "studies/runner/build_info.hpp"
-#include "studies/runner/scenario_set.hpp"
-#include "studies/runner/study_runner.hpp"
+#include "studies/scenarios/scenario_set.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/places.hpp"
+
 namespace unbruised::testing {
 
 /// Says what a test found, and leaves it for `scripts/test --all`, which prints all figures at its end.

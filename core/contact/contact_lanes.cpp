@@ -100,7 +100,7 @@ void ContactLanes::load(int lane, const Scenario& scenario, const std::array<dou
     pad_size_[0].set(lane, gripper.pad_size_m[0]);
     pad_size_[1].set(lane, gripper.pad_size_m[1]);
   }
-  pad_center_[0].set(lane, product_center_m[1]);
+  pad_center_[0].set(lane, product_center_m[1] + cell.grip_offset_m);
   pad_center_[1].set(lane, product_center_m[2] + cell.grip_height_m);
   const auto support = static_cast<std::size_t>(Surface::support);
   present_[support].set(lane, cell.support);

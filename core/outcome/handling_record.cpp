@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "core/outcome/damage_limits.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -47,18 +49,19 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
 
 void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
 
-void HandlingRecord::check_limit(Metric metric, const std::optional<double>& limit, const char* cause,
-                                 double time_s) {
-  if (limit && metrics[metric] > *limit) damaged_.at(time_s, cause);
+void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double time_s) {
+  for (const Metric metric : changed) {
+    const auto limit = std::find_if(kDamageLimits.begin(), kDamageLimits.end(),
+                                    [&](const DamageLimit& each) { return each.metric == metric; });
+    const std::optional<double> bound = bound_of(*limit, limits_);
+    if (bound && metrics[metric] > *bound) damaged_.at(time_s, limit->cause);
+  }
 }
 
 bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cycle) {
   metrics[Metric::plastic_strain_max] = now.plastic_strain;
   metrics[Metric::absorbed_energy_J] = now.absorbed_energy_J;
-  check_limit(Metric::plastic_strain_max, limits_.plastic_strain, "plastic_strain_max > limits.plastic_strain",
-              now.time_s);
-  check_limit(Metric::absorbed_energy_J, limits_.absorbed_energy_J, "absorbed_energy_J > limits.absorbed_energy_J",
-              now.time_s);
+  check_limits({Metric::plastic_strain_max, Metric::absorbed_energy_J}, now.time_s);
   if (!has_gripper_) return true;
   observe_grip(now);
   observe_impulse(now, cycle);
@@ -97,12 +100,8 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
                                        now.finger[0].tangent_N[1] + now.finger[1].tangent_N[1]};
   raise(Metric::peak_sensor_force_N, norm(force));
   raise(Metric::peak_sensor_torque_N_m, norm(now.torque_N_m));
-  check_limit(Metric::peak_finger_force_N, limits_.finger_force_N, "peak_finger_force_N > limits.finger_force_N",
-              now.time_s);
-  check_limit(Metric::peak_pressure_Pa, limits_.peak_pressure_Pa, "peak_pressure_Pa > limits.peak_pressure_Pa",
-              now.time_s);
-  check_limit(Metric::contact_yield_ratio_max, limits_.contact_yield_ratio,
-              "contact_yield_ratio_max > limits.contact_yield_ratio", now.time_s);
+  check_limits({Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::contact_yield_ratio_max},
+               now.time_s);
 }
 
 /// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as
@@ -168,10 +167,7 @@ void HandlingRecord::abort(Outcome outcome, std::string cause, double time_s) {
 
 ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_time_s) const {
   HandlingRecord record = *this;
-  record.check_limit(Metric::permanent_set_max_m, limits_.permanent_set_m,
-                     "permanent_set_max_m > limits.permanent_set_m", end_time_s);
-  record.check_limit(Metric::bruised_volume_m3, limits_.bruised_volume_m3,
-                     "bruised_volume_m3 > limits.bruised_volume_m3", end_time_s);
+  record.check_limits({Metric::permanent_set_max_m, Metric::bruised_volume_m3}, end_time_s);
   ScenarioResult result;
   result.metrics = record.metrics;
   if (drift_to_s_ > drift_from_s_) {

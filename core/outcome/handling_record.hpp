@@ -4,7 +4,9 @@
 /// Follows one scenario step by step and decides its outcome: which limits were crossed when, peaks, slip, margin.
 
 #include <array>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
@@ -62,12 +64,13 @@ class HandlingRecord {
     double time_s = HandlingCycle::kNever;
     std::string cause;
     [[nodiscard]] bool happened() const { return time_s < HandlingCycle::kNever; }
-    void at(double time, const char* why) {
-      if (!happened()) *this = {time, why};
+    void at(double time, std::string_view why) {
+      if (!happened()) *this = {time, std::string(why)};
     }
   };
   void raise(Metric metric, double value);
-  void check_limit(Metric metric, const std::optional<double>& limit, const char* cause, double time_s);
+  /// Notes the first limit that these metrics exceed, in the order given.
+  void check_limits(std::initializer_list<Metric> changed, double time_s);
   void observe_grip(const StepObservation& now);
   void observe_impulse(const StepObservation& now, const HandlingCycle& cycle);
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);

@@ -118,6 +118,14 @@ struct GripperParameters {
   /// > 0; the largest finger speed the drive can give
   double max_speed_m_s = 0.5;
   FingerCoupling coupling = FingerCoupling::centric;
+  /// >= 0, <= max_force_N; the least force the drive holds. Smaller grip forces cannot be set on this gripper.
+  double min_force_N = 0.0;
+  /// >= 0, < 1; the force that acts lies within +-force_accuracy x the force that is set.
+  double force_accuracy = 0.0;
+  /// >= 0; forces that can be set are multiples of it; 0: any force
+  double force_step_N = 0.0;
+  /// > 0; distance of the pad faces when the gripper is open; none: as wide as the approach needs
+  std::optional<double> opening_m;
 };
 
 /// What stands around gripper and product.
@@ -137,6 +145,8 @@ struct CellParameters {
   double approach_gap_m = 0.005;
   /// Height of the pad centres above the product's centre.
   double grip_height_m = 0.0;
+  /// Offset of the pad centres from the product's centre along y.
+  double grip_offset_m = 0.0;
   /// >= 0
   double lift_height_m = 0.1;
   /// Horizontal way (x along the grip axis, y across it).
@@ -180,8 +190,14 @@ struct StrategyParameters {
   double recover_s = 0.2;
 };
 
+enum class DamageJudging {
+  judged,          ///< by the limits below
+  not_considered,  ///< the limits below are not looked at, and no answer says anything about damage
+};
+
 /// What counts as damage and as slipping. An absent limit is not checked.
 struct LimitParameters {
+  DamageJudging damage = DamageJudging::judged;
   std::optional<double> permanent_set_m;
   std::optional<double> plastic_strain;
   std::optional<double> bruised_volume_m3;

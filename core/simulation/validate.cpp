@@ -131,6 +131,12 @@ void check_gripper(const GripperParameters& p, Checker& check) {
   check.not_negative(p.drive_viscous_N_s_m, "gripper.drive_viscous_N_s_m");
   check.positive(p.max_force_N, "gripper.max_force_N");
   check.positive(p.max_speed_m_s, "gripper.max_speed_m_s");
+  check.require(p.min_force_N >= 0.0 && p.min_force_N <= p.max_force_N, "gripper.min_force_N",
+                "must be >= 0 and at most max_force_N");
+  check.require(p.force_accuracy >= 0.0 && p.force_accuracy < 1.0, "gripper.force_accuracy",
+                "must be >= 0 and < 1");
+  check.not_negative(p.force_step_N, "gripper.force_step_N");
+  if (p.opening_m) check.positive(*p.opening_m, "gripper.opening_m");
 }
 
 void check_strategy(const Scenario& scenario, Checker& check) {
@@ -159,6 +165,7 @@ void check_strategy(const Scenario& scenario, Checker& check) {
   check.positive(cell.approach_gap_m, "cell.approach_gap_m");
   check.not_negative(cell.lift_height_m, "cell.lift_height_m");
   check.finite(cell.grip_height_m, "cell.grip_height_m");
+  check.finite(cell.grip_offset_m, "cell.grip_offset_m");
   check.finite(cell.transfer_m, "cell.transfer_m");
   check.finite(cell.place_height_m, "cell.place_height_m");
   check.require(cell.place_height_m + s.release_height_m <= cell.lift_height_m, "cell.place_height_m",

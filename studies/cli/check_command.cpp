@@ -7,14 +7,14 @@
 
 #include "core/simulation/simulation.hpp"
 #include "studies/cli/commands.hpp"
-#include "studies/results/text.hpp"
-#include "studies/runner/cost_estimate.hpp"
-#include "studies/runner/memory_need.hpp"
-#include "studies/runner/number_text.hpp"
-#include "studies/runner/scenario_set.hpp"
-#include "studies/runner/search_study.hpp"
-#include "studies/runner/summary.hpp"
-#include "studies/runner/window_search.hpp"
+#include "studies/estimate/cost_estimate.hpp"
+#include "studies/estimate/memory_need.hpp"
+#include "studies/findings/summary.hpp"
+#include "studies/kinds/search_study.hpp"
+#include "studies/kinds/window_search.hpp"
+#include "studies/scenarios/scenario_set.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {

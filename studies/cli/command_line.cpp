@@ -13,8 +13,8 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/config/schema.hpp"
-#include "studies/results/text.hpp"
-#include "studies/runner/build_info.hpp"
+#include "studies/execution/build_info.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

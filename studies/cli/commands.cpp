@@ -6,7 +6,7 @@
 
 #include "studies/cli/locations.hpp"
 #include "studies/results/run_directory.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 

@@ -1,7 +1,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/recorded.hpp"
-#include "studies/results/text.hpp"
-#include "studies/runner/number_text.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {

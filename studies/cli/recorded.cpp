@@ -8,15 +8,15 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/locations.hpp"
+#include "studies/kinds/study_runner.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/journal.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/suspect_results.hpp"
-#include "studies/results/text.hpp"
-#include "studies/runner/scenario_set.hpp"
-#include "studies/runner/study_runner.hpp"
+#include "studies/scenarios/scenario_set.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

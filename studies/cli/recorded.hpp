@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/findings/summary.hpp"
 #include "studies/results/expected.hpp"
 #include "studies/results/rows.hpp"
-#include "studies/runner/summary.hpp"
 
 namespace unbruised::studies {
 

@@ -4,8 +4,8 @@
 #include "studies/cli/recorded.hpp"
 #include "studies/report/report_page.hpp"
 #include "studies/results/suspect_results.hpp"
-#include "studies/results/text.hpp"
-#include "studies/runner/number_text.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/outcome/damage_limits.hpp"
+
 namespace unbruised::studies {
 namespace {
 
@@ -205,11 +207,14 @@ std::vector<std::string> doubts(const Scenario& scenario) {
     out.emplace_back("gripper.stroke_m <= cell.approach_gap_m: the fingers never reach the product");
   }
   const auto* p = lattice_of(scenario);
-  const LimitParameters& limits = scenario.limits;
-  if (p != nullptr && !p->yield_stress_Pa &&
-      (limits.permanent_set_m || limits.plastic_strain || limits.bruised_volume_m3 || limits.absorbed_energy_J ||
-       limits.contact_yield_ratio)) {
-    out.emplace_back("the product has no yield_stress_Pa, so limits on permanent deformation are never exceeded");
+  std::string never;
+  for (const DamageLimit& limit : kDamageLimits) {
+    if (!bound_of(limit, scenario.limits) || can_act(limit, scenario)) continue;
+    never += (never.empty() ? "" : ", ") + std::string(limit.key);
+  }
+  if (!never.empty()) {
+    out.push_back(never + (can_yield(scenario) ? ": never exceeded without a gripper"
+                                               : ": never exceeded, the product has no yield stress"));
   }
   if (scenario.gripper && p != nullptr && p->friction == 0.0) {
     out.emplace_back("product.friction is 0: no grip force can hold the product");

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/outcome/damage_limits.hpp"
 #include "studies/statistics/intervals.hpp"
 
 namespace unbruised::studies {
@@ -16,27 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWorstViolation = 1e6;
 /// Of an event that did not happen although no component says why.
 constexpr double kJustBroken = 1e-3;
-
-/// A limit that decides `damaged`, and the metric that is compared with it.
-struct DamageLimit {
-  Metric metric;
-  std::optional<double> LimitParameters::*limit;
-  const char* name;
-};
-constexpr std::array<DamageLimit, 7> kDamageLimits = {{
-    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m,
-     "permanent_set_max_m <= limits.permanent_set_m"},
-    {Metric::plastic_strain_max, &LimitParameters::plastic_strain, "plastic_strain_max <= limits.plastic_strain"},
-    {Metric::bruised_volume_m3, &LimitParameters::bruised_volume_m3,
-     "bruised_volume_m3 <= limits.bruised_volume_m3"},
-    {Metric::peak_pressure_Pa, &LimitParameters::peak_pressure_Pa, "peak_pressure_Pa <= limits.peak_pressure_Pa"},
-    {Metric::absorbed_energy_J, &LimitParameters::absorbed_energy_J,
-     "absorbed_energy_J <= limits.absorbed_energy_J"},
-    {Metric::peak_finger_force_N, &LimitParameters::finger_force_N,
-     "peak_finger_force_N <= limits.finger_force_N"},
-    {Metric::contact_yield_ratio_max, &LimitParameters::contact_yield_ratio,
-     "contact_yield_ratio_max <= limits.contact_yield_ratio"},
-}};
 
 /// How bad it is that a run ended early; -1 for one that ran to its end.
 double rank_of(Outcome outcome) {
@@ -96,8 +76,8 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
   const Outcome outcome = result.outcome;
   if (parts.undamaged) {
     for (const DamageLimit& each : kDamageLimits) {
-      if (const auto& limit = limits.*(each.limit)) {
-        all.push_back(over_limit(result.metrics[each.metric], *limit, outcome));
+      if (const auto bound = bound_of(each, limits)) {
+        all.push_back(over_limit(result.metrics[each.metric], *bound, outcome));
       }
     }
   }
@@ -195,7 +175,7 @@ std::vector<std::string> violation_names(const Constraint& constraint, const Lim
   std::vector<std::string> names;
   if (parts.undamaged) {
     for (const DamageLimit& each : kDamageLimits) {
-      if (limits.*(each.limit)) names.push_back(constraint.text + ": " + each.name);
+      if (bound_of(each, limits)) names.push_back(constraint.text + ": " + std::string(each.rule));
     }
   }
   if (parts.unslipped) names.push_back(constraint.text + ": slip_max_m <= limits.slip_m");

@@ -13,7 +13,7 @@
 
 #include "studies/config/schema.hpp"
 #include "studies/goals/goal.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

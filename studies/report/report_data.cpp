@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/outcome/outcome.hpp"
+#include "studies/findings/grip_window.hpp"
+#include "studies/findings/summary.hpp"
 #include "studies/report/packed_columns.hpp"
-#include "studies/runner/grip_window.hpp"
-#include "studies/runner/summary.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -9,7 +9,7 @@
 #include "studies/report/report_bundle.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

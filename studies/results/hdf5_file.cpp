@@ -7,11 +7,14 @@
 
 #include <hdf5_hl.h>
 
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 
 namespace {
+
+/// Of a list in an attribute; a damaged file may promise any number.
+constexpr hssize_t kTextsOfAttributeMost = 65536;
 
 /// What a file in memory grows by.
 constexpr std::size_t kImageGrowth = std::size_t{256} << 10;
@@ -237,6 +240,14 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   write_attribute(object, name, H5T_STD_I8LE, H5T_NATIVE_INT8, values.data(), values.size());
 }
 
+void Hdf5File::set_attribute(const std::string& object, const std::string& name,
+                             const std::vector<std::string>& texts) {
+  const Hdf5Handle type = text_type();
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  write_attribute(object, name, type.id(), type.id(), pointers.data(), pointers.size());
+}
+
 bool Hdf5File::exists(const std::string& name) const {
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
     if (H5Lexists(file_.id(), name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
@@ -397,6 +408,26 @@ std::optional<std::string> Hdf5File::text_attribute(const std::string& object, c
   std::string text = pointer == nullptr ? "" : pointer;
   H5free_memory(pointer);
   return text;
+}
+
+std::optional<std::vector<std::string>> Hdf5File::texts_attribute(const std::string& object,
+                                                                  const std::string& name) const {
+  const Hdf5Handle handle = attribute(object, name);
+  if (!handle.valid()) return std::nullopt;
+  const Hdf5Handle stored(H5Aget_type(handle.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(handle.id()), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  if (H5Tis_variable_str(stored.id()) <= 0 || H5Sget_simple_extent_ndims(space.id()) != 1 || count < 0 ||
+      count > kTextsOfAttributeMost) {
+    return std::nullopt;
+  }
+  const Hdf5Handle type = text_type();
+  std::vector<char*> pointers(static_cast<std::size_t>(count), nullptr);
+  if (count > 0) check(H5Aread(handle.id(), type.id(), pointers.data()), "read an attribute of", object);
+  std::vector<std::string> texts;
+  for (const char* pointer : pointers) texts.emplace_back(pointer == nullptr ? "" : pointer);
+  for (char* pointer : pointers) H5free_memory(pointer);
+  return texts;
 }
 
 std::optional<std::int64_t> Hdf5File::integer_attribute(const std::string& object, const std::string& name) const {

@@ -86,6 +86,7 @@ class Hdf5File {
   void set_attribute(const std::string& object, const std::string& name, std::int32_t value);
   void set_attribute(const std::string& object, const std::string& name, std::span<const std::int8_t> values);
   void set_attribute(const std::string& object, const std::string& name, double value);
+  void set_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
 
   [[nodiscard]] bool exists(const std::string& name) const;
   /// Names of the datasets directly below a group, alphabetical.
@@ -104,6 +105,9 @@ class Hdf5File {
   [[nodiscard]] std::vector<std::string> dimension_names(const std::string& name) const;
   [[nodiscard]] std::optional<std::string> text_attribute(const std::string& object,
                                                           const std::string& name) const;
+  /// A list of texts, of one dimension.
+  [[nodiscard]] std::optional<std::vector<std::string>> texts_attribute(const std::string& object,
+                                                                        const std::string& name) const;
   [[nodiscard]] std::optional<std::int64_t> integer_attribute(const std::string& object,
                                                               const std::string& name) const;
   [[nodiscard]] std::optional<double> number_attribute(const std::string& object, const std::string& name) const;

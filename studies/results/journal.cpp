@@ -11,7 +11,7 @@
 #include "studies/results/bytes.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 

@@ -12,7 +12,7 @@
 #include "studies/results/digest.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/hdf5_file.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 
@@ -144,6 +144,7 @@ void write_root(Hdf5File& file, const ResultsMeta& meta) {
   file.set_attribute("/", "instruction_set", meta.instruction_set);
   file.set_attribute("/", "compiler", meta.compiler);
   file.set_attribute("/", "complete", std::int32_t{meta.complete ? 1 : 0});
+  file.set_attribute("/", "warnings", meta.warnings);
   file.set_attribute("/", "Conventions", std::string("CF-1.8"));
 }
 
@@ -440,6 +441,7 @@ ResultsMeta read_meta(const Hdf5File& file) {
   meta.instruction_set = text("instruction_set");
   meta.compiler = text("compiler");
   meta.complete = file.integer_attribute("/", "complete").value_or(0) == 1;
+  meta.warnings = file.texts_attribute("/", "warnings").value_or(std::vector<std::string>());
   return meta;
 }
 

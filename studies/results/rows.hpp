@@ -109,6 +109,8 @@ struct ResultsMeta {
   std::string instruction_set;  ///< numeric build: e.g. "avx512f"
   std::string compiler;         ///< numeric build: e.g. "GNU 12.2.0"
   bool complete = true;         ///< false: interrupted; some rows are not_run
+  /// Sentences that belong to the answer: what was not looked at, what it may be wrong by.
+  std::vector<std::string> warnings{};
 };
 
 /// Everything that goes into one results.h5 (or scenario_<id>.h5). Rows are sorted by id when written.

@@ -15,7 +15,7 @@
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/suspect_results.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "studies/results/durable_files.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 

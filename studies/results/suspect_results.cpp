@@ -14,7 +14,7 @@
 
 #include "studies/results/durable_files.hpp"
 #include "studies/results/run_layout.hpp"
-#include "studies/results/text.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 
@@ -214,6 +214,7 @@ void pass(Way& way, ResultsMeta& meta) {
     way.bytes(*text);
   }
   way.plain(meta.complete);
+  pass(way, meta.warnings);
 }
 
 template <class Way>

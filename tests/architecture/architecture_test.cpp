@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/include_lines.hpp"
+#include "tests/places.hpp"
 
 namespace unbruised {
 namespace {
@@ -29,6 +30,11 @@ const std::vector<SourceFile>& sources() {
   static const std::vector<SourceFile> all = read_sources(UNBRUISED_SOURCE_DIR, kHouses);
   return all;
 }
+
+/// The floors of studies, from the ground up: a folder sees itself and what stands below it.
+const std::vector<std::string> kStudiesFloors = {"text",    "statistics", "goals",     "config",
+                                                 "results", "scenarios",  "execution", "findings",
+                                                 "kinds",   "estimate",   "report",    "cli"};
 
 std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
@@ -108,6 +114,20 @@ TEST(Architecture, ArrowsPointOneWay) {
   });
 }
 
+TEST(Architecture, FoldersOfStudiesSeeOnlyTheFloorsBelow) {
+  const std::string house = "studies/";
+  const auto floor_of = [&](const std::string& path) {
+    const std::string folder = path.substr(house.size(), path.find('/', house.size()) - house.size());
+    return std::find(kStudiesFloors.begin(), kStudiesFloors.end(), folder) - kStudiesFloors.begin();
+  };
+  const auto floors = static_cast<std::ptrdiff_t>(kStudiesFloors.size());
+  for_every_include([&](const IncludeLine& include) {
+    if (!include.file.starts_with(house) || !include.target.starts_with(house)) return;
+    EXPECT_LT(floor_of(include.file), floors) << include.file << ": a folder without a floor";
+    EXPECT_LE(floor_of(include.target), floor_of(include.file)) << place(include) << ": a floor above";
+  });
+}
+
 TEST(Architecture, CholmodStaysInIntegration) {
   expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)",
                              {"core/integration/"});
@@ -132,7 +152,9 @@ TEST(Architecture, TomlStaysInConfig) {
   expect_included_only_below("^toml(\\+\\+|\\.hpp|plusplus)", {"studies/config/"});
 }
 
-TEST(Architecture, JsonStaysInReport) { expect_included_only_below("^nlohmann/", {"studies/report/"}); }
+TEST(Architecture, JsonStaysInReportAndCli) {
+  expect_included_only_below("^nlohmann/", {"studies/report/", "studies/cli/"});
+}
 
 TEST(Architecture, BoostAndRandom123StayInTheSourcesOfStatistics) {
   expect_included_only_below("^(boost|Random123)/", {"studies/statistics/"});

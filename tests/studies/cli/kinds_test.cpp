@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "tests/places.hpp"
 #include "tests/studies/cli/program.hpp"
 
 namespace unbruised::studies {

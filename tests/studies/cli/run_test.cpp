@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include "tests/places.hpp"
 #include "tests/studies/cli/program.hpp"
 
 namespace unbruised::studies {

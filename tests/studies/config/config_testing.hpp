@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/config/study.hpp"
+#include "tests/places.hpp"
 
 namespace unbruised::studies::testing {
 

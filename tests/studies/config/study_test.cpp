@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "tests/places.hpp"
 #include "tests/studies/config/config_testing.hpp"
 
 namespace unbruised::studies {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <utility>
 
-#include "studies/runner/grip_window.hpp"
-#include "studies/runner/summary.hpp"
+#include "studies/findings/grip_window.hpp"
+#include "studies/findings/summary.hpp"
 
 namespace unbruised::studies::testing {
 namespace {

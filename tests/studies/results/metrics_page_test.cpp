@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/outcome/outcome.hpp"
+#include "tests/places.hpp"
 
 namespace unbruised {
 namespace {

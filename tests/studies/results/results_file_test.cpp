@@ -10,6 +10,7 @@
 
 #include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
+#include "tests/places.hpp"
 #include "tests/studies/results/sample_rows.hpp"
 
 namespace unbruised::studies {

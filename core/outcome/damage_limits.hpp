@@ -1,0 +1,65 @@
+#pragma once
+
+/// @file
+/// The one table of limits that decide `damaged`: which key of [limits] bounds which metric, and what a limit
+/// needs to be able to act at all.
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/outcome/outcome.hpp"
+#include "core/simulation/scenario.hpp"
+
+namespace unbruised {
+
+/// What must be there for the metric of a limit to rise.
+enum class DamageNeeds {
+  yield,    ///< a yield stress, or a spring with a yield force: without it nothing deforms for good
+  gripper,  ///< fingers that press
+  gripper_and_yield,
+};
+
+struct DamageLimit {
+  Metric metric;
+  std::optional<double> LimitParameters::*limit;
+  DamageNeeds needs;
+  std::string_view key;    ///< "limits.permanent_set_m"
+  std::string_view rule;   ///< kept while true: "permanent_set_max_m <= limits.permanent_set_m"
+  std::string_view cause;  ///< of `damaged`: "permanent_set_max_m > limits.permanent_set_m"
+};
+
+inline constexpr std::array<DamageLimit, 7> kDamageLimits = {{
+    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m, DamageNeeds::yield, "limits.permanent_set_m",
+     "permanent_set_max_m <= limits.permanent_set_m", "permanent_set_max_m > limits.permanent_set_m"},
+    {Metric::plastic_strain_max, &LimitParameters::plastic_strain, DamageNeeds::yield, "limits.plastic_strain",
+     "plastic_strain_max <= limits.plastic_strain", "plastic_strain_max > limits.plastic_strain"},
+    {Metric::bruised_volume_m3, &LimitParameters::bruised_volume_m3, DamageNeeds::yield,
+     "limits.bruised_volume_m3", "bruised_volume_m3 <= limits.bruised_volume_m3",
+     "bruised_volume_m3 > limits.bruised_volume_m3"},
+    {Metric::peak_pressure_Pa, &LimitParameters::peak_pressure_Pa, DamageNeeds::gripper, "limits.peak_pressure_Pa",
+     "peak_pressure_Pa <= limits.peak_pressure_Pa", "peak_pressure_Pa > limits.peak_pressure_Pa"},
+    {Metric::absorbed_energy_J, &LimitParameters::absorbed_energy_J, DamageNeeds::yield,
+     "limits.absorbed_energy_J", "absorbed_energy_J <= limits.absorbed_energy_J",
+     "absorbed_energy_J > limits.absorbed_energy_J"},
+    {Metric::peak_finger_force_N, &LimitParameters::finger_force_N, DamageNeeds::gripper, "limits.finger_force_N",
+     "peak_finger_force_N <= limits.finger_force_N", "peak_finger_force_N > limits.finger_force_N"},
+    {Metric::contact_yield_ratio_max, &LimitParameters::contact_yield_ratio, DamageNeeds::gripper_and_yield,
+     "limits.contact_yield_ratio", "contact_yield_ratio_max <= limits.contact_yield_ratio",
+     "contact_yield_ratio_max > limits.contact_yield_ratio"},
+}};
+
+/// The bound that a run is judged by; none where the limit is absent or damage is not considered.
+constexpr std::optional<double> bound_of(const DamageLimit& limit, const LimitParameters& limits) {
+  return limits.damage == DamageJudging::not_considered ? std::nullopt : limits.*(limit.limit);
+}
+
+/// Can the product of this scenario keep a deformation?
+bool can_yield(const Scenario& scenario);
+/// Is there anything that could ever make the metric of this limit rise?
+bool can_act(const DamageLimit& limit, const Scenario& scenario);
+/// The limits that are set, are considered and can act. None: whether the product is damaged is not looked at.
+std::vector<const DamageLimit*> active_damage_limits(const Scenario& scenario);
+
+}  // namespace unbruised

@@ -1,0 +1,120 @@
+#include "studies/estimate/cost_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "core/motion/profile.hpp"
+#include "studies/execution/build_info.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+constexpr double kBytes = sizeof(double);
+/// Vectors of the length of the freedoms that one lane keeps (u, v, a, right-hand sides, loads, plastic state).
+constexpr double kVectorsPerLane = 24.0;
+/// Doubles that a particle of a lattice costs in the model: springs, cells, indices.
+constexpr double kDoublesPerParticle = 300.0;
+
+double duration_of(const StrategyParameters& strategy, double distance_m, double acceleration_m_s2) {
+  if (distance_m == 0.0 || !(acceleration_m_s2 > 0.0) || !(strategy.speed_m_s > 0.0)) return 0.0;
+  return MotionProfile::plan(strategy.profile, distance_m, acceleration_m_s2, strategy.speed_m_s).duration_s();
+}
+
+double series(double a, double b) { return a > 0.0 && b > 0.0 ? a * b / (a + b) : 0.0; }
+
+/// A curved product against a flat pad (or a flat one, when there is no curvature).
+struct ContactSpring {
+  const LatticeParameters& product;
+  const GripperParameters& gripper;
+
+  [[nodiscard]] double flat_stiffness_N_m() const {
+    const double area =
+        std::min(gripper.pad_size_m[0], product.size_m[1]) * std::min(gripper.pad_size_m[1], product.size_m[2]);
+    const double layer = gripper.pad_modulus_Pa * area / gripper.pad_thickness_m;
+    return series(layer, product.youngs_modulus_Pa * area / (0.5 * product.size_m[0]));
+  }
+
+  [[nodiscard]] double curved_stiffness_N_m(double force_N) const {
+    const double radius = 0.25 * (product.size_m[1] + product.size_m[2]);
+    const double reduced = product.youngs_modulus_Pa / (1.0 - product.poisson_ratio * product.poisson_ratio);
+    const double depth = std::pow(0.75 * force_N / (reduced * std::sqrt(radius)), 2.0 / 3.0);
+    const double pad_area = gripper.pad_size_m[0] * gripper.pad_size_m[1];
+    const double area = std::min(std::numbers::pi * radius * depth, pad_area);
+    const double layer = gripper.pad_modulus_Pa * area / gripper.pad_thickness_m;
+    return series(layer, 2.0 * reduced * std::sqrt(radius * depth));
+  }
+
+  [[nodiscard]] bool flat() const {
+    return product.shape == Shape::box || (product.shape == Shape::cylinder && product.axis == Axis::x);
+  }
+
+  [[nodiscard]] double stiffness_N_m(double force_N) const {
+    return flat() ? flat_stiffness_N_m() : curved_stiffness_N_m(force_N);
+  }
+};
+
+}  // namespace
+
+LaneStepRate measured_lane_step_rate() {
+  if (instruction_set() == "avx512f") return {1.5e-10, "an AVX-512 core (Zen 5)"};
+  return {8.7e-10, "an AVX2 core (Zen 3 at 2.4 GHz)"};
+}
+
+double simulated_duration_s(const Scenario& scenario) {
+  if (!scenario.gripper) return scenario.simulation.duration_s.value_or(0.0);
+  const StrategyParameters& s = scenario.strategy;
+  const CellParameters& cell = scenario.cell;
+  const double lift = s.lift_acceleration_m_s2;
+  const double approach = s.approach_speed_m_s > 0.0 ? cell.approach_gap_m / s.approach_speed_m_s : 0.0;
+  const double release = s.release_speed_m_s > 0.0 ? cell.approach_gap_m / s.release_speed_m_s : 0.0;
+  const double lower_m = cell.lift_height_m - cell.place_height_m - s.release_height_m;
+  const double whole =
+      approach + s.grip_ramp_s + s.settle_s + duration_of(s, cell.lift_height_m, lift) + s.hold_s +
+      duration_of(s, std::hypot(cell.transfer_m[0], cell.transfer_m[1]),
+                  s.transfer_acceleration_m_s2.value_or(lift)) +
+      duration_of(s, lower_m, s.lower_acceleration_m_s2.value_or(lift)) + s.place_settle_s + release + s.recover_s;
+  return std::min(whole, scenario.simulation.duration_s.value_or(std::numeric_limits<double>::infinity()));
+}
+
+double estimated_steps(const Scenario& scenario) {
+  return std::ceil(simulated_duration_s(scenario) / scenario.simulation.time_step_s);
+}
+
+double contact_time_s(const Scenario& scenario) {
+  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+  if (!scenario.gripper || product == nullptr) return std::numeric_limits<double>::infinity();
+  const ContactSpring spring{*product, *scenario.gripper};
+  const double mass = scenario.gripper->finger_mass_kg;
+  double force_N = scenario.strategy.grip_force_N;
+  double stiffness = spring.stiffness_N_m(force_N);
+  constexpr int kImpactIterations = 4;  // force and stiffness of a Hertz contact settle to per cents
+  for (int i = 0; i < kImpactIterations; ++i) {
+    force_N = std::max(scenario.strategy.grip_force_N,
+                       scenario.strategy.approach_speed_m_s * std::sqrt(mass * stiffness));
+    stiffness = spring.stiffness_N_m(force_N);
+  }
+  return std::numbers::pi * std::sqrt(mass / stiffness);
+}
+
+double estimated_factor_entries(const ModelSize& size) {
+  return kFactorEntriesPerFreedomPower * std::pow(static_cast<double>(size.freedom_count), 4.0 / 3.0);
+}
+
+double estimated_model_bytes(const ModelSize& size) {
+  const double contact_freedoms = 3.0 * static_cast<double>(size.contact_candidate_count);
+  return kBytes * (2.0 * estimated_factor_entries(size) + contact_freedoms * contact_freedoms +
+                   kDoublesPerParticle * static_cast<double>(size.particle_count));
+}
+
+double estimated_lane_bytes(const ModelSize& size) {
+  return kBytes * kVectorsPerLane * static_cast<double>(size.freedom_count);
+}
+
+double estimated_lane_step_s(const ModelSize& size) {
+  return measured_lane_step_rate().seconds_per_factor_entry * estimated_factor_entries(size);
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,103 @@
+#include "studies/estimate/memory_need.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <variant>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "core/product/lattice.hpp"
+#include "core/simulation/simulation.hpp"
+#include "studies/estimate/cost_estimate.hpp"
+#include "studies/kinds/search_study.hpp"
+#include "studies/scenarios/scenario_set.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// Scenarios that are looked at for the largest product, evenly over the study.
+constexpr std::size_t kScenariosSeen = 10000;
+/// Rows as they stand in memory, beside their inputs: metrics, cause, the node of a map.
+constexpr double kRowBytes = 8.0 * kMetricCount + 200.0;
+/// In the run directory, for results.h5, sorted, and twice as the bytes of the file.
+constexpr double kRowCopies = 6.0;
+/// A model below this part of the machine's memory needs no second look.
+constexpr double kSmallPart = 0.02;
+
+double number_in(const char* path) {
+  std::ifstream file(path);
+  double number = 0.0;
+  return file >> number && number > 0.0 ? number : std::numeric_limits<double>::infinity();
+}
+
+ScenarioSet seen_scenarios(const Study& study) {
+  return is_search(study.kind()) ? search_probes(study, 64) : scenario_set(study);
+}
+
+/// Particles of a lattice by its volume: near enough to tell megabytes from gigabytes.
+double particles_by_volume(const Scenario& scenario) {
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  if (lattice == nullptr)
+    return static_cast<double>(std::get<NetworkParameters>(scenario.product).particle.size());
+  const double cell_m = lattice->cell_size_m;
+  return true_volume_m3(*lattice) / (cell_m * cell_m * cell_m);
+}
+
+double bytes_by_volume(double particles) {
+  ModelSize size;
+  size.particle_count = static_cast<std::size_t>(std::min(particles, 1e15));
+  size.freedom_count = 3 * size.particle_count;
+  return estimated_model_bytes(size);
+}
+
+double model_and_lanes_bytes(const ModelSize& size) {
+  return estimated_model_bytes(size) + lane_count() * estimated_lane_bytes(size);
+}
+
+}  // namespace
+
+double machine_memory_bytes() {
+  double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  for (const char* path : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    bytes = std::min(bytes, number_in(path));
+  }
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+  }
+  return bytes;
+}
+
+double estimated_rows_bytes(double row_count, std::size_t input_count) {
+  return row_count * kRowCopies * (kRowBytes + static_cast<double>(input_count * sizeof(InputValue)));
+}
+
+std::optional<std::string> too_much_memory(const std::string& study_name, double needed_bytes) {
+  const double there = machine_memory_bytes();
+  if (needed_bytes <= there) return std::nullopt;
+  return joined({study_name, " needs about ", bytes_text(needed_bytes), " of memory, and this machine gives ",
+                 bytes_text(there), ": larger cells (product.cell_size_m), fewer scenarios or fewer --threads"});
+}
+
+std::optional<std::string> too_much_memory(const Study& study, int threads) {
+  const ScenarioSet set = seen_scenarios(study);
+  const std::size_t stride = std::max<std::size_t>(1, set.count / kScenariosSeen);
+  double most = 0.0;
+  std::size_t at = 0;
+  for (std::size_t id = 0; id < set.count; id += stride) {
+    const double particles = particles_by_volume(set.scenario(id));
+    if (particles > most) at = id;
+    most = std::max(most, particles);
+  }
+  const double rows = estimated_rows_bytes(static_cast<double>(set.count), set.columns.size());
+  const double models = std::min(static_cast<double>(threads), static_cast<double>(set.count));
+  if (auto refusal = too_much_memory(study.name(), rows + bytes_by_volume(most))) return refusal;
+  if (models * bytes_by_volume(most) < kSmallPart * machine_memory_bytes()) return std::nullopt;
+  return too_much_memory(study.name(), rows + models * model_and_lanes_bytes(model_size(set.scenario(at))));
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,87 @@
+#pragma once
+
+/// @file
+/// What a strategy is worth: its objectives, how far it is from breaking each constraint, and how sure that is.
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/outcome/outcome.hpp"
+#include "studies/config/study.hpp"
+#include "studies/goals/goal.hpp"
+#include "studies/results/rows.hpp"
+#include "studies/statistics/intervals.hpp"
+
+namespace unbruised::studies {
+
+/// A strategy that a search tried.
+struct Candidate {
+  SearchPlace place;                 ///< index: the point inside its generation
+  std::uint64_t first_scenario = 0;  ///< journal id of its (first) scenario
+  std::vector<double> values;        ///< of the study's variables
+  std::vector<double> objectives;    ///< one, of a pareto study two or three; NaN where a metric does not exist
+  std::vector<double> components;    ///< of all constraints; met when <= 0
+  double violation = 0.0;            ///< the largest of them; 0 without constraints
+  std::size_t binding = 0;           ///< which one that is
+  std::optional<Proportion> probability;  ///< robust: of `StrategyJudge::event`
+
+  [[nodiscard]] bool feasible() const;
+};
+
+/// Judges by the objectives and constraints of one study; immutable.
+class StrategyJudge {
+ public:
+  explicit StrategyJudge(const Study& study);
+
+  /// @param results of the strategy's scenarios: one, or one per product of a robust study
+  /// @param group of each product (ProductSample::group); empty: one scenario
+  [[nodiscard]] Candidate judge(std::vector<double> values, std::span<const ScenarioResult> results,
+                                std::span<const std::size_t> group) const;
+
+  [[nodiscard]] const std::vector<Objective>& objectives() const { return objectives_; }
+  /// What each component of the constraints speaks of, e.g. "held: permanent_set_max_m <= limits.permanent_set_m".
+  [[nodiscard]] const std::vector<std::string>& component_names() const { return component_names_; }
+  [[nodiscard]] const Study& study() const { return study_; }
+  /// The event whose probability a robust study reports: of its first probability constraint, else `held`.
+  [[nodiscard]] const OutcomeEvent& event() const { return event_; }
+  [[nodiscard]] const std::string& event_text() const { return event_text_; }
+
+ private:
+  Study study_;
+  bool sampled_;
+  std::vector<Objective> objectives_;
+  LimitParameters limits_;
+  std::vector<std::string> component_names_;
+  OutcomeEvent event_;
+  std::string event_text_ = "held";
+};
+
+/// Candidates as they come, from any thread.
+class CandidateLog {
+ public:
+  void add(Candidate candidate);
+  /// By (search, generation, index), whatever the order of arrival.
+  [[nodiscard]] std::vector<Candidate> sorted() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Candidate> candidates_;
+};
+
+/// The feasible candidate with the least objective, the first where several have it; nullptr: none is feasible.
+const Candidate* best_feasible(const std::vector<Candidate>& candidates, std::size_t objective);
+/// The candidate with the least violation; nullptr without candidates.
+const Candidate* least_violated(const std::vector<Candidate>& candidates);
+
+/// The strategies that no other beats in every objective, by their objectives; feasible ones only.
+std::vector<const Candidate*> front_of(const std::vector<Candidate>& candidates);
+/// The strategy that is checked again: the best, of a pareto study the knee of the front; nullptr: none is
+/// feasible.
+const Candidate* winner(const Study& study, const std::vector<Candidate>& candidates);
+
+}  // namespace unbruised::studies

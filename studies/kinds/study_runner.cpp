@@ -1,0 +1,395 @@
+#include "studies/kinds/study_runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <exception>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "studies/execution/batch_runner.hpp"
+#include "studies/execution/build_info.hpp"
+#include "studies/execution/evaluation_broker.hpp"
+#include "studies/execution/periodic_task.hpp"
+#include "studies/findings/found_tables.hpp"
+#include "studies/findings/grip_window.hpp"
+#include "studies/findings/strategy_judge.hpp"
+#include "studies/goals/verdict.hpp"
+#include "studies/kinds/search_study.hpp"
+#include "studies/kinds/window_search.hpp"
+#include "studies/results/digest.hpp"
+#include "studies/scenarios/scenario_set.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+constexpr const char* kGripForceKey = "strategy.grip_force_N";
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32] = "";
+  const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return {text, length};
+}
+
+/// Carries a failure of the journal out of the batch runner.
+struct JournalFailure {
+  ResultsError error;
+};
+
+GripSample sample_of(const ScenarioResult& result, const LimitParameters& limits, double grip_force_N) {
+  return {.grip_force_N = grip_force_N,
+          .holds = holds(result.metrics, result.outcome, limits),
+          .undamaged = undamaged(result.metrics, result.outcome, limits),
+          .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N]};
+}
+
+std::optional<std::size_t> column_of(const Study& study, const std::string& key) {
+  for (std::size_t i = 0; i < study.inputs().size(); ++i) {
+    if (study.inputs()[i].key == key) return i;
+  }
+  return std::nullopt;
+}
+
+class StudyRun {
+ public:
+  StudyRun(const Study& study, RunDirectory& run, const Simulator& simulator, const StudyRunOptions& options)
+      : study_(study), run_(run), simulator_(simulator), options_(options), set_(scenario_set(study)) {}
+
+  Expected<StudyReport> execute() {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      const PeriodicTask compaction(options_.compaction_interval, [this] { compact(); });
+      run_kind();
+    } catch (const JournalFailure& failure) {
+      return failure.error;
+    }
+    if (auto error = write_results()) return *error;
+    report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    log_end();
+    return std::move(report_);
+  }
+
+ private:
+  void run_kind() {
+    if (study_.kind() == StudyKind::window) return run_window();
+    if (is_search(study_.kind())) return run_search();
+    if (study_.kind() == StudyKind::simulate && study_.scenario_count() == 1) return run_traced();
+    run_set();
+  }
+
+  // simulate: one scenario with its trace. The trace is not in the journal, so a resumed run makes it again.
+  void run_traced() {
+    expect(1, run_.is_done(0) ? 1 : 0);
+    std::optional<ScenarioResult> result = run_alone(simulator_, study_.scenario(0), &trace_, options_.stop);
+    if (!result) {
+      report_.interrupted = true;
+    } else if (!run_.is_done(0)) {
+      record({.id = 0, .result = std::move(*result), .inputs = grid_inputs(study_, 0)});
+    }
+    has_trace_ = !report_.interrupted;
+  }
+
+  // sweep, sample, compare, sensitivity: every scenario that is not done yet.
+  void run_set() {
+    Batch batch;
+    for (std::uint64_t id = 0; id < set_.count; ++id) {
+      if (!run_.is_done(id)) batch.ids.push_back(id);
+    }
+    batch.scenario = set_.scenario;
+    expect(set_.count, set_.count - batch.ids.size());
+    const BatchReport done =
+        run_batch(simulator_, batch, batch_options(), [this](std::uint64_t id, const ScenarioResult& result) {
+          record({.id = id, .result = result, .inputs = set_.inputs(id)});
+        });
+    report_.lane_use = done.lane_use;
+    report_.interrupted = done.stopped;
+    if (!report_.interrupted) look_at_set(run_.rows());
+  }
+
+  void look_at_set(const std::vector<ScenarioRow>& rows) {
+    switch (study_.kind()) {
+      case StudyKind::sweep:
+        report_.tables.window = window_of_sweep(study_, rows);
+        return;
+      case StudyKind::sample:
+        report_.tables.found = sample_tables(study_, rows);
+        return;
+      case StudyKind::compare:
+        report_.tables.found = compare_tables(study_, rows);
+        return;
+      case StudyKind::sensitivity:
+        report_.tables.found = sensitivity_tables(study_, rows);
+        return;
+      default:
+        return;
+    }
+  }
+
+  // optimize, robust, pareto: searches that ask one broker; recorded answers are not computed again.
+  void run_search() {
+    if (options_.progress != nullptr) options_.progress->total_may_grow();
+    const std::vector<ScenarioRow> recorded = run_.rows();
+    expect(evaluations_at_most(study_), recorded.size());
+    const StrategyJudge judge(study_);
+    EvaluationBroker broker(
+        simulator_, recorded, [this](const ScenarioRow& row, bool) { record(row); },
+        {.threads = options_.threads, .stop = options_.stop, .concurrent_searches = options_.concurrent_searches});
+    SearchFindings found;
+    try {
+      found = run_searches(judge, broker);
+    } catch (const EvaluationBroker::ForeignRecord& foreign) {
+      throw foreign_record(journal_id(foreign.place));
+    }
+    report_.interrupted = found.interrupted;
+    report_.lane_use = found.searching;
+    report_.search_seconds = found.search_seconds;
+    report_.from_memory = broker.counts().from_memory;
+    std::vector<ScenarioRow> rows = run_.rows();
+    number_search_rows(rows);
+    report_.tables.found = search_tables(judge, found, rows);
+  }
+
+  // window: rounds of evaluations, each answered from the journal where it can be.
+  void run_window() {
+    if (options_.progress != nullptr) options_.progress->total_may_grow();
+    const WindowSettings& range = study_.window();
+    WindowSearchSettings settings{.from_N = range.from_N,
+                                  .to_N = range.to_N,
+                                  .tolerance = range.tolerance,
+                                  .lane_count = simulator_.lane_count(),
+                                  .factor_group = factor_groups()};
+    for (const ScenarioRow& row : run_.rows()) recorded_.emplace(row.id, row);
+    const WindowSearchResult found =
+        search_windows(settings, [this](const std::vector<ForceRequest>& requests) { return answer(requests); });
+    report_.interrupted = found.interrupted;
+    if (!found.interrupted) report_.tables.window = window_table(found.rows);
+  }
+
+  std::vector<std::size_t> factor_groups() const {
+    std::vector<std::size_t> group_of;
+    std::unordered_map<std::string, std::size_t> index_of;
+    for (std::size_t point = 0; point < study_.scenario_count(); ++point) {
+      const std::string key = simulator_.factor_key(study_.scenario(point));
+      group_of.push_back(index_of.try_emplace(key, index_of.size()).first->second);
+    }
+    return group_of;
+  }
+
+  std::optional<std::vector<GripSample>> answer(const std::vector<ForceRequest>& requests) {
+    const std::uint64_t first_id = requests.front().id;
+    const auto request_of = [&](std::uint64_t id) -> const ForceRequest& { return requests[id - first_id]; };
+    Batch batch;
+    for (const ForceRequest& request : requests) {
+      if (!is_recorded(request)) batch.ids.push_back(request.id);
+    }
+    batch.scenario = [&](std::uint64_t id) {
+      return window_scenario(study_, request_of(id).combination, request_of(id).grip_force_N);
+    };
+    expect(requests.size(), requests.size() - batch.ids.size());
+    const BatchReport done =
+        run_batch(simulator_, batch, batch_options(), [&](std::uint64_t id, const ScenarioResult& result) {
+          ScenarioRow row{.id = id, .result = result, .inputs = evaluation_inputs(request_of(id))};
+          record(row);
+          recorded_.insert_or_assign(id, std::move(row));
+        });
+    if (done.stopped) return std::nullopt;
+    std::vector<GripSample> answers;
+    for (const ForceRequest& request : requests) {
+      const LimitParameters limits = study_.scenario(request.combination).limits;
+      answers.push_back(sample_of(recorded_.at(request.id).result, limits, request.grip_force_N));
+    }
+    return answers;
+  }
+
+  std::vector<InputValue> evaluation_inputs(const ForceRequest& request) const {
+    std::vector<InputValue> inputs = grid_inputs(study_, request.combination);
+    inputs.emplace_back(request.grip_force_N);
+    return inputs;
+  }
+
+  bool is_recorded(const ForceRequest& request) const {
+    const auto found = recorded_.find(request.id);
+    if (found == recorded_.end()) return false;
+    if (found->second.inputs != evaluation_inputs(request)) {
+      throw foreign_record(request.id);
+    }
+    return true;
+  }
+
+  [[nodiscard]] JournalFailure foreign_record(std::uint64_t id) const {
+    return {{ResultsErrorKind::damaged,
+             joined({"evaluation ", std::to_string(id), " in the journal of ", run_.directory().string(),
+                     " is another one than this search asks for: it was written by another build or "
+                     "is damaged. Use --fresh to move it aside and start anew"}),
+             {}}};
+  }
+
+  WindowTable window_table(const std::vector<WindowRow>& found) const {
+    WindowTable table;
+    table.inputs = input_columns(study_);
+    table.inputs.pop_back();  // the grip force is what was searched
+    table.rows = found;
+    for (std::size_t point = 0; point < found.size(); ++point)
+      table.rows[point].inputs = grid_inputs(study_, point);
+    return table;
+  }
+
+  void record(const ScenarioRow& row) {
+    if (auto error = run_.append(row)) throw JournalFailure{*error};
+    ++report_.run_now;
+    if (options_.progress != nullptr) options_.progress->count(row.result.outcome);
+    if (row.result.outcome == Outcome::diverged) {
+      run_.log(joined({"scenario ", std::to_string(row.id), " diverged: ", row.result.cause}));
+    }
+  }
+
+  void expect(std::size_t count, std::size_t already_done) {
+    if (options_.progress != nullptr) options_.progress->expect(count, already_done);
+  }
+
+  BatchOptions batch_options() const { return {.threads = options_.threads, .stop = options_.stop}; }
+
+  // results.h5 as far as the study is. A failure is no reason to stop: the journal is what counts.
+  void compact() {
+    try {
+      if (auto error = run_.finish(unfinished_content(study_, run_))) run_.log(error->message);
+    } catch (const std::exception& failure) {  // no memory for another copy of the rows
+      run_.log(failure.what());
+    }
+  }
+
+  MaybeError write_results() {
+    ResultsContent content = unfinished_content(study_, run_);
+    content.meta.complete = !report_.interrupted;
+    content.tables = report_.tables.found;
+    content.window = report_.tables.window ? &*report_.tables.window : nullptr;
+    content.trace = has_trace_ ? &trace_ : nullptr;
+    if (auto error = run_.finish(std::move(content))) return error;
+    report_.tables.inputs = input_columns(study_);
+    report_.tables.rows = run_.rows();
+    if (is_search(study_.kind())) number_search_rows(report_.tables.rows);
+    return {};
+  }
+
+  void log_end() {
+    run_.log(
+        joined({report_.interrupted ? "interrupted" : "finished", " after ", duration_text(report_.seconds), ": ",
+                std::to_string(report_.run_now), " scenarios run, ", outcome_line(report_.tables.rows)}));
+  }
+
+  const Study& study_;
+  RunDirectory& run_;
+  const Simulator& simulator_;
+  const StudyRunOptions& options_;
+  const ScenarioSet set_;
+  std::unordered_map<std::uint64_t, ScenarioRow> recorded_;
+  Trace trace_;
+  bool has_trace_ = false;
+  StudyReport report_;
+};
+
+}  // namespace
+
+Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
+                                const StudyRunOptions& options) {
+  return StudyRun(study, run, simulator, options).execute();
+}
+
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run) {
+  ResultsContent content;
+  content.meta = results_meta(study, false);
+  content.inputs = input_columns(study);
+  content.rows_of_search = is_search(study.kind());
+  if (!has_fixed_scenarios(study.kind())) return content;
+  const ScenarioSet set = scenario_set(study);
+  for (std::uint64_t id = 0; id < set.count; ++id) {
+    if (!run.is_done(id)) content.rows.push_back({.id = id, .result = {}, .inputs = set.inputs(id)});
+  }
+  return content;
+}
+
+ResultsMeta results_meta(const Study& study, bool complete) {
+  ResultsMeta meta;
+  meta.unbruised_version = program_version();
+  meta.config_toml = study.resolved_toml();
+  meta.study_name = study.name();
+  meta.study_kind = study_kind_word(study.kind());
+  meta.created_utc = utc_now();
+  meta.instruction_set = instruction_set();
+  meta.compiler = compiler_text();
+  meta.complete = complete;
+  return meta;
+}
+
+bool has_fixed_scenarios(StudyKind kind) { return kind != StudyKind::window && !is_search(kind); }
+
+std::vector<ColumnInfo> input_columns(const Study& study) {
+  if (is_search(study.kind())) return search_columns(study);
+  std::vector<ColumnInfo> columns = scenario_set(study).columns;
+  if (study.kind() == StudyKind::window) {
+    columns.push_back({.key = kGripForceKey, .units = "N", .long_name = "drive force limit of each finger"});
+  }
+  return columns;
+}
+
+Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N) {
+  Scenario scenario = study.scenario(point);
+  scenario.strategy.grip_force_N = grip_force_N;
+  scenario.strategy.contact_force_N = std::min(scenario.strategy.contact_force_N, grip_force_N);
+  return scenario;
+}
+
+std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row) {
+  if (has_fixed_scenarios(study.kind())) {
+    const ScenarioSet set = scenario_set(study);
+    if (row.id >= set.count) return std::nullopt;
+    return set.scenario(row.id);
+  }
+  if (is_search(study.kind())) return scenario_of_search_inputs(study, row.inputs);
+  if (row.inputs.empty() || !std::holds_alternative<double>(row.inputs.back())) return std::nullopt;
+  const std::vector<InputValue> combination(row.inputs.begin(), row.inputs.end() - 1);
+  for (std::size_t point = 0; point < study.scenario_count(); ++point) {
+    if (grid_inputs(study, point) == combination) {
+      return window_scenario(study, point, std::get<double>(row.inputs.back()));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<WindowTable> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows) {
+  const std::optional<std::size_t> force_column = column_of(study, kGripForceKey);
+  if (!force_column) return std::nullopt;
+  // Points that agree in all other keys stand together, in the order of the study.
+  std::map<std::vector<std::size_t>, std::vector<GripSample>> samples;
+  std::map<std::vector<std::size_t>, std::uint64_t> a_point_of;
+  for (const ScenarioRow& row : rows) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < study.inputs().size(); ++i) {
+      if (i != *force_column) others.push_back(study.input_index(row.id, i));
+    }
+    const double force_N = study.input_number(row.id, *force_column);
+    samples[others].push_back(sample_of(row.result, study.scenario(row.id).limits, force_N));
+    a_point_of.try_emplace(std::move(others), row.id);
+  }
+  const auto without_force = [&](auto values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(*force_column));
+    return values;
+  };
+  WindowTable table;
+  table.inputs = without_force(input_columns(study));
+  for (auto& [others, group] : samples) {
+    WindowRow row = read_grip_window(std::move(group));
+    row.inputs = without_force(grid_inputs(study, a_point_of.at(others)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace unbruised::studies

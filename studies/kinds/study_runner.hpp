@@ -1,0 +1,76 @@
+#pragma once
+
+/// @file
+/// Runs a study on its run directory: only what the journal does not hold yet, every row into the journal as it
+/// comes, results.h5 at the end.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+#include "studies/config/study.hpp"
+#include "studies/execution/lane_scheduler.hpp"
+#include "studies/execution/progress.hpp"
+#include "studies/execution/simulator.hpp"
+#include "studies/findings/summary.hpp"
+#include "studies/results/expected.hpp"
+#include "studies/results/rows.hpp"
+#include "studies/results/run_directory.hpp"
+
+namespace unbruised::studies {
+
+struct StudyRunOptions {
+  /// > 0
+  int threads = 1;
+  const std::atomic<bool>* stop = nullptr;  ///< may be null
+  Progress* progress = nullptr;             ///< may be null
+  /// > 0; searches that run at the same time (one: one after the other, for benchmarks; the same results)
+  std::size_t concurrent_searches = 256;
+  /// > 0; how often results.h5 is brought up to date while the study runs
+  std::chrono::milliseconds compaction_interval = std::chrono::minutes(10);
+};
+
+struct StudyReport {
+  StudyTables tables;
+  bool interrupted = false;
+  double seconds = 0.0;
+  std::size_t run_now = 0;      ///< scenarios that were not in the journal
+  LaneUse lane_use;             ///< how full the lanes were; of a search: while it searched
+  std::size_t from_memory = 0;  ///< questions of a search that had been asked before
+  double search_seconds = 0.0;  ///< of a search, until its answer was there and before it was checked
+};
+
+/// Runs what is left of a study and writes results.h5, also when interrupted (complete = 0).
+/// Errors: those of the run directory; damaged when a recorded evaluation of a search does not belong to it.
+Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
+                                const StudyRunOptions& options);
+
+/// results.h5 of a study that is not finished: scenarios not run yet are rows too where they are known beforehand,
+/// what the kind finds beside is missing.
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run);
+
+/// What the root of a results file says about this study.
+ResultsMeta results_meta(const Study& study, bool complete);
+
+/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
+/// and drawn.
+std::vector<ColumnInfo> input_columns(const Study& study);
+/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are
+/// known once they have been asked for.
+bool has_fixed_scenarios(StudyKind kind);
+
+/// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds
+/// it.
+Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N);
+/// The scenario a row of this study was made from; nothing when its inputs are none of the study's.
+std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row);
+
+/// The window of a sweep over the grip force, read from its grid; nothing when the grip force is not varied.
+std::optional<WindowTable> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows);
+
+}  // namespace unbruised::studies

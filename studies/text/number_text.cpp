@@ -1,0 +1,51 @@
+#include "studies/text/number_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+#include "studies/text/joined.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+std::string printed(const char* format, double value) {
+  std::array<char, 64> text{};
+  const int length = std::snprintf(text.data(), text.size(), format, value);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+}  // namespace
+
+std::string short_number(double value) { return printed("%.4g", value); }
+
+std::string with_thousands(unsigned long long value) {
+  std::string text = std::to_string(value);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
+  return text;
+}
+
+std::string duration_text(double seconds) {
+  if (!(seconds >= 0.0) || !std::isfinite(seconds)) return "?";
+  if (seconds < 1.0) return printed("%.2g s", seconds);
+  if (seconds < 59.5) return printed("%.0f s", seconds);
+  const double minutes = seconds / 60.0;
+  if (minutes < 59.5) {
+    const double whole = std::floor(minutes);
+    return joined({printed("%.0f min", whole), printed(" %.0f s", std::floor(seconds - 60.0 * whole))});
+  }
+  const double hours = std::floor(minutes / 60.0);
+  if (hours < 48.0)
+    return joined({printed("%.0f h", hours), printed(" %.0f min", std::floor(minutes - 60.0 * hours))});
+  return printed("%.1f days", minutes / 1440.0);
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1e3) return printed("%.0f bytes", bytes);
+  if (bytes < 1e6) return printed("%.3g kB", bytes / 1e3);
+  if (bytes < 1e9) return printed("%.3g MB", bytes / 1e6);
+  return printed("%.3g GB", bytes / 1e9);
+}
+
+}  // namespace unbruised::studies

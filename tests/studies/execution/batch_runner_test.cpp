@@ -1,0 +1,168 @@
+#include "studies/execution/batch_runner.hpp"
+
+#include <map>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "studies/results/digest.hpp"
+#include "tests/studies/execution/fake_simulator.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::fake_result;
+using testing::FakeSimulator;
+using testing::kFakeLanes;
+
+/// `groups` factor keys of `per_group` scenarios, mixed, with durations of 1 to 7 steps.
+Scenario scenario_of(std::uint64_t id, std::uint64_t groups) {
+  Scenario scenario;
+  std::get<LatticeParameters>(scenario.product).youngs_modulus_Pa = 1e6 + static_cast<double>(id % groups);
+  scenario.strategy.grip_force_N = 1.0 + static_cast<double>(id);
+  scenario.simulation.duration_s = static_cast<double>(1 + (id * 5) % 7);
+  return scenario;
+}
+
+Batch batch_of(std::uint64_t count, std::uint64_t groups) {
+  Batch batch;
+  for (std::uint64_t id = 0; id < count; ++id) batch.ids.push_back(id);
+  batch.scenario = [groups](std::uint64_t id) { return scenario_of(id, groups); };
+  return batch;
+}
+
+struct BatchRun {
+  std::map<std::uint64_t, ScenarioResult> results;
+  BatchReport report;
+};
+
+BatchRun run(const FakeSimulator& simulator, const Batch& batch, int threads) {
+  BatchRun outcome;
+  outcome.report =
+      run_batch(simulator, batch, {.threads = threads}, [&](std::uint64_t id, const ScenarioResult& r) {
+        EXPECT_TRUE(outcome.results.emplace(id, r).second) << "scenario " << id << " was delivered twice";
+      });
+  return outcome;
+}
+
+TEST(BatchRunner, GivesEachIdItsOwnResultWhateverTheThreadsAndGroups) {
+  for (const std::uint64_t groups : {1U, 3U, 40U}) {
+    for (const int threads : {1, 2, 4}) {
+      const FakeSimulator simulator;
+      const BatchRun done = run(simulator, batch_of(200, groups), threads);
+      ASSERT_EQ(done.results.size(), 200U) << groups << " groups, " << threads << " threads";
+      for (const auto& [id, result] : done.results) {
+        ASSERT_EQ(result_digest(result), result_digest(fake_result(scenario_of(id, groups))))
+            << "scenario " << id << ", " << groups << " groups, " << threads << " threads";
+      }
+      EXPECT_FALSE(done.report.stopped);
+      EXPECT_EQ(done.report.group_count, groups);
+    }
+  }
+}
+
+TEST(BatchRunner, BuildsEachModelOnceAndKeepsFewAlive) {
+  for (const int threads : {1, 2, 4}) {
+    const FakeSimulator simulator;
+    run(simulator, batch_of(300, 50), threads);
+    EXPECT_EQ(simulator.record.models_built, 50);
+    EXPECT_LE(simulator.record.most_models_alive, threads + 1);
+    EXPECT_EQ(simulator.record.models_alive, 0);
+  }
+}
+
+TEST(BatchRunner, KeepsLanesFullWhileThereAreScenarios) {
+  const FakeSimulator simulator;
+  const Batch batch = batch_of(400, 1);
+  run(simulator, batch, 1);
+  double lane_steps = 0.0;
+  for (const std::uint64_t id : batch.ids) lane_steps += scenario_of(id, 1).simulation.duration_s.value();
+  // Lanes are empty only at the end, for at most the longest run.
+  EXPECT_LE(static_cast<double>(simulator.record.steps), lane_steps / kFakeLanes + 7.0);
+  EXPECT_EQ(simulator.record.lane_simulations, 1);
+}
+
+TEST(BatchRunner, SharesAFewScenariosFairlyAtTheStart) {
+  const FakeSimulator simulator;
+  run(simulator, batch_of(4, 1), 4);
+  // Four scenarios on four threads: nobody may take more than its share before the others have had theirs.
+  EXPECT_LT(simulator.record.most_lanes_busy, 4);
+}
+
+TEST(BatchRunner, TurnsAModelThatCannotBeBuiltIntoRows) {
+  FakeSimulator simulator;
+  simulator.faults.no_model_of_modulus_Pa = 1e6 + 1.0;
+  const BatchRun done = run(simulator, batch_of(30, 3), 2);
+  ASSERT_EQ(done.results.size(), 30U);
+  for (const auto& [id, result] : done.results) {
+    EXPECT_EQ(result.outcome, id % 3 == 1 ? Outcome::diverged : Outcome::held) << id;
+    EXPECT_EQ(result.cause, id % 3 == 1 ? "the matrix cannot be factored" : "") << id;
+  }
+}
+
+TEST(BatchRunner, GivesOnlyTheScenarioThatThrowsARowWithTheCause) {
+  for (const int threads : {1, 3}) {
+    FakeSimulator simulator;
+    simulator.faults.throws_in_step_at_N = 1.0 + 17.0;
+    simulator.faults.throws_in_load_at_N = 1.0 + 23.0;
+    const BatchRun done = run(simulator, batch_of(60, 1), threads);
+    ASSERT_EQ(done.results.size(), 60U);
+    for (const auto& [id, result] : done.results) {
+      if (id == 17 || id == 23) {
+        EXPECT_EQ(result.outcome, Outcome::diverged);
+        EXPECT_EQ(result.cause, id == 17 ? "out of memory" : "internal error: cannot load this");
+      } else {
+        EXPECT_EQ(result_digest(result), result_digest(fake_result(scenario_of(id, 1)))) << id;
+      }
+    }
+  }
+}
+
+TEST(BatchRunner, TurnsLackOfMemoryForLanesIntoRows) {
+  FakeSimulator simulator;
+  simulator.faults.no_lanes = true;
+  const BatchRun done = run(simulator, batch_of(30, 2), 3);
+  ASSERT_EQ(done.results.size(), 30U);
+  for (const auto& [id, result] : done.results) EXPECT_EQ(result.cause, "out of memory") << id;
+}
+
+TEST(BatchRunner, StopsHandingOutScenarios) {
+  const FakeSimulator simulator;
+  std::atomic<bool> stop = false;
+  std::size_t delivered = 0;
+  const BatchReport report = run_batch(simulator, batch_of(5000, 5), {.threads = 2, .stop = &stop},
+                                       [&](std::uint64_t, const ScenarioResult&) { stop = ++delivered >= 10; });
+  EXPECT_TRUE(report.stopped);
+  EXPECT_EQ(report.delivered, delivered);
+  EXPECT_GE(delivered, 10U);
+  EXPECT_LT(delivered, 100U);
+}
+
+TEST(BatchRunner, PassesAnExceptionOfTheSinkOn) {
+  const FakeSimulator simulator;
+  const ResultSink full_disk = [](std::uint64_t id, const ScenarioResult&) {
+    if (id == 40) throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(run_batch(simulator, batch_of(500, 3), {.threads = 2}, full_disk), std::runtime_error);
+}
+
+TEST(BatchRunner, RunsNothingOfAnEmptyBatch) {
+  const FakeSimulator simulator;
+  const BatchRun done = run(simulator, batch_of(0, 1), 2);
+  EXPECT_EQ(done.report.delivered, 0U);
+  EXPECT_FALSE(done.report.stopped);
+}
+
+TEST(BatchRunner, RunsOneScenarioAloneWithItsTrace) {
+  const FakeSimulator simulator;
+  Trace trace;
+  const auto result = run_alone(simulator, scenario_of(5, 1), &trace, nullptr);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result_digest(*result), result_digest(fake_result(scenario_of(5, 1))));
+  EXPECT_EQ(trace.time_s.size(), 1U);
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(run_alone(simulator, scenario_of(5, 1), nullptr, &stop).has_value());
+}
+
+}  // namespace
+}  // namespace unbruised::studies

@@ -1,0 +1,125 @@
+/// @file
+/// The shipped kiwi sweep gives the same bits whatever the threads, the order and the company of a scenario, and
+/// its balances hold. The quick tests run every seventh scenario of it on coarse cells, the heavy ones all of it
+/// as shipped.
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "studies/config/study.hpp"
+#include "studies/execution/batch_runner.hpp"
+#include "studies/goals/verdict.hpp"
+#include "studies/results/digest.hpp"
+#include "tests/places.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+Study kiwi_sweep(const std::vector<std::string>& sets) {
+  const std::string root = std::string(UNBRUISED_SOURCE_DIR) + "/configs";
+  return std::get<Study>(read_study(root + "/kiwi_sweep.toml", sets, root));
+}
+
+using Results = std::map<std::uint64_t, ScenarioResult>;
+
+Results run_ids(const Study& study, const std::vector<std::uint64_t>& ids, int threads) {
+  Batch batch;
+  batch.ids = ids;
+  batch.scenario = [&study](std::uint64_t id) { return study.scenario(id); };
+  BatchOptions options;
+  options.threads = threads;
+  Results results;
+  run_batch(core_simulator(), batch, options,
+            [&results](std::uint64_t id, const ScenarioResult& result) { results[id] = result; });
+  return results;
+}
+
+std::string digest_of(const Results& results) {
+  std::vector<std::uint64_t> digests;
+  for (const auto& [id, result] : results) digests.push_back(result_digest(result));
+  return digest_text(digest_of_digests(digests));
+}
+
+/// Reversed, then shuffled: any order of handing out gives other neighbours in the lanes.
+std::vector<std::vector<std::uint64_t>> other_orders(std::vector<std::uint64_t> ids) {
+  std::reverse(ids.begin(), ids.end());
+  std::vector<std::vector<std::uint64_t>> orders = {ids};
+  std::mt19937_64 random(7);
+  std::shuffle(ids.begin(), ids.end(), random);
+  orders.push_back(ids);
+  return orders;
+}
+
+void expect_same_bits(const Study& study, const std::vector<std::uint64_t>& ids, std::size_t alone_stride) {
+  const Results once = run_ids(study, ids, 1);
+  ASSERT_EQ(once.size(), ids.size());
+  const std::string digest = digest_of(once);
+  EXPECT_EQ(digest_of(run_ids(study, ids, 2)), digest) << "two threads";
+  for (const auto& order : other_orders(ids))
+    EXPECT_EQ(digest_of(run_ids(study, order, 2)), digest) << "another order";
+  for (std::size_t i = 0; i < ids.size(); i += alone_stride) {
+    const auto alone = run_alone(core_simulator(), study.scenario(ids[i]), nullptr, nullptr);
+    ASSERT_TRUE(alone.has_value());
+    EXPECT_EQ(result_digest(*alone), result_digest(once.at(ids[i]))) << "scenario " << ids[i] << " alone";
+  }
+}
+
+void expect_balances(const Results& results) {
+  double impulse = 0.0, energy = -1.0;
+  for (const auto& [id, result] : results) {
+    impulse = std::max(impulse, result.metrics[Metric::impulse_balance_error]);
+    energy = std::max(energy, result.metrics[Metric::energy_balance_error]);
+    EXPECT_LT(result.metrics[Metric::impulse_balance_error], 5e-3) << "scenario " << id;
+    // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20
+    // steps per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
+    EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3) << "scenario " << id;
+  }
+  std::printf("largest impulse balance error %.3g, largest energy balance error %.3g\n", impulse, energy);
+}
+
+std::vector<std::uint64_t> all_ids(const Study& study) {
+  std::vector<std::uint64_t> ids(study.scenario_count());
+  std::iota(ids.begin(), ids.end(), 0);
+  return ids;
+}
+
+TEST(SameBits, CoarseKiwiSweepForAnyThreadsOrderAndCompany) {
+  const Study study = kiwi_sweep({"product.cell_size_m=0.0125", "simulation.time_step_s=2e-3"});
+  std::vector<std::uint64_t> ids;
+  for (std::uint64_t id = 0; id < study.scenario_count(); id += 7) ids.push_back(id);
+  expect_same_bits(study, ids, 10);
+  expect_balances(run_ids(study, ids, 2));
+}
+
+TEST(HeavySameBits, KiwiSweepAsShippedForAnyThreadsOrderAndCompany) {
+  const Study study = kiwi_sweep({});
+  expect_same_bits(study, all_ids(study), 101);
+}
+
+TEST(HeavySameBits, KiwiSweepKeepsItsBalancesAndItsClosedFormHoldLimit) {
+  const Study study = kiwi_sweep({});
+  const Results results = run_ids(study, all_ids(study), 2);
+  expect_balances(results);
+  for (const auto& [id, result] : results) {
+    const Scenario scenario = study.scenario(id);
+    const auto& product = std::get<LatticeParameters>(scenario.product);
+    const double needed =
+        *product.mass_kg * (9.80665 + scenario.strategy.lift_acceleration_m_s2) / (2.0 * product.friction);
+    // Well off the closed form the answer must be plain, where the fingers close gently enough not to bounce off.
+    if (scenario.strategy.approach_speed_m_s > 0.1) continue;
+    if (scenario.strategy.grip_force_N < 0.85 * needed) {
+      EXPECT_NE(result.outcome, Outcome::held) << "scenario " << id;
+    }
+    if (scenario.strategy.grip_force_N > 1.1 * needed) {
+      EXPECT_TRUE(result.outcome == Outcome::held || result.outcome == Outcome::damaged) << "scenario " << id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace unbruised::studies

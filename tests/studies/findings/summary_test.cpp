@@ -1,0 +1,120 @@
+#include "studies/findings/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studies/execution/progress.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+ScenarioRow row_of(std::uint64_t id, Outcome outcome, double cycle_time_s, double margin) {
+  ScenarioRow row;
+  row.id = id;
+  row.result.outcome = outcome;
+  row.result.metrics[Metric::cycle_time_s] = cycle_time_s;
+  row.result.metrics[Metric::friction_margin_min] = margin;
+  row.inputs = {0.5 * static_cast<double>(id)};
+  return row;
+}
+
+TEST(Summary, TheBestRowIsHeldThenShortThenSafe) {
+  const std::vector<ScenarioRow> rows = {row_of(0, Outcome::damaged, 1.0, 9.0), row_of(1, Outcome::held, 2.0, 0.1),
+                                         row_of(2, Outcome::held, 2.0, 0.4), row_of(3, Outcome::held, 3.0, 9.0),
+                                         row_of(4, Outcome::held, 2.0, kAbsent)};
+  ASSERT_NE(best_row(rows), nullptr);
+  EXPECT_EQ(best_row(rows)->id, 2U);
+  EXPECT_EQ(best_row({rows[0]}), nullptr);
+}
+
+TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
+  StudyTables tables;
+  tables.inputs = {{"strategy.grip_force_N", "N", ""}};
+  tables.rows = {row_of(0, Outcome::held, 1.0, 9.0)};
+  EXPECT_TRUE(summary_lines(tables, "sweep").back().starts_with("best: scenario 0"));
+  EXPECT_EQ(summary_lines(tables, "robust").back(), "answer: none yet; a study of kind robust has it at its end");
+}
+
+TEST(Summary, NamesTheWorstBalancesAndTheirScenarios) {
+  std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, 1, 1), row_of(1, Outcome::held, 1, 1)};
+  rows[0].result.metrics[Metric::impulse_balance_error] = -3e-9;
+  rows[1].result.metrics[Metric::impulse_balance_error] = 1e-9;
+  rows[1].result.metrics[Metric::energy_balance_error] = -2e-5;
+  EXPECT_EQ(
+      balance_line(rows),
+      "worst balances: |impulse_balance_error| <= 3e-09 (scenario 0), energy_balance_error <= -2e-05 (scenario "
+      "1)");
+  EXPECT_EQ(balance_line({}), "");
+}
+
+TEST(Summary, SaysPlainlyWhereThereIsNoWindow) {
+  WindowTable window;
+  window.inputs = {{.key = "strategy.approach_speed_m_s", .units = "m s-1", .long_name = {}}};
+  WindowRow good;
+  good.inputs = {0.05};
+  good.exists = true;
+  good.margin = 1.0;
+  good.hold_force_N = good.hold_bracket_high_N = 1.0;
+  good.hold_bracket_low_N = 0.9;
+  good.damage_force_N = good.damage_bracket_low_N = 2.0;
+  good.damage_bracket_high_N = 2.2;
+  WindowRow none;
+  none.inputs = {0.25};
+  none.note = "no window: the impact alone damages at this speed";
+  window.rows = {good, none};
+  const std::vector<std::string> lines = window_lines(window, 10);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(
+      lines[0],
+      "grip window at approach_speed_m_s = 0.05: [1, 2] N, margin 100 % (F_hold in (0.9, 1], F_damage in [2, "
+      "2.2))");
+  EXPECT_EQ(lines[1], "no window at approach_speed_m_s = 0.25: the impact alone damages at this speed");
+  EXPECT_EQ(lines[2], "no window common to all approach_speed_m_s: 1 of 2 combinations have none");
+  EXPECT_TRUE(lines[3].starts_with("grip window over the other 1: [1, 2] N")) << lines[3];
+}
+
+TEST(Summary, ShowsTheMostSeriousRowsWithTheirCommand) {
+  StudyTables tables;
+  tables.rows = {row_of(0, Outcome::damaged, 1, 1), row_of(1, Outcome::held, 1, 1),
+                 row_of(2, Outcome::diverged, 1, 1)};
+  tables.rows[2].result.cause = "not finite";
+  const std::vector<std::string> lines = replay_lines(tables, "unbruised run a.toml --scenario");
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[1], "  unbruised run a.toml --scenario 2   # diverged: not finite");
+}
+
+TEST(NumberText, IsForPeople) {
+  EXPECT_EQ(short_number(1.23456), "1.235");
+  EXPECT_EQ(with_thousands(1234567), "1,234,567");
+  EXPECT_EQ(with_thousands(999), "999");
+  EXPECT_EQ(duration_text(200.0), "3 min 20 s");
+  EXPECT_EQ(duration_text(7500.0), "2 h 5 min");
+  EXPECT_EQ(bytes_text(3.4e9), "3.4 GB");
+}
+
+TEST(Progress, SaysRateTimeLeftAndOutcomes) {
+  ProgressState state{.done = 60, .total = 100, .done_at_start = 20, .seconds = 10.0};
+  state.outcomes[0] = 30;
+  state.outcomes[3] = 10;
+  EXPECT_EQ(progress_text(state), "60/100 (20 of an earlier run), 4/s, 10 s left; held 30, damaged 10");
+  EXPECT_TRUE(progress_bar(state).starts_with("[############--------] 60/100")) << progress_bar(state);
+  EXPECT_EQ(progress_text({}), "0/0");
+}
+
+TEST(Progress, PrintsPlainLinesOffATerminalAndNothingWhenQuiet) {
+  EXPECT_EQ(progress_style(-1, false), ProgressStyle::lines);
+  EXPECT_EQ(progress_style(-1, true), ProgressStyle::none);
+  std::string printed;
+  {
+    Progress progress(
+        ProgressStyle::lines, [&](std::string_view text) { printed += text; }, std::chrono::milliseconds(5));
+    progress.expect(10, 4);
+    progress.count(Outcome::held);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  EXPECT_NE(printed.find("5/10"), std::string::npos) << printed;
+  EXPECT_EQ(printed.find('\r'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace unbruised::studies

@@ -1,0 +1,151 @@
+/// @file
+/// compare, sensitivity and sample over formulas: no difference where there is none, a planted one found, known
+/// indices.
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/studies/execution/formula_simulator.hpp"
+#include "tests/studies/kinds/search_testing.hpp"
+
+namespace unbruised::studies::testing {
+namespace {
+
+std::string compare_text(const std::string& b_force, int count) {
+  return "[study]\nname = \"compare\"\nkind = \"compare\"\n[sampling]\ncount = " + std::to_string(count) + R"(
+[[random]]
+key = "product.friction"
+distribution = "normal"
+mean = 0.5
+standard_deviation = 0.05
+at_least = 0.2
+[[candidate]]
+name = "a"
+grip_force_N = 2.0
+[[candidate]]
+name = "b"
+grip_force_N = )" +
+         b_force + "\n" + kFormulaCell;
+}
+
+/// Cycle time that varies by 10 % from product to product, and is less by 5 % at 2.1 N.
+ScenarioResult noisy_time(const Scenario& s) {
+  const double friction = std::get<LatticeParameters>(s.product).friction;
+  const double factor = s.strategy.grip_force_N == 2.1 ? 0.95 : 1.0;
+  return held_with({{Metric::cycle_time_s, factor * (1.0 + 2.0 * (friction - 0.5))}, {Metric::slip_max_m, 0.0}});
+}
+
+TEST(CompareStudy, ShowsNoDifferenceOfAStrategyFromItself) {
+  const StudyReport report = run_fresh(study_of(compare_text("2.0", 40)), FormulaSimulator(noisy_time));
+  const ResultTable& comparison = table_of(report, "comparison");
+  EXPECT_EQ(number_in(comparison, "ties", 0), 40.0);
+  EXPECT_EQ(number_in(comparison, "mean_difference", 0), 0.0);
+  EXPECT_EQ(text_attribute(comparison, "verdict"), "a and b: no difference shown");
+}
+
+TEST(CompareStudy, FindsAPlantedDifferenceOfFivePercent) {
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 40)), FormulaSimulator(noisy_time));
+  const ResultTable& comparison = table_of(report, "comparison");
+  EXPECT_EQ(number_in(comparison, "losses", 0), 40.0);
+  EXPECT_NEAR(number_in(comparison, "mean_difference", 0), -0.05, 0.002);  // 5 % of a mean of one
+  EXPECT_LT(number_in(comparison, "high", 0), 0.0);
+  EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("b needs less cycle_time_s than a"))
+      << text_attribute(comparison, "verdict");
+}
+
+TEST(CompareStudy, ComparesOnTheSameProductsSoThatAnUnpairedSpreadDoesNotHideTheDifference) {
+  // Eight products: unpaired, a spread of 10 % hides 5 %.
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 8)), FormulaSimulator(noisy_time));
+  EXPECT_LT(number_in(table_of(report, "comparison"), "high", 0), 0.0);
+}
+
+TEST(CompareStudy, AProductThatIsNotHeldLoses) {
+  const FormulaSimulator simulator([](const Scenario& s) {
+    ScenarioResult result = noisy_time(s);
+    if (s.strategy.grip_force_N == 2.1) {
+      result.outcome = Outcome::dropped;
+      result.metrics[Metric::cycle_time_s] = kAbsent;
+    }
+    return result;
+  });
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 20)), simulator);
+  const ResultTable& comparison = table_of(report, "comparison");
+  EXPECT_EQ(number_in(comparison, "wins", 0), 20.0);
+  EXPECT_EQ(number_in(comparison, "pairs", 0), 0.0);
+  EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("a is held more often"))
+      << text_attribute(comparison, "verdict");
+  EXPECT_EQ(number_in(table_of(report, "candidates"), "dropped", 1), 20.0);
+}
+
+/// Ishigami's function of three keys that are uniform on (-pi, pi) after a shift.
+ScenarioResult ishigami(const Scenario& s) {
+  const double x1 = s.strategy.grip_force_N - 10.0;
+  const double x2 = s.strategy.lift_acceleration_m_s2 - 10.0;
+  const double x3 = s.strategy.hold_s - 10.0;
+  const double f = std::sin(x1) + 7.0 * std::sin(x2) * std::sin(x2) + 0.1 * x3 * x3 * x3 * x3 * std::sin(x1);
+  return held_with({{Metric::cycle_time_s, f}, {Metric::slip_max_m, 0.0}});
+}
+
+std::string ishigami_text(const std::string& method, int samples) {
+  std::string text =
+      "[study]\nname = \"ishigami\"\nkind = \"sensitivity\"\n[sensitivity]\nmetrics = [\"cycle_time_s\"]\nmethod "
+      "= \"" +
+      method + "\"\nsamples = " + std::to_string(samples) + "\n";
+  for (const char* key : {"strategy.grip_force_N", "strategy.lift_acceleration_m_s2", "strategy.hold_s"}) {
+    text += std::string("[[random]]\nkey = \"") + key +
+            "\"\ndistribution = \"uniform\"\nfrom = 6.858407346410207\nto = 13.141592653589793\n";
+  }
+  return text + kFormulaCell;
+}
+
+TEST(SensitivityStudy, FindsTheSobolIndicesOfIshigamisFunction) {
+  const StudyReport report = run_fresh(study_of(ishigami_text("sobol", 1024)), FormulaSimulator(ishigami));
+  const ResultTable& table = table_of(report, "sensitivity");
+  // Closed form with a = 7, b = 0.1 (Ishigami and Homma 1990).
+  const double pi = 3.14159265358979323846;
+  const double v1 = 0.5 * std::pow(1.0 + 0.1 * std::pow(pi, 4) / 5.0, 2);
+  const double v2 = 49.0 / 8.0;
+  const double v13 = 0.01 * std::pow(pi, 8) * (1.0 / 18.0 - 1.0 / 50.0);
+  const double v = v1 + v2 + v13;
+  const double first[3] = {v1 / v, v2 / v, 0.0};
+  const double total[3] = {(v1 + v13) / v, v2 / v, v13 / v};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LE(number_in(table, "first_order_low", k), first[k]) << k;
+    EXPECT_GE(number_in(table, "first_order_high", k), first[k]) << k;
+    EXPECT_LE(number_in(table, "total_low", k), total[k]) << k;
+    EXPECT_GE(number_in(table, "total_high", k), total[k]) << k;
+    EXPECT_NEAR(number_in(table, "total", k), total[k], 0.05) << k;
+  }
+  EXPECT_EQ(report.tables.rows.size(), 1024U * 5U);
+}
+
+TEST(SensitivityStudy, ScreensByMorrisWithoutSquareTerms) {
+  const StudyReport report = run_fresh(study_of(ishigami_text("morris", 64)), FormulaSimulator(ishigami));
+  const ResultTable& table = table_of(report, "sensitivity");
+  ASSERT_EQ(row_count(table), 3U);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_GT(number_in(table, "mean_absolute_high", k), number_in(table, "mean_absolute_low", k));
+  EXPECT_EQ(report.tables.rows.size(), 64U * 4U);
+}
+
+TEST(SampleStudy, ReportsHowOftenProductsAreHeldAndHowMetricsSpread) {
+  const std::string text =
+      "[study]\nname = \"sample\"\nkind = \"sample\"\n[sampling]\ncount = 200\n[[random]]\nkey = "
+      "\"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = 0.6\n" +
+      kFormulaCell;
+  const FormulaSimulator simulator([](const Scenario& s) {
+    const double friction = std::get<LatticeParameters>(s.product).friction;
+    ScenarioResult result = held_with({{Metric::cycle_time_s, friction}});
+    if (friction < 0.45) result.outcome = Outcome::slipped;
+    return result;
+  });
+  const StudyReport report = run_fresh(study_of(text), simulator);
+  const ResultTable& table = table_of(report, "statistics");
+  EXPECT_NEAR(*number_attribute(table, "probability"), 0.75, 0.01);  // Sobol: strata of 1/128
+  EXPECT_NEAR(number_in(table, "mean", 0), 0.5, 0.002);
+}
+
+}  // namespace
+}  // namespace unbruised::studies::testing

@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/simulation/simulation.hpp"
 #include "studies/cli/commands.hpp"
+#include "studies/estimate/contact_steps.hpp"
 #include "studies/estimate/cost_estimate.hpp"
+#include "studies/estimate/known_scenarios.hpp"
 #include "studies/estimate/memory_need.hpp"
+#include "studies/estimate/warnings.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/kinds/search_study.hpp"
 #include "studies/kinds/window_search.hpp"
@@ -35,25 +37,13 @@ struct StudyCost {
   std::vector<GroupCost> groups;
   std::vector<std::size_t> group_of;  ///< of each point of the grid
   std::vector<ModelSize> sizes;       ///< of each group
-  double shortest_contact_s = std::numeric_limits<double>::infinity();
-  double time_step_at_shortest_s = 0.0;
-  std::size_t shortest_contact_at = 0;
   double longest_run_s = 0.0;
 };
-
-/// Scenarios of a search that are looked at to guess what the others cost.
-constexpr std::size_t kProbedProducts = 64;
-
-/// What is known beforehand: all scenarios, or of a search the strategy as written on some of its products.
-ScenarioSet known_scenarios(const Study& study) {
-  return is_search(study.kind()) ? search_probes(study, kProbedProducts) : scenario_set(study);
-}
 
 StudyCost cost_of(const ScenarioSet& set) {
   StudyCost cost;
   std::unordered_map<std::string, std::size_t> index_of;
   cost.group_of.reserve(set.count);
-  double fewest_steps = std::numeric_limits<double>::infinity();
   for (std::size_t point = 0; point < set.count; ++point) {
     const Scenario scenario = set.scenario(point);
     const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
@@ -66,13 +56,6 @@ StudyCost cost_of(const ScenarioSet& set) {
     group.steps += estimated_steps(scenario);
     cost.group_of.push_back(place->second);
     cost.longest_run_s = std::max(cost.longest_run_s, simulated_duration_s(scenario));
-    const double contact_s = contact_time_s(scenario);
-    if (contact_s / scenario.simulation.time_step_s < fewest_steps) {
-      fewest_steps = contact_s / scenario.simulation.time_step_s;
-      cost.shortest_contact_s = contact_s;
-      cost.time_step_at_shortest_s = scenario.simulation.time_step_s;
-      cost.shortest_contact_at = point;
-    }
   }
   return cost;
 }
@@ -159,17 +142,11 @@ void print_sizes(const StudyCost& cost) {
                      ", freedoms: ", range(least->freedom_count, most->freedom_count)}));
 }
 
-void warn_about_contact_time(const ScenarioSet& set, const StudyCost& cost) {
-  const double steps = cost.shortest_contact_s / cost.time_step_at_shortest_s;
-  if (!std::isfinite(steps)) return;
-  const std::string where = inputs_text(set.columns, set.inputs(cost.shortest_contact_at));
-  print_line(joined({"shortest contact: about ", duration_text(cost.shortest_contact_s), ", ", short_number(steps),
+void print_contact(const Study& study) {
+  const ContactSteps fewest = fewest_contact_steps(study);
+  if (!std::isfinite(fewest.steps)) return;
+  print_line(joined({"shortest contact: about ", duration_text(fewest.contact_s), ", ", short_number(fewest.steps),
                      " time steps"}));
-  if (steps >= kStepsPerContact) return;
-  print_note(joined({"warning: simulation.time_step_s = ", short_number(cost.time_step_at_shortest_s),
-                     " gives the finger's contact ", short_number(steps),
-                     " steps (wanted: ", short_number(kStepsPerContact), ")", where.empty() ? "" : " at ", where,
-                     "; try ", short_number(cost.shortest_contact_s / kStepsPerContact)}));
 }
 
 }  // namespace
@@ -208,7 +185,8 @@ int check_command(const StudyArguments& arguments) {
                      short_number(1e9 * rate.seconds_per_factor_entry),
                      " ns per lane and entry of the factor as measured on ", rate.measured_on,
                      ", without factoring; expect a factor of two either way)"}));
-  warn_about_contact_time(set, cost);
+  print_contact(*study);
+  print_warnings(study_warnings(*study));
   const auto refusal = too_much_memory(study->name(), memory);
   if (refusal) print_error(*refusal);
   return refusal ? kExitInput : kExitDone;

@@ -14,6 +14,10 @@ void print_error(const std::string& message) { std::cerr << joined({"unbruised: 
 
 void print_note(const std::string& message) { std::cerr << joined({"unbruised: ", message, "\n"}); }
 
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) print_note(joined({"warning: ", warning}));
+}
+
 void print_line(const std::string& line) { std::cout << joined({line, "\n"}); }
 
 int report_error(const ResultsError& error) {
@@ -30,9 +34,7 @@ std::optional<Study> read_or_explain(const StudyArguments& arguments) {
                         count == 1 ? " problem" : " problems", ", nothing was run"}));
     return std::nullopt;
   }
-  Study study = std::get<Study>(std::move(read));
-  for (const std::string& warning : study.warnings()) print_note(joined({"warning: ", warning}));
-  return study;
+  return std::get<Study>(std::move(read));
 }
 
 std::filesystem::path run_directory_of(const Study& study, const std::optional<std::filesystem::path>& output) {

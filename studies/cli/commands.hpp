@@ -50,6 +50,8 @@ int list_command();
 /// One message on stderr, with the program's name before it.
 void print_error(const std::string& message);
 void print_note(const std::string& message);
+/// What belongs to the answer of a study: one message on stderr each.
+void print_warnings(const std::vector<std::string>& warnings);
 /// A whole line of results on stdout.
 void print_line(const std::string& line);
 /// Prints an error of the results house; its exit status.
@@ -61,7 +63,7 @@ inline constexpr const char* kReportName = "report.html";
 std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory,
                                                          const std::string& program);
 
-/// Reads a study with its warnings printed; otherwise prints what is wrong with it and returns nothing.
+/// Reads a study; otherwise prints what is wrong with it and returns nothing.
 std::optional<Study> read_or_explain(const StudyArguments& arguments);
 /// `results/<study name>` unless another one is asked for.
 std::filesystem::path run_directory_of(const Study& study, const std::optional<std::filesystem::path>& output);

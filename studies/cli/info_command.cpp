@@ -46,6 +46,7 @@ int info_command(const std::filesystem::path& path, const std::string& program) 
   if (!recorded) return report_error(recorded.error());
   print_line(state_line(*recorded));
   print_origin(*recorded);
+  for (const std::string& warning : recorded->meta.warnings) print_line(joined({"warning: ", warning}));
   for (const std::string& line : summary_lines(recorded->tables, recorded->meta.study_kind)) print_line(line);
   print_replay(*recorded, program);
   print_line(

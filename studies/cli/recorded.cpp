@@ -8,6 +8,7 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/locations.hpp"
+#include "studies/estimate/warnings.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
@@ -99,7 +100,7 @@ Expected<Study> study_of(const fs::path& directory, const std::string& config) {
 void compact(const fs::path& directory, const Study& study, RecordedStudy& recorded) {
   auto run = RunDirectory::open_for_compaction(directory);
   if (!run) return;
-  if (auto error = (*run)->finish(unfinished_content(study, **run))) {
+  if (auto error = (*run)->finish(unfinished_content(study, **run, recorded.meta.warnings))) {
     recorded.notes.push_back(joined({"results.h5 stays as it is: ", error->message}));
     return;
   }
@@ -115,7 +116,7 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   auto contents = journal_contents(directory, sha256_hex(*config));
   if (!contents) return contents.error();
   RecordedStudy recorded;
-  recorded.meta = results_meta(*study, false);
+  recorded.meta = results_meta(*study, study_warnings(*study), ResultsState::unfinished);
   recorded.meta.created_utc.clear();
   recorded.meta.unbruised_version.clear();
   recorded.tables.inputs = input_columns(*study);

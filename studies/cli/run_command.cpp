@@ -10,6 +10,7 @@
 #include "studies/cli/interrupt.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/estimate/memory_need.hpp"
+#include "studies/estimate/warnings.hpp"
 #include "studies/execution/batch_runner.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/progress.hpp"
@@ -156,15 +157,19 @@ int run_command(const RunArguments& arguments) {
   RunDirectory& run = **opened;
   for (const std::string& note : run.notes()) print_note(note);
 
+  const std::vector<std::string> warnings = study_warnings(*study);
+  print_warnings(warnings);
   listen_for_interrupts();
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet), write_to_stderr);
   const auto report = run_study(*study, run, core_simulator(),
                                 {.threads = threads,
                                  .stop = &interrupt_requested(),
                                  .progress = &progress,
-                                 .compaction_interval = compaction_interval()});
+                                 .compaction_interval = compaction_interval(),
+                                 .warnings = warnings});
   progress.close();
   if (!report) return report_failed(arguments, run, report.error());
+  print_warnings(report->warnings);
   const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads, page);
@@ -179,6 +184,8 @@ int run_one_command(const RunArguments& arguments) {
   const std::optional<Scenario> scenario = scenario_of_id(*study, directory, id, recorded);
   if (!scenario) return kExitInput;
 
+  const std::vector<std::string> warnings = study_warnings(*study);
+  print_warnings(warnings);
   listen_for_interrupts();
   Trace trace;
   const std::optional<ScenarioResult> result =
@@ -197,7 +204,7 @@ int run_one_command(const RunArguments& arguments) {
       .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
       .place = {}};
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
-  const ResultsContent content{.meta = results_meta(*study, true),
+  const ResultsContent content{.meta = results_meta(*study, warnings, ResultsState::complete),
                                .inputs = input_columns(*study),
                                .rows = {row},
                                .rows_of_search = false,

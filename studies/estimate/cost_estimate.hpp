@@ -19,8 +19,6 @@ struct LaneStepRate {
 
 /// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).
 inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
-/// A contact that closes and opens again within fewer steps is not resolved (docs/theory.md, "Contact").
-inline constexpr double kStepsPerContact = 20.0;
 
 /// The rate of this build's instruction set, measured over 512 scenarios of a kiwi of 1,099 particles between two
 /// pads (configs/kiwi_sweep.toml, 16 lanes, two threads): 84 s on Zen 5 with AVX-512, 455 s on Zen 3 at 2.4 GHz.

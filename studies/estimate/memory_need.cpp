@@ -11,8 +11,7 @@
 #include "core/product/lattice.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/estimate/cost_estimate.hpp"
-#include "studies/kinds/search_study.hpp"
-#include "studies/scenarios/scenario_set.hpp"
+#include "studies/estimate/known_scenarios.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -32,10 +31,6 @@ double number_in(const char* path) {
   std::ifstream file(path);
   double number = 0.0;
   return file >> number && number > 0.0 ? number : std::numeric_limits<double>::infinity();
-}
-
-ScenarioSet seen_scenarios(const Study& study) {
-  return is_search(study.kind()) ? search_probes(study, 64) : scenario_set(study);
 }
 
 /// Particles of a lattice by its volume: near enough to tell megabytes from gigabytes.
@@ -84,7 +79,7 @@ std::optional<std::string> too_much_memory(const std::string& study_name, double
 }
 
 std::optional<std::string> too_much_memory(const Study& study, int threads) {
-  const ScenarioSet set = seen_scenarios(study);
+  const ScenarioSet set = known_scenarios(study);
   const std::size_t stride = std::max<std::size_t>(1, set.count / kScenariosSeen);
   double most = 0.0;
   std::size_t at = 0;

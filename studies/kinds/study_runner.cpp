@@ -64,6 +64,7 @@ class StudyRun {
 
   Expected<StudyReport> execute() {
     const auto start = std::chrono::steady_clock::now();
+    log_warnings(options_.warnings);
     try {
       const PeriodicTask compaction(options_.compaction_interval, [this] { compact(); });
       run_kind();
@@ -259,14 +260,14 @@ class StudyRun {
   // results.h5 as far as the study is. A failure is no reason to stop: the journal is what counts.
   void compact() {
     try {
-      if (auto error = run_.finish(unfinished_content(study_, run_))) run_.log(error->message);
+      if (auto error = run_.finish(unfinished_content(study_, run_, options_.warnings))) run_.log(error->message);
     } catch (const std::exception& failure) {  // no memory for another copy of the rows
       run_.log(failure.what());
     }
   }
 
   MaybeError write_results() {
-    ResultsContent content = unfinished_content(study_, run_);
+    ResultsContent content = unfinished_content(study_, run_, all_warnings());
     content.meta.complete = !report_.interrupted;
     content.tables = report_.tables.found;
     content.window = report_.tables.window ? &*report_.tables.window : nullptr;
@@ -278,7 +279,19 @@ class StudyRun {
     return {};
   }
 
+  /// Those from before the run, then those of the run.
+  [[nodiscard]] std::vector<std::string> all_warnings() const {
+    std::vector<std::string> all = options_.warnings;
+    all.insert(all.end(), report_.warnings.begin(), report_.warnings.end());
+    return all;
+  }
+
+  void log_warnings(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) run_.log(joined({"warning: ", warning}));
+  }
+
   void log_end() {
+    log_warnings(report_.warnings);
     run_.log(
         joined({report_.interrupted ? "interrupted" : "finished", " after ", duration_text(report_.seconds), ": ",
                 std::to_string(report_.run_now), " scenarios run, ", outcome_line(report_.tables.rows)}));
@@ -302,9 +315,9 @@ Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Sim
   return StudyRun(study, run, simulator, options).execute();
 }
 
-ResultsContent unfinished_content(const Study& study, const RunDirectory& run) {
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run, std::vector<std::string> warnings) {
   ResultsContent content;
-  content.meta = results_meta(study, false);
+  content.meta = results_meta(study, std::move(warnings), ResultsState::unfinished);
   content.inputs = input_columns(study);
   content.rows_of_search = is_search(study.kind());
   if (!has_fixed_scenarios(study.kind())) return content;
@@ -315,7 +328,7 @@ ResultsContent unfinished_content(const Study& study, const RunDirectory& run) {
   return content;
 }
 
-ResultsMeta results_meta(const Study& study, bool complete) {
+ResultsMeta results_meta(const Study& study, std::vector<std::string> warnings, ResultsState state) {
   ResultsMeta meta;
   meta.unbruised_version = program_version();
   meta.config_toml = study.resolved_toml();
@@ -324,7 +337,8 @@ ResultsMeta results_meta(const Study& study, bool complete) {
   meta.created_utc = utc_now();
   meta.instruction_set = instruction_set();
   meta.compiler = compiler_text();
-  meta.complete = complete;
+  meta.complete = state == ResultsState::complete;
+  meta.warnings = std::move(warnings);
   return meta;
 }
 

@@ -33,10 +33,15 @@ struct StudyRunOptions {
   std::size_t concurrent_searches = 256;
   /// > 0; how often results.h5 is brought up to date while the study runs
   std::chrono::milliseconds compaction_interval = std::chrono::minutes(10);
+  /// What was said before the run; goes into the log and results.h5.
+  std::vector<std::string> warnings = {};
 };
 
 struct StudyReport {
   StudyTables tables;
+  /// What the run found that its answer may be wrong by; in the log and in results.h5, behind those of the
+  /// options.
+  std::vector<std::string> warnings;
   bool interrupted = false;
   double seconds = 0.0;
   std::size_t run_now = 0;      ///< scenarios that were not in the journal
@@ -52,10 +57,11 @@ Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Sim
 
 /// results.h5 of a study that is not finished: scenarios not run yet are rows too where they are known beforehand,
 /// what the kind finds beside is missing.
-ResultsContent unfinished_content(const Study& study, const RunDirectory& run);
+ResultsContent unfinished_content(const Study& study, const RunDirectory& run, std::vector<std::string> warnings);
 
+enum class ResultsState { complete, unfinished };
 /// What the root of a results file says about this study.
-ResultsMeta results_meta(const Study& study, bool complete);
+ResultsMeta results_meta(const Study& study, std::vector<std::string> warnings, ResultsState state);
 
 /// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
 /// and drawn.

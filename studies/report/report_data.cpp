@@ -302,6 +302,7 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   PackedColumns packed;
   json page = {{"format", 1}, {"study", study_json(content, context)}};
   page["outcome_words"] = kOutcomeWords;
+  page["warnings"] = content.meta.warnings;
   page["scenarios"] = scenarios(packed, content);
   if (const ScenarioRow* best = best_row(content.rows)) {
     page["best_row"] = static_cast<std::size_t>(best - content.rows.data());

@@ -245,7 +245,8 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   const Hdf5Handle type = text_type();
   std::vector<const char*> pointers;
   for (const std::string& text : texts) pointers.push_back(text.c_str());
-  write_attribute(object, name, type.id(), type.id(), pointers.data(), pointers.size());
+  const char* const none = "";  // HDF5 wants an address even for an empty list
+  write_attribute(object, name, type.id(), type.id(), texts.empty() ? &none : pointers.data(), pointers.size());
 }
 
 bool Hdf5File::exists(const std::string& name) const {

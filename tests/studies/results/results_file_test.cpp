@@ -27,6 +27,7 @@ ResultsContent sample_content(std::uint64_t rows) {
   content.meta.created_utc = "2026-01-01T00:00:00Z";
   content.meta.instruction_set = "avx512f";
   content.meta.compiler = "GNU 12.2.0";
+  content.meta.warnings = {"the step is too long", "die Birne ist zu weich: grün"};
   content.inputs = {{"strategy.grip_force_N", "N", "drive force limit"}, {"product.use", "", ""}};
   content.rows = sample_rows(rows);
   return content;
@@ -104,6 +105,7 @@ TEST(ResultsFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(summary->meta.config_toml, content.meta.config_toml);
   EXPECT_EQ(summary->meta.config_sha256, sha256_hex(content.meta.config_toml));
   EXPECT_EQ(summary->meta.compiler, "GNU 12.2.0");
+  EXPECT_EQ(summary->meta.warnings, content.meta.warnings);
   EXPECT_TRUE(summary->meta.complete);
   ASSERT_EQ(summary->inputs.size(), 2U);
   EXPECT_EQ(summary->inputs[0].key, "strategy.grip_force_N");  // the study's order, not the alphabet's

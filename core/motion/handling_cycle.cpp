@@ -46,6 +46,14 @@ void HandlingCycle::schedule(double ramp_start_s) {
   if (scenario_.simulation.duration_s) end_s_ = std::min(end_s_, *scenario_.simulation.duration_s);
 }
 
+CyclePhase HandlingCycle::phase(double time_s) const {
+  if (time_s < std::min(first_contact_s_, lift_start_s_)) return CyclePhase::approach;
+  const std::array<double, 6> ends_s = {lift_start_s_,   lift_end_s_,      hold_end_s_,
+                                        transfer_end_s_, release_start_s_, release_end_s_};
+  const auto end = std::upper_bound(ends_s.begin(), ends_s.end(), time_s);
+  return static_cast<CyclePhase>(1 + (end - ends_s.begin()));
+}
+
 PalmState HandlingCycle::palm(double time_s) const {
   PalmState palm;
   if (time_s <= lift_start_s_) return palm;

@@ -5,7 +5,9 @@
 /// numbers; everything after the approach is fixed by the time of the first contact.
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include "core/motion/profile.hpp"
 #include "core/simulation/scenario.hpp"
@@ -19,6 +21,11 @@ struct PalmState {
   std::array<double, 3> acceleration_m_s2{};
 };
 
+/// The phases in their order; the codes stand in results files.
+enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover };
+inline constexpr std::array<std::string_view, 8> kCyclePhaseWords = {"approach", "grip",  "lift",    "hold",
+                                                                     "transfer", "lower", "release", "recover"};
+
 class HandlingCycle {
  public:
   HandlingCycle() = default;
@@ -28,6 +35,8 @@ class HandlingCycle {
   void contact_made(double time_s);
   [[nodiscard]] bool has_contact() const { return first_contact_s_ < kNever; }
 
+  /// The phase at a time; lower lasts until the fingers open.
+  [[nodiscard]] CyclePhase phase(double time_s) const;
   [[nodiscard]] PalmState palm(double time_s) const;
   /// Largest drive force per finger.
   [[nodiscard]] double force_limit_N(double time_s) const;

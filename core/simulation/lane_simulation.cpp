@@ -73,7 +73,7 @@ struct LaneSimulation::Impl {
   [[nodiscard]] bool is_anchored() const;
   void measure_permanent_set(int lane, Metrics& metrics) const;
   void measure_balances(int lane, double time_s, Metrics& metrics) const;
-  void record(int lane);
+  void record(int lane, const StepObservation& seen);
 
   std::shared_ptr<const Model> model;
   const Model::Parts& parts;
@@ -578,7 +578,7 @@ void LaneSimulation::Impl::observe_lanes() {
     }
     if (r.trace != nullptr) {
       contact.record_events(lane, start, w, r.trace->events);
-      record(lane);
+      record(lane, seen);
     }
     goes_on = goes_on && !r.record.aborted();
     if (!goes_on || time >= r.cycle.end_s() - 1e-9 * w.dt) finish(lane, time);
@@ -672,7 +672,7 @@ void LaneSimulation::Impl::finish(int lane, double time_s) {
   running.set(lane, false);
 }
 
-void LaneSimulation::Impl::record(int lane) {
+void LaneSimulation::Impl::record(int lane, const StepObservation& seen) {
   LaneRun& r = run[static_cast<std::size_t>(lane)];
   const double every = r.scenario.simulation.trace_interval_s.value_or(w.dt);
   const auto stride = std::max<std::int64_t>(1, std::llround(every / w.dt));
@@ -691,7 +691,15 @@ void LaneSimulation::Impl::record(int lane) {
   for (int f = 0; f < 2; ++f) {
     row.finger_way_m[static_cast<std::size_t>(f)] = fingers.way(f)[lane];
     row.finger_speed_m_s[static_cast<std::size_t>(f)] = fingers.speed(f)[lane];
+    const FingerObservation& finger = seen.finger[static_cast<std::size_t>(f)];
+    row.yield_ratio[static_cast<std::size_t>(f)] = finger.yield_ratio;
+    if (r.lift_started && finger.closed_contacts > 0) {
+      row.slip_m[static_cast<std::size_t>(f)] = finger.travel_sum_m / finger.closed_contacts;
+    }
   }
+  row.phase = r.cycle.phase(row.time_s);
+  row.patch_pressure_Pa = seen.patch_pressure_Pa;
+  row.absorbed_energy_J = seen.absorbed_energy_J;
   for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = now.palm[i][lane];
   row.plastic_strain = cells ? cells->largest_plastic_strain()[lane] : springs->largest_plastic_strain()[lane];
   row.stored_energy_J = stored_energy(lane);
@@ -717,7 +725,7 @@ void LaneSimulation::record_trace(int lane, Trace& trace) {
   Impl& impl = *impl_;
   start_trace(impl.parts.position_m, impl.run[static_cast<std::size_t>(lane)].scenario.gripper.has_value(), trace);
   impl.run[static_cast<std::size_t>(lane)].trace = &trace;
-  impl.record(lane);
+  impl.record(lane, {});
 }
 
 ScenarioResult simulate(const std::shared_ptr<const Model>& model, const Scenario& scenario, Trace* trace) {

@@ -1,11 +1,22 @@
 #include "core/simulation/trace_recorder.hpp"
 
+#include <string>
+
 namespace unbruised {
 namespace {
 
 void declare(Trace& trace, const char* name, const char* units, const char* long_name,
              std::vector<std::string> dimensions, std::vector<int> extents) {
   trace.signals.push_back({name, units, long_name, std::move(dimensions), std::move(extents), {}});
+}
+
+/// "phase of the cycle: 0 approach, 1 grip, ..."
+std::string phase_codes() {
+  std::string text = "phase of the cycle:";
+  for (std::size_t i = 0; i < kCyclePhaseWords.size(); ++i) {
+    text += (i == 0 ? " " : ", ") + std::to_string(i) + " " + std::string(kCyclePhaseWords[i]);
+  }
+  return text;
 }
 
 /// Appends values to the signals in the order of their declaration.
@@ -35,6 +46,7 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, bool grip
           {3});
   declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {3});
   declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
+  declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
           {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
@@ -43,6 +55,14 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, bool grip
   declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {2});
   declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {2});
   declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
+  declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
+          {}, {});
+  declare(trace, "contact_yield_ratio", "1",
+          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"}, {2});
+  declare(trace, "slip_m", "m",
+          "mean travel of the anchors of each finger's closed contacts since the start of the lift", {"finger"},
+          {2});
+  declare(trace, "phase", "1", phase_codes().c_str(), {}, {});
 }
 
 void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {
@@ -57,6 +77,7 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.closed);
   signals.put(row.sliding);
   signals.put(row.plastic_strain);
+  signals.put(row.absorbed_energy_J);
   signals.put(row.stored_energy_J);
   signals.put(row.contact_energy_J);
   if (!row.gripper) return;
@@ -68,6 +89,10 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.finger_way_m);
   signals.put(row.finger_speed_m_s);
   signals.put(row.palm_m);
+  signals.put(row.patch_pressure_Pa);
+  signals.put(row.yield_ratio);
+  signals.put(row.slip_m);
+  signals.put(static_cast<double>(row.phase));
 }
 
 }  // namespace unbruised

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/lanes/lane.hpp"
+#include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
 
 namespace unbruised {
@@ -20,7 +21,11 @@ struct TraceRow {
   std::array<double, 3> closed{}, sliding{};
   std::array<double, 2> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{};
+  CyclePhase phase = CyclePhase::approach;
+  std::array<double, 2> yield_ratio{}, slip_m{};
+  double patch_pressure_Pa = 0;
   double plastic_strain = 0;
+  double absorbed_energy_J = 0;
   double stored_energy_J = 0;
   double contact_energy_J = 0;
 };

@@ -217,7 +217,8 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
   Hdf5Handle attribute_handle =
       require(H5Acreate2(owner.id(), name.c_str(), file_type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
               "add an attribute to", object);
-  check(H5Awrite(attribute_handle.id(), memory_type, values), "write an attribute of", object);
+  // An empty list has no buffer, and HDF5 refuses to write from none.
+  if (extent > 0) check(H5Awrite(attribute_handle.id(), memory_type, values), "write an attribute of", object);
   check(attribute_handle.reset(), "close an attribute of", object);
 }
 

@@ -93,6 +93,21 @@ int run_python_check(const fs::path& path, std::size_t rows) {
   return run_python("tests/studies/results/check_results_file.py " + path.string() + " " + std::to_string(rows));
 }
 
+TEST(ResultsFile, ReadsBackItsWarningsAlsoWhereThereAreNone) {
+  const TemporaryDirectory directory;
+  const fs::path path = directory.path() / "results.h5";
+  ResultsContent content = sample_content(1);
+  for (const std::vector<std::string>& warnings :
+       {std::vector<std::string>{},
+        std::vector<std::string>{"The step is too long.", "Damage was not looked at."}}) {
+    content.meta.warnings = warnings;
+    ASSERT_EQ(message_of(write_results_file(path, content)), "");
+    const auto summary = read_results_summary(path);
+    ASSERT_TRUE(summary) << summary.error().message;
+    EXPECT_EQ(summary->meta.warnings, warnings);
+  }
+}
+
 TEST(ResultsFile, ReadsBackWhatWasWritten) {
   const TemporaryDirectory directory;
   const fs::path path = directory.path() / "results.h5";

@@ -11,6 +11,7 @@
 #include "core/lanes/lane_solve.hpp"
 #include "core/lanes/part_timer.hpp"
 #include "core/motion/handling_cycle.hpp"
+#include "core/outcome/damage_limits.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/product/cell_plasticity.hpp"
 #include "core/product/rigid_motion.hpp"
@@ -681,6 +682,7 @@ void LaneSimulation::Impl::record(int lane, const StepObservation& seen) {
   row.time_s = static_cast<double>(r.step) * w.dt;
   row.lane = lane;
   row.gripper = r.scenario.gripper.has_value();
+  row.yields = can_yield(r.scenario);
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
     row.surface_force_N[static_cast<std::size_t>(surface)] = contact.surface_force(surface, lane);
     row.closed[static_cast<std::size_t>(surface)] =
@@ -723,7 +725,7 @@ const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return imp
 
 void LaneSimulation::record_trace(int lane, Trace& trace) {
   Impl& impl = *impl_;
-  start_trace(impl.parts.position_m, impl.run[static_cast<std::size_t>(lane)].scenario.gripper.has_value(), trace);
+  start_trace(impl.parts.position_m, impl.run[static_cast<std::size_t>(lane)].scenario, trace);
   impl.run[static_cast<std::size_t>(lane)].trace = &trace;
   impl.record(lane, {});
 }

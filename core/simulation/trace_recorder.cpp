@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/outcome/damage_limits.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -37,7 +39,7 @@ class SignalWriter {
 
 }  // namespace
 
-void start_trace(const std::vector<std::array<double, 3>>& position_m, bool gripper, Trace& trace) {
+void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace) {
   trace = Trace{};
   trace.particle_count = static_cast<int>(position_m.size());
   for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
@@ -50,19 +52,20 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, bool grip
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
           {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
-  if (!gripper) return;
+  if (!scenario.gripper) return;
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"}, {2, 3});
   declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {2});
   declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {2});
   declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
   declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
           {}, {});
-  declare(trace, "contact_yield_ratio", "1",
-          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"}, {2});
   declare(trace, "slip_m", "m",
           "mean travel of the anchors of each finger's closed contacts since the start of the lift", {"finger"},
           {2});
   declare(trace, "phase", "1", phase_codes().c_str(), {}, {});
+  if (!can_yield(scenario)) return;
+  declare(trace, "contact_yield_ratio", "1",
+          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"}, {2});
 }
 
 void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {
@@ -90,9 +93,9 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.finger_speed_m_s);
   signals.put(row.palm_m);
   signals.put(row.patch_pressure_Pa);
-  signals.put(row.yield_ratio);
   signals.put(row.slip_m);
   signals.put(static_cast<double>(row.phase));
+  if (row.yields) signals.put(row.yield_ratio);
 }
 
 }  // namespace unbruised

@@ -9,6 +9,7 @@
 #include "core/lanes/lane.hpp"
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
+#include "core/simulation/scenario.hpp"
 
 namespace unbruised {
 
@@ -17,6 +18,7 @@ struct TraceRow {
   double time_s = 0;
   int lane = 0;
   bool gripper = false;
+  bool yields = false;                                     ///< the product can keep a deformation
   std::array<std::array<double, 3>, 3> surface_force_N{};  ///< left pad, right pad, support
   std::array<double, 3> closed{}, sliding{};
   std::array<double, 2> finger_way_m{}, finger_speed_m_s{};
@@ -31,7 +33,7 @@ struct TraceRow {
 };
 
 /// Declares the signals and stores the rest positions.
-void start_trace(const std::vector<std::array<double, 3>>& position_m, bool gripper, Trace& trace);
+void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace);
 
 /// Appends one row.
 void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace);

@@ -38,6 +38,12 @@ TEST(TraceRecorder, ShowsEveryQuantityThatDecidesUpToItsMetric) {
   EXPECT_GE(largest_of_fingers("slip_m"), result.metrics[Metric::slip_max_m]);  // the trace also sees the release
 }
 
+TEST(TraceRecorder, HasNoYieldRatioWhereNothingYields) {
+  Trace trace;
+  testing::run(testing::small_box(), &trace);
+  for (const TraceSignal& signal : trace.signals) EXPECT_NE(signal.name, "contact_yield_ratio");
+}
+
 TEST(TraceRecorder, NamesThePhaseOfEveryRow) {
   Trace trace;
   const ScenarioResult result = testing::run(squeezed_box(), &trace);

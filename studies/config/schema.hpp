@@ -17,6 +17,7 @@
 #include "core/simulation/scenario.hpp"
 #include "studies/config/document.hpp"
 #include "studies/config/study.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 
@@ -222,17 +223,6 @@ KeyAddress find_key(std::string_view path);
 KeyAddress find_strategy_key(std::string_view path);
 /// Does the scenario have the field of this key, at this index of its array of tables?
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index);
-/// The path with every index emptied: "product.particle[].position_m[]".
-std::string pattern_of(std::string_view path);
-
-struct Unit {
-  std::string_view suffix;   ///< of the key
-  std::string_view display;  ///< "m/s2"
-  std::string_view udunits;  ///< "m s-2"
-};
-/// The unit a key's name ends in; nullptr when it has none.
-const Unit* unit_of(std::string_view path);
-
 /// Is it a table or key of [[variable]], [[random]] or [[candidate]]?
 bool is_of_block(std::string_view path);
 
@@ -258,8 +248,6 @@ bool has_element(FieldRef field, const std::vector<int>& elements);
 /// A field as TOML; empty for an optional without value and for an empty text.
 std::string spelled(const KeySpec& spec, FieldRef field);
 
-/// The known path spelt most like `path` among keys (`tables` false) or tables; empty when none is near.
-std::string nearest(const std::string& path, const std::vector<std::string>& candidates);
 /// "; did you mean "COBYLA"?" for the word of a choice that is spelt most like `word`, whatever its case; else
 /// empty.
 std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices);

@@ -11,9 +11,9 @@
 #include <optional>
 #include <utility>
 
-#include "studies/config/schema.hpp"
 #include "studies/goals/goal.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {

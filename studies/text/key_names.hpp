@@ -1,0 +1,32 @@
+#pragma once
+
+/// @file
+/// The names of keys as text: the unit a name ends in, its words, and which known name is spelt most like it.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unbruised::studies {
+
+/// A unit and how names, people and UDUNITS write it.
+struct Unit {
+  std::string_view suffix;   ///< of the key
+  std::string_view display;  ///< "m/s2"
+  std::string_view udunits;  ///< "m s-2"
+};
+/// All of them, longer endings before those they end in.
+std::span<const Unit> all_units();
+/// The unit a key's name ends in; nullptr when it has none.
+const Unit* unit_of(std::string_view path);
+
+/// The path with every index emptied: "product.particle[].position_m[]".
+std::string pattern_of(std::string_view path);
+
+/// Optimal string alignment distance: edits and swaps of neighbours.
+int edit_distance(std::string_view a, std::string_view b);
+/// The known path spelt most like `path` among the candidates; empty when none is near.
+std::string nearest(const std::string& path, const std::vector<std::string>& candidates);
+
+}  // namespace unbruised::studies

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised::benchmarks {
 

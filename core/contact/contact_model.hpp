@@ -10,7 +10,7 @@
 
 #include "core/lanes/supernodes.hpp"
 #include "core/product/lattice.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

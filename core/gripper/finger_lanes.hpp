@@ -10,7 +10,7 @@
 
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/motion/profile.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -4,7 +4,7 @@
 /// Rest-to-rest motion of a scalar distance, planned from the two numbers a robot's data sheet gives:
 /// peak acceleration and speed limit. Durations are real numbers, never rounded to time steps.
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

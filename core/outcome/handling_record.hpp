@@ -10,7 +10,7 @@
 
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -14,7 +14,7 @@
 #include "core/lanes/lane.hpp"
 #include "core/product/lattice.hpp"
 #include "core/product/lattice_stiffness.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace unbruised {
@@ -239,42 +238,6 @@ void require_sensible(const LatticeParameters& parameters) {
 }
 
 }  // namespace
-
-std::array<int, 3> lattice_cell_count(const LatticeParameters& parameters) {
-  std::array<int, 3> count{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    const double cells = std::round(parameters.size_m[d] / parameters.cell_size_m);
-    if (!(cells < std::numeric_limits<int>::max())) throw std::invalid_argument("lattice: too many cells");
-    count[d] = std::max(2, static_cast<int>(cells));
-  }
-  return count;
-}
-
-std::array<double, 3> lattice_cell_extent_m(const LatticeParameters& parameters) {
-  const std::array<int, 3> count = lattice_cell_count(parameters);
-  return {parameters.size_m[0] / count[0], parameters.size_m[1] / count[1], parameters.size_m[2] / count[2]};
-}
-
-double true_volume_m3(const LatticeParameters& parameters) {
-  const double box = parameters.size_m[0] * parameters.size_m[1] * parameters.size_m[2];
-  switch (parameters.shape) {
-    case Shape::box:
-      return box;
-    case Shape::sphere:
-    case Shape::ellipsoid:
-      return std::numbers::pi / 6.0 * box;
-    case Shape::cylinder:
-      return std::numbers::pi / 4.0 * box;
-  }
-  throw std::invalid_argument("true_volume_m3: unknown shape");
-}
-
-double lattice_mass_kg(const LatticeParameters& parameters) {
-  if (parameters.mass_kg.has_value() == parameters.density_kg_m3.has_value()) {
-    throw std::invalid_argument("lattice_mass_kg: exactly one of mass_kg and density_kg_m3 must be given");
-  }
-  return parameters.mass_kg ? *parameters.mass_kg : *parameters.density_kg_m3 * true_volume_m3(parameters);
-}
 
 Lattice build_lattice(const LatticeParameters& parameters) {
   require_sensible(parameters);

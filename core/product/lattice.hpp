@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/lattice_cells.hpp"
 
 namespace unbruised {
 
@@ -42,20 +42,6 @@ struct Lattice {
   /// Centre of the true shape.
   std::array<double, 3> center_m{0.0, 0.0, 0.0};
 };
-
-/// Cells per axis: max(2, round(size / cell_size)).
-/// @throws std::invalid_argument when a count is no number or does not fit an int.
-std::array<int, 3> lattice_cell_count(const LatticeParameters& parameters);
-
-/// Extents of a cell: size / count, so that the bounding box is divided exactly.
-std::array<double, 3> lattice_cell_extent_m(const LatticeParameters& parameters);
-
-/// Volume of the true shape: box a b c, ellipsoid (pi / 6) a b c, cylinder (pi / 4) a b c for full extents.
-double true_volume_m3(const LatticeParameters& parameters);
-
-/// The product's mass: as given, or density times true volume.
-/// @throws std::invalid_argument unless exactly one of mass and density is given.
-double lattice_mass_kg(const LatticeParameters& parameters);
 
 /// The lattice of the cells whose centres lie in the true shape (a box takes all).
 /// @throws std::invalid_argument for extents, cell size or mass that are not positive and finite, and for

@@ -10,13 +10,6 @@ using Vector3 = std::array<double, 3>;
 
 int corner_sign(int corner, int axis) { return ((corner >> axis) & 1) ? 1 : -1; }
 
-/// g_p = 3 - (h_p/h_q)^2 - (h_p/h_r)^2: what the face diagonals leave of C_pppp to the edges, over mu.
-double edge_share(const Vector3& h, std::size_t p) {
-  const double to_q = h[p] / h[(p + 1) % 3];
-  const double to_r = h[p] / h[(p + 2) % 3];
-  return 3.0 - to_q * to_q - to_r * to_r;
-}
-
 /// K += k d d^T / |d|^2 between two corners, d their distance.
 void add_spring(CellStiffness& cell, int a, int b, double stiffness, const Vector3& d) {
   const double scale = stiffness / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
@@ -101,16 +94,6 @@ LameConstants lame_constants(double E, double nu) {
 
 }  // namespace
 
-bool lattice_is_admissible(const std::array<double, 3>& cell_extent_m) {
-  for (std::size_t p = 0; p < 3; ++p) {
-    if (!(cell_extent_m[p] > 0.0) || !std::isfinite(cell_extent_m[p])) return false;
-  }
-  for (std::size_t p = 0; p < 3; ++p) {
-    if (!(edge_share(cell_extent_m, p) > 0.0)) return false;
-  }
-  return true;
-}
-
 CellSprings cell_springs(double youngs_modulus_Pa, double poisson_ratio,
                          const std::array<double, 3>& cell_extent_m) {
   if (!(youngs_modulus_Pa > 0.0) || !(poisson_ratio >= 0.0) || !(poisson_ratio < 0.5)) {
@@ -125,7 +108,7 @@ CellSprings cell_springs(double youngs_modulus_Pa, double poisson_ratio,
   for (std::size_t p = 0; p < 3; ++p) {
     const double hq2 = h[(p + 1) % 3] * h[(p + 1) % 3];
     const double hr2 = h[(p + 2) % 3] * h[(p + 2) % 3];
-    springs.edge_N_m[p] = mu * V * edge_share(h, p) / (4.0 * h[p] * h[p]);
+    springs.edge_N_m[p] = mu * V * edge_spring_share(h, p) / (4.0 * h[p] * h[p]);
     springs.face_diagonal_N_m[p] = mu * V * (hq2 + hr2) / (4.0 * hq2 * hr2);
   }
   springs.volumetric_Pa = lambda - mu;

@@ -38,10 +38,6 @@ struct CellStiffness {
   double volume_m3 = 0.0;
 };
 
-/// Do all edge springs of such a cell come out positive, g_p > 0 for each axis?
-/// True whenever the longest extent is below sqrt(3/2) = 1.2247 times the shortest.
-bool lattice_is_admissible(const std::array<double, 3>& cell_extent_m);
-
 /// The springs of one cell.
 /// @throws std::invalid_argument unless E > 0, 0 <= nu < 1/2 and the cell is admissible.
 CellSprings cell_springs(double youngs_modulus_Pa, double poisson_ratio,

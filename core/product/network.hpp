@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/product/block_matrix.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -12,7 +12,7 @@
 
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/config/document.hpp"
 #include "studies/config/study.hpp"
 #include "studies/text/key_names.hpp"

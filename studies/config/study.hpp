@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "optimizer/algorithm.hpp"
 #include "optimizer/search_space.hpp"
 #include "studies/goals/goal.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised::studies {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/execution/lane_scheduler.hpp"
 #include "studies/execution/simulator.hpp"
 #include "studies/results/rows.hpp"

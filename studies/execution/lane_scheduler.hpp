@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/execution/simulator.hpp"
 
 namespace unbruised::studies {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/outcome/trace.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised::studies {

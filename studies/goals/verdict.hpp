@@ -5,7 +5,7 @@
 /// outcome word names only the first of several things that may be true of a run.
 
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised::studies {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/config/study.hpp"
 #include "studies/execution/lane_scheduler.hpp"
 #include "studies/execution/progress.hpp"

@@ -95,7 +95,7 @@ TEST(IncludeLines, LeaveCodeWithoutTheWordsOfCommentsAndLiterals) {
 
 TEST(Architecture, TheSourcesAreFound) {
   EXPECT_TRUE(std::any_of(sources().begin(), sources().end(),
-                          [](const SourceFile& s) { return s.path == "core/simulation/scenario.hpp"; }));
+                          [](const SourceFile& s) { return s.path == "core/scenario/scenario.hpp"; }));
 }
 
 TEST(Architecture, QuotedIncludesStartWithAHouse) {

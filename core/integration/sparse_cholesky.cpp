@@ -54,6 +54,13 @@ void multiply(const SymmetricMatrix& matrix, std::span<const double> x, std::spa
   }
 }
 
+std::string cholesky_library() {
+  int version[3] = {0, 0, 0};
+  cholmod_version(version);
+  return "CHOLMOD " + std::to_string(version[0]) + "." + std::to_string(version[1]) + "." +
+         std::to_string(version[2]);
+}
+
 struct SparseCholesky::Impl {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;

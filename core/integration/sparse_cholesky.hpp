@@ -41,6 +41,9 @@ struct CholeskyFactor {
   std::vector<double> value;
 };
 
+/// The library that orders and factors, with its version: the bits of a factor depend on it.
+std::string cholesky_library();
+
 /// Factorisation with a fill-reducing nested-dissection ordering.
 class SparseCholesky {
  public:

@@ -1,8 +1,30 @@
 #include "studies/execution/build_info.hpp"
 
+#include "core/integration/sparse_cholesky.hpp"
 #include "studies/text/joined.hpp"
 
+#if defined(__GLIBC__)
+#include <gnu/libc-version.h>
+#endif
+
 namespace unbruised::studies {
+namespace {
+
+/// The library of exp, pow and sin. glibc picks their code by the CPU it runs on: with fused multiply-add or
+/// without.
+std::string libm_text() {
+#if defined(__GLIBC__)
+  std::string text = joined({"glibc ", gnu_get_libc_version()});
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2")) text += " with fma";
+#endif
+  return text;
+#else
+  return "another libm";
+#endif
+}
+
+}  // namespace
 
 std::string program_version() { return UNBRUISED_VERSION; }
 
@@ -32,8 +54,12 @@ std::string instruction_set() {
 #endif
 }
 
-std::string build_line() {
-  return joined({"unbruised ", program_version(), ", ", compiler_text(), ", ", instruction_set()});
+std::string compiler_and_libraries() {
+  return joined({compiler_text(), " ", UNBRUISED_NUMERIC_FLAGS, ", ", libm_text(), ", ", cholesky_library()});
 }
+
+std::string numeric_build() { return joined({compiler_and_libraries(), ", ", instruction_set()}); }
+
+std::string build_line() { return joined({"unbruised ", program_version(), ", ", numeric_build()}); }
 
 }  // namespace unbruised::studies

@@ -336,7 +336,7 @@ ResultsMeta results_meta(const Study& study, std::vector<std::string> warnings, 
   meta.study_kind = study_kind_word(study.kind());
   meta.created_utc = utc_now();
   meta.instruction_set = instruction_set();
-  meta.compiler = compiler_text();
+  meta.compiler = compiler_and_libraries();
   meta.complete = state == ResultsState::complete;
   meta.warnings = std::move(warnings);
   return meta;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# usage: scripts_test.sh REPOSITORY
+# usage: scripts_test.sh REPOSITORY PROGRAM
 # The shell scripts parse, can be executed and explain themselves; setup is quiet where nothing is missing.
 set -euo pipefail
+program=$2
 cd "$1"
 
 failures=0
@@ -75,6 +76,31 @@ expect_run 0 "run configs/kiwi_sweep.toml"
 expect_run 0 "run configs/kiwi_sweep.toml --threads 2" --threads 2
 expect_run 0 "run a.toml --set cell.support=false product.use=b.toml --fresh" \
   --set cell.support=false product.use=b.toml a.toml --fresh
+expect_run 0 "run a.toml --threads=1 -j 1 -j1 -q" a.toml --threads=1 -j 1 -j1 -q
+expect_run 0 "run a.toml -j 1 --output b.toml" -j 1 --output b.toml a.toml
 expect_run 3 "run a.toml"$'\n'"run diverged.toml"$'\n'"run bad.toml" a.toml diverged.toml bad.toml
+
+# Every option of the program goes to it whole: "  -j,--threads N   threads ..." takes a value, "  -q,--quiet   no progress" none.
+program_options() { # name and value word of each option of `run`
+  "$program" run --help | sed -n '/^Options:/,/^$/p' | grep '^ *-' | sed 's/^ *//; s/   *.*//' |
+    while read -r names value; do
+      for name in ${names//,/ }; do echo "$name ${value%% *}"; done
+    done
+}
+[[ "$(program_options | wc -l)" -ge 8 ]] || fail "the options of run --help could not be read"
+while read -r name value; do
+  [[ "$name" != --help && "$name" != -h ]] || continue
+  if [[ -z "$value" ]]; then
+    expect_run 0 "run a.toml $name" "$name" a.toml
+    continue
+  fi
+  expect_run 0 "run a.toml $name 7" "$name" 7 a.toml
+  expect_run 0 "run a.toml $name other.toml" "$name" other.toml a.toml
+  if [[ "$name" == --* ]]; then
+    expect_run 0 "run a.toml $name=7" "$name=7" a.toml
+  else
+    expect_run 0 "run a.toml ${name}7" "${name}7" a.toml
+  fi
+done <<<"$(program_options)"
 
 exit $((failures > 0))

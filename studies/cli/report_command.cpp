@@ -65,8 +65,9 @@ std::optional<fs::path> write_report_of_run(const fs::path& directory, const std
   const auto recorded = read_recorded(directory);
   const MaybeError error = recorded ? write_report_of(*recorded, page, program) : MaybeError(recorded.error());
   if (!error) return page;
-  print_note(joined({"no report was written: ", error->message, "; `unbruised report ",
-                     shell_word(directory.string()), "` tries again"}));
+  print_note(
+      joined({"no report was written: ", error->message, "; `unbruised report ", shell_word(directory.string()),
+              error->kind == ResultsErrorKind::not_built ? "` writes it then" : "` tries again"}));
   return std::nullopt;
 }
 

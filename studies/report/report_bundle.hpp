@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// The page's program, style and licence notices, built from report/ and linked into this program.
+/// The page's program, style and licence notices, built from report/ and linked into this program. All are empty
+/// in a build that had node, npm or its registry out of reach (report/build); then there is no page.
 
 #include <string_view>
 

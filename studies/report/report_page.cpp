@@ -97,6 +97,14 @@ std::string report_page(const ResultsContent& content, const ReportContext& cont
 
 MaybeError write_report(const std::filesystem::path& path, const ResultsContent& content,
                         const ReportContext& context) {
+  if (report_script().empty()) {
+    return ResultsError{
+        ResultsErrorKind::not_built,
+        "this program was built without the page of the report, because node, npm or npm's registry "
+        "was out of reach; install node 18, behind a proxy set NODE_EXTRA_CA_CERTS or `npm config set "
+        "registry URL`, then run scripts/build",
+        {}};
+  }
   if (!may_be_replaced(path)) {
     return ResultsError{
         ResultsErrorKind::foreign,

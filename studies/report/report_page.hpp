@@ -18,7 +18,7 @@ namespace unbruised::studies {
 std::string report_page(const ResultsContent& content, const ReportContext& context);
 
 /// Writes the page atomically and durably. An earlier page is replaced, any other file refused (foreign). Errors:
-/// io.
+/// io; not_built: this program has no page.
 MaybeError write_report(const std::filesystem::path& path, const ResultsContent& content,
                         const ReportContext& context);
 

@@ -14,6 +14,7 @@ int exit_status(ResultsErrorKind kind) {
     case ResultsErrorKind::other_config:
     case ResultsErrorKind::other_build:
     case ResultsErrorKind::foreign:
+    case ResultsErrorKind::not_built:
       return 2;
   }
   return 1;

@@ -19,6 +19,7 @@ enum class ResultsErrorKind {
   other_config,  ///< the run directory belongs to another config (exit 2)
   other_build,   ///< the run directory was begun by another version or numeric build (exit 2)
   foreign,       ///< not a file or directory of this program, or of a version it cannot read (exit 2)
+  not_built,     ///< this build of the program lacks what is asked for (exit 2)
   damaged,       ///< checksums or contents do not agree (exit 6)
 };
 

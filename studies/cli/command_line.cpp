@@ -128,10 +128,14 @@ class CommandLine {
     report.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
     report.add_option("--output,-o", output_, "the page (default: report.html beside the results)")
         ->type_name("FILE.html");
-    CLI::App& explain = command("explain", "what a config key means: unit, default, range", [this] {
-      return explain_command(words_.empty() ? std::nullopt : std::optional(one_word("explain", "a key")));
+    CLI::App& explain = command("explain", "what a config key, metric, outcome or word of goals means", [this] {
+      return explain_command(words_.empty() ? std::nullopt : std::optional(one_word("explain", "a word")));
     });
-    explain.add_option("KEY", words_, "dotted key or table; without it all of them")->expected(0, -1);
+    explain
+        .add_option("WORD", words_,
+                    "key or table (strategy.grip_force_N), metric, outcome (held), word of goals (P, quantile), "
+                    "metrics, outcomes, goals; without it everything")
+        ->expected(0, -1);
     command("list", "the products, grippers and studies that ship", [] { return list_command(); });
   }
 

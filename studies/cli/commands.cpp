@@ -71,21 +71,6 @@ int verify_command(const std::filesystem::path& directory) {
   return report->damage.empty() ? kExitDone : exit_status(ResultsErrorKind::damaged);
 }
 
-int explain_command(const std::optional<std::string>& key) {
-  if (!key) {
-    print_line(explain_all());
-    return kExitDone;
-  }
-  if (const std::optional<std::string> text = explain_key(*key)) {
-    print_line(*text);
-    return kExitDone;
-  }
-  const std::optional<std::string> near = nearest_key(*key);
-  print_error(near ? joined({"unknown key '", *key, "'; did you mean '", *near, "'?"})
-                   : joined({"unknown key '", *key, "'; `unbruised explain` lists them all"}));
-  return kExitInput;
-}
-
 int list_command() {
   const std::filesystem::path root = config_root_for({});
   const std::vector<LibraryEntry> entries = list_library(root);

@@ -44,7 +44,8 @@ int info_command(const std::filesystem::path& path, const std::string& program);
 int report_command(const std::filesystem::path& path, const std::optional<std::filesystem::path>& output,
                    const std::string& program);
 int verify_command(const std::filesystem::path& directory);
-int explain_command(const std::optional<std::string>& key);
+/// @param word a key, table, metric, outcome or word of goals; none: all of them.
+int explain_command(const std::optional<std::string>& word);
 int list_command();
 
 /// One message on stderr, with the program's name before it.

@@ -197,14 +197,6 @@ std::string explain_all() {
   return out;
 }
 
-std::optional<std::string> nearest_key(const std::string& key) {
-  std::vector<std::string> candidates = key_patterns();
-  candidates.insert(candidates.end(), table_names().begin(), table_names().end());
-  std::string near = nearest(key, candidates);
-  if (near.empty()) return std::nullopt;
-  return near;
-}
-
 std::string reference_markdown() {
   std::string out;
   std::string table;

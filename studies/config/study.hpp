@@ -212,14 +212,12 @@ StudyOrError read_study_text(std::string_view text, const std::string& display_n
                              const std::filesystem::path& config_root);
 
 /// What a key means: unit, default, range, one sentence. Accepts indices ("product.size_m[0]") and table names
-/// ("strategy": all keys of the table). Nothing when unknown; ask `nearest_key` then.
+/// ("strategy": all keys of the table). Nothing when unknown.
 std::optional<std::string> explain_key(const std::string& key);
 /// The whole key reference, plain text.
 std::string explain_all();
 /// The whole key reference as the Markdown that stands in docs/config.md.
 std::string reference_markdown();
-/// The known key or table that is spelt most like `key`; nothing when none is near.
-std::optional<std::string> nearest_key(const std::string& key);
 
 /// The keys whose values differ between two resolved configs, sorted; for the refusal to continue another study.
 std::vector<std::string> differing_keys(const std::string& resolved_a, const std::string& resolved_b);

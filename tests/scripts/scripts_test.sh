@@ -72,8 +72,8 @@ expect_run() { # status, output, arguments
   [[ "$status" == "$1" ]] || fail "scripts/run ${*:3}: exit status $status, not $1"
   [[ "$output" == "$2" ]] || fail "scripts/run ${*:3}: ran '$output', not '$2'"
 }
-expect_run 0 "run configs/kiwi_sweep.toml"
-expect_run 0 "run configs/kiwi_sweep.toml --threads 2" --threads 2
+expect_run 0 "run configs/kiwi_first.toml"
+expect_run 0 "run configs/kiwi_first.toml --threads 2" --threads 2
 expect_run 0 "run a.toml --set cell.support=false product.use=b.toml --fresh" \
   --set cell.support=false product.use=b.toml a.toml --fresh
 expect_run 0 "run a.toml --threads=1 -j 1 -j1 -q" a.toml --threads=1 -j 1 -j1 -q

@@ -101,6 +101,17 @@ TEST_F(CommandLine, ExplainsKeys) {
   EXPECT_EQ(answer.status, 0);
   EXPECT_NE(answer.out.find("grip_force_N"), std::string::npos);
   expect_refused("explain strategy.grip_forse_N", "did you mean 'strategy.grip_force_N'?");
+  EXPECT_EQ(call("explain grip_force_N").out, answer.out);  // as answers print it
+}
+
+TEST_F(CommandLine, ExplainsMetricsOutcomesAndWordsOfGoals) {
+  EXPECT_NE(call("explain peak_pressure_Pa").out.find("unit: Pa"), std::string::npos);
+  EXPECT_NE(call("explain held").out.find("no limit exceeded"), std::string::npos);
+  EXPECT_NE(call("explain P").out.find("\"P(held) >= 0.95\""), std::string::npos);
+  EXPECT_NE(call("explain").out.find("quantile"), std::string::npos);
+  expect_refused("explain quantil", "did you mean 'quantile'?");
+  expect_refused("explain droped", "did you mean 'dropped'?");
+  expect_refused("explain peak_pressure_pa", "did you mean 'peak_pressure_Pa'?");
 }
 
 TEST_F(CommandLine, ListsTheLibrary) {

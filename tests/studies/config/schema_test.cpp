@@ -445,9 +445,9 @@ TEST(Schema, ExplainAnswersForKeysIndicesAndTables) {
   EXPECT_NE(explain_key("random")->find("random[].relative_deviation"), std::string::npos);
   EXPECT_NE(explain_key("search.algorithm")->find("\"AUGLAG\""), std::string::npos);
   EXPECT_EQ(explain_key("strategy.grip"), std::nullopt);
-  EXPECT_EQ(nearest_key("strategy.grip_forc_N"), "strategy.grip_force_N");
-  EXPECT_EQ(nearest_key("stratgy"), "strategy");
-  EXPECT_EQ(nearest_key("zzzzzzzzzzzzzzzz"), std::nullopt);
+  EXPECT_EQ(nearest("strategy.grip_forc_N", key_patterns()), "strategy.grip_force_N");
+  EXPECT_EQ(nearest("stratgy", table_names()), "strategy");
+  EXPECT_EQ(nearest("zzzzzzzzzzzzzzzz", key_patterns()), "");
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#pragma once
+
+/// @file
+/// The words that answers and goals are made of, explained: metrics, outcomes, statistics, the grammar of
+/// objectives and constraints. Config keys are explained by studies/config.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/outcome/outcome.hpp"
+
+namespace unbruised::studies {
+
+/// When a scenario ends with an outcome; docs/metrics.md has the same sentences, in this order of decision.
+struct OutcomeMeaning {
+  Outcome outcome;
+  std::string_view when;
+};
+inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanings = {{
+    {Outcome::diverged, "a number stopped being finite, or a solve did not converge"},
+    {Outcome::out_of_range,
+     "a strain or rotation left the range in which the model holds (simulation.max_strain, "
+     "simulation.max_rotation_rad)"},
+    {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
+    {Outcome::dropped, "no finger contact at some time between lift and release"},
+    {Outcome::slipped, "slip_max_m > limits.slip_m"},
+    {Outcome::damaged, "any other limit of [limits] is exceeded"},
+    {Outcome::held, "none of these"},
+}};
+
+/// What a word means, in indented lines with the word first; "metrics", "outcomes" and "goals" explain all of a
+/// sort. Nothing when it is none of these words.
+std::optional<std::string> explain_word(std::string_view word);
+/// Every word that `explain_word` knows.
+std::vector<std::string> vocabulary();
+
+/// A unit for people: "m/s", or "none (a ratio)" of "1".
+std::string unit_text(std::string_view udunits);
+
+}  // namespace unbruised::studies

@@ -390,7 +390,8 @@ function shareAnswer(study) {
 }
 
 function chooseAnswer(study) {
-  if (study.tables.has("best") && study.tables.get("best").rows > 0) return bestAnswer(study);
+  // Of kinds that do not search, `best` only repeats the answer of another table.
+  if (study.tables.get("best")?.attributes?.objective && study.tables.get("best").rows > 0) return bestAnswer(study);
   if (study.tables.has("pareto")) return paretoAnswer(study);
   if (study.tables.has("candidates") && study.tables.get("candidates").rows > 0) return compareAnswer(study);
   if (study.tables.has("sensitivity")) return sensitivityAnswer(study);

@@ -73,7 +73,6 @@ double evaluations_per_known(const Study& study, const StudyCost& cost) {
       .from_N = range.from_N,
       .to_N = range.to_N,
       .tolerance = range.tolerance,
-      .lane_count = lane_count(),
       .factor_group = {cost.group_of.begin(), cost.group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
   const double ratio = range.to_N / range.from_N;
   const double hold_N = range.from_N * std::pow(ratio, 0.37);

@@ -800,7 +800,7 @@ Table strategy_keys() {
        .meaning = "Drive force limit before the first contact.",
        .range = kNotNegative,
        .use = use,
-       .note = "<= strategy.grip_force_N (window studies: window.from_N)",
+       .note = "<= strategy.grip_force_N (window studies: window.from_N), and lowered to it where not written",
        .field = strategy<&S::contact_force_N>},
       {.path = "strategy.grip_ramp_s",
        .type = number,

@@ -270,8 +270,32 @@ class Reader {
       if (data_.settings.kind == StudyKind::window) {
         assembly.scenario.strategy.grip_force_N = data_.settings.window.from_N;
       }
+      follow_grip_force(assembly, least_grip_force(assembly.scenario));
       data_.bases.push_back(assembly.scenario);
     }
+  }
+
+  /// The least grip force of the study's scenarios on this base.
+  [[nodiscard]] double least_grip_force(const Scenario& base) const {
+    double least_N = base.strategy.grip_force_N;
+    for (const VaryColumn& column : data_.plan.columns) {
+      if (column.input.key != "strategy.grip_force_N" || column.input.numbers.empty()) continue;
+      least_N = *std::min_element(column.input.numbers.begin(), column.input.numbers.end());
+    }
+    return least_N;
+  }
+
+  /// A contact force that nobody wrote is never above the grip force. Where that is searched or drawn, each
+  /// scenario sees to it (`Study::with_values`).
+  void follow_grip_force(Assembly& assembly, double least_N) const {
+    constexpr const char* kContact = "strategy.contact_force_N";
+    const auto searched = blocks_.keys();
+    const bool is_searched = std::any_of(searched.begin(), searched.end(), [](const auto& item) {
+      return item.first == "strategy.grip_force_N" || item.first == kContact;
+    });
+    if (assembly.given.contains(kContact) || is_searched || !(least_N > 0.0)) return;
+    double& contact_force_N = assembly.scenario.strategy.contact_force_N;
+    contact_force_N = std::min(contact_force_N, least_N);
   }
 
   /// Everything that is said about one scenario, in layer order; `own` overrides what the study says.
@@ -305,7 +329,9 @@ class Reader {
       }
       own.insert(own.end(), blocks_.candidate_entries[i].begin(), blocks_.candidate_entries[i].end());
       input.entries = layers(product, gripper, own);
-      data_.candidates.push_back({block.name, assemble(input, problems_).scenario});
+      Assembly assembly = assemble(input, problems_);
+      follow_grip_force(assembly, assembly.scenario.strategy.grip_force_N);
+      data_.candidates.push_back({block.name, assembly.scenario});
     }
   }
 

@@ -142,12 +142,39 @@ void add_searches(const std::vector<ResultTable>& tables, std::vector<std::strin
 
 void add_best(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
   const ResultTable* best = find_table(tables, "best");
-  if (best == nullptr || row_count(*best) == 0) return;
+  // Of other kinds than optimize and robust it only repeats their answer.
+  if (best == nullptr || row_count(*best) == 0 || text_attribute(*best, "objective").empty()) return;
   lines.push_back(best_sentence(*best));
   add_probability(*best, lines);
   if (number_in(*best, "feasible", 0) != 1.0) return;
   add_active(tables, lines);
   add_bounds(*best, lines);
+}
+
+// -- sweep without a window. ------------------------------------------------------------------------------------
+
+std::string over_all(const ResultTable& strategies) {
+  const std::string over = text_attribute(strategies, "over");
+  return over.empty() ? over : joined({" over all ", over});
+}
+
+void add_strategies(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
+  const ResultTable* table = find_table(tables, "strategies");
+  if (table == nullptr) return;
+  const std::size_t count = row_count(*table);
+  std::size_t usable = 0;
+  std::size_t best = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    usable += number_in(*table, "held", i) == number_in(*table, "combinations", i) ? 1U : 0U;
+    if (number_in(*table, "best", i) == 1.0) best = i;
+  }
+  if (best == count) {
+    lines.push_back(joined({"best: none; no strategy is held without damage", over_all(*table)}));
+    return;
+  }
+  lines.push_back(joined({"best:", at_keys(*table, best).substr(5), ": the shortest cycle, ",
+                          short_number(number_in(*table, "cycle_time_s", best)), " s, of ", std::to_string(usable),
+                          usable == 1 ? " strategy" : " strategies", " held without damage", over_all(*table)}));
 }
 
 // -- pareto. -------------------------------------------------------------------------------------------------
@@ -272,6 +299,7 @@ void add_statistics(const std::vector<ResultTable>& tables, std::vector<std::str
 std::vector<std::string> found_lines(const std::vector<ResultTable>& tables) {
   std::vector<std::string> lines;
   add_best(tables, lines);
+  add_strategies(tables, lines);
   add_front(tables, lines);
   add_checks(tables, lines);
   add_searches(tables, lines);

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <span>
+#include <utility>
 
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -13,125 +12,175 @@ namespace {
 
 /// A peak this much above the grip force is no effect of the drive's limit: it comes from the finger's momentum.
 constexpr double kImpactRatio = 1.5;
+/// Intervals whose ends are searched for: more of them are noise of the simulator, not windows.
+constexpr std::size_t kIntervalsSearched = 3;
 
-std::vector<bool> holding(std::span<const GripSample> samples) {
-  std::vector<bool> result;
-  bool lower_holds = false;
-  for (const GripSample& sample : samples) {
-    lower_holds = lower_holds || sample.holds == Verdict::yes;
-    result.push_back(sample.holds == Verdict::yes || (sample.holds == Verdict::unknown && lower_holds));
-  }
-  return result;
+GripState state_of(const GripSample& sample) {
+  if (sample.holds == Verdict::no) return GripState::fails;
+  if (sample.undamaged == Verdict::no) return GripState::marks;
+  const bool told = sample.holds == Verdict::yes && sample.undamaged == Verdict::yes;
+  return told ? GripState::safe : GripState::untold;
 }
 
-std::vector<bool> unmarked(std::span<const GripSample> samples) {
-  std::vector<bool> result(samples.size());
-  bool higher_is_unmarked = false;
-  for (std::size_t i = samples.size(); i-- > 0;) {
-    const Verdict verdict = samples[i].undamaged;
-    higher_is_unmarked = higher_is_unmarked || verdict == Verdict::yes;
-    result[i] = verdict == Verdict::yes || (verdict == Verdict::unknown && higher_is_unmarked);
-  }
-  return result;
+void sort_by_force(std::vector<GripSample>& samples) {
+  std::sort(samples.begin(), samples.end(),
+            [](const GripSample& a, const GripSample& b) { return a.grip_force_N < b.grip_force_N; });
 }
 
-/// Index of the first force from which on all of [0, end) hold; `end` when the last one does not.
-std::size_t first_of_holding_tail(const std::vector<bool>& holds, std::size_t end) {
-  while (end > 0 && holds[end - 1]) --end;
-  return end;
-}
-
-bool any_in(const std::vector<bool>& values, std::size_t begin, std::size_t end) {
-  return std::find(values.begin() + static_cast<std::ptrdiff_t>(begin),
-                   values.begin() + static_cast<std::ptrdiff_t>(end),
-                   true) != values.begin() + static_cast<std::ptrdiff_t>(end);
-}
-
-class WindowReader {
+/// The samples in order, and what can be asked about them.
+class Samples {
  public:
-  explicit WindowReader(std::vector<GripSample> samples) : samples_(std::move(samples)) {
-    std::sort(samples_.begin(), samples_.end(),
-              [](const GripSample& a, const GripSample& b) { return a.grip_force_N < b.grip_force_N; });
-    holds_ = holding(samples_);
-    unmarked_ = unmarked(samples_);
+  explicit Samples(std::vector<GripSample> samples) : samples_(std::move(samples)) {
+    sort_by_force(samples_);
+    states_ = grip_states(samples_);
+    intervals_ = safe_intervals(states_);
   }
+
+  [[nodiscard]] std::size_t count() const { return samples_.size(); }
+  [[nodiscard]] double force(std::size_t i) const { return samples_[i].grip_force_N; }
+  [[nodiscard]] const GripSample& sample(std::size_t i) const { return samples_[i]; }
+  [[nodiscard]] GripState state(std::size_t i) const { return states_[i]; }
+  [[nodiscard]] const std::vector<SafeInterval>& intervals() const { return intervals_; }
+  [[nodiscard]] double ratio(const SafeInterval& interval) const {
+    return force(interval.last) / force(interval.first);
+  }
+
+  /// The intervals, the widest first.
+  [[nodiscard]] std::vector<SafeInterval> by_width() const {
+    std::vector<SafeInterval> sorted = intervals_;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [this](const SafeInterval& a, const SafeInterval& b) { return ratio(a) > ratio(b); });
+    return sorted;
+  }
+
+  /// The first force that is known to hold, which marks where nothing is safe; `count()`: none.
+  [[nodiscard]] std::size_t first_marking() const {
+    const auto found = std::find(states_.begin(), states_.end(), GripState::marks);
+    return static_cast<std::size_t>(found - states_.begin());
+  }
+
+  /// The greatest force below `end` that leaves the product unmarked, held or not; `count()`: none.
+  [[nodiscard]] std::size_t last_unmarked(std::size_t end) const {
+    while (end > 0 && samples_[end - 1].undamaged != Verdict::yes) --end;
+    return end > 0 ? end - 1 : count();
+  }
+
+ private:
+  std::vector<GripSample> samples_;
+  std::vector<GripState> states_;
+  std::vector<SafeInterval> intervals_;
+};
+
+/// A window that some force lies in.
+class WindowInWords {
+ public:
+  WindowInWords(const Samples& samples, const SafeInterval& interval) : samples_(samples), interval_(interval) {}
 
   WindowRow read() {
-    find_damage_end();
-    find_hold_end();
-    row_.exists = row_.hold_bracket_high_N <= row_.damage_bracket_low_N;
+    row_.exists = true;
+    lower_end();
+    upper_end();
     row_.margin = row_.damage_force_N / row_.hold_force_N - 1.0;
-    if (!row_.exists) row_.note = joined({"no window: ", row_.note.empty() ? ends_in_words() : row_.note});
-    note_non_monotone();
+    other_intervals();
     return row_;
   }
 
  private:
-  [[nodiscard]] double force(std::size_t i) const { return samples_[i].grip_force_N; }
-  [[nodiscard]] std::size_t count() const { return samples_.size(); }
-
-  void find_damage_end() {
-    first_damaging_ =
-        static_cast<std::size_t>(std::find(unmarked_.begin(), unmarked_.end(), false) - unmarked_.begin());
-    if (first_damaging_ > 0) row_.damage_bracket_low_N = force(first_damaging_ - 1);
-    if (first_damaging_ < count()) row_.damage_bracket_high_N = force(first_damaging_);
-    if (first_damaging_ == 0) {
-      note_damage_at_least_force();
-    } else if (first_damaging_ == count()) {
-      note(joined({"no damage up to ", short_number(force(count() - 1)), " N"}));
-    } else {
-      row_.damage_force_N = row_.damage_bracket_low_N;
-      if (samples_[first_damaging_].undamaged == Verdict::unknown) {
-        note(joined(
-            {"from ", short_number(force(first_damaging_)), " N on the runs leave what the simulator can tell"}));
-      }
+  void lower_end() {
+    const std::size_t first = interval_.first;
+    row_.hold_bracket_high_N = samples_.force(first);
+    if (first == 0) return note({"holds at ", short_number(samples_.force(0)), " N already"});
+    row_.hold_bracket_low_N = samples_.force(first - 1);
+    row_.hold_force_N = row_.hold_bracket_high_N;
+    const std::string below = short_number(row_.hold_bracket_low_N);
+    if (samples_.state(first - 1) == GripState::marks) note({"below, at ", below, " N, it is held but damaged"});
+    if (samples_.state(first - 1) == GripState::untold) {
+      note({"up to ", below, " N the runs leave what the simulator can tell"});
     }
   }
 
-  void note_damage_at_least_force() {
-    const GripSample& least = samples_.front();
+  void upper_end() {
+    const std::size_t last = interval_.last;
+    row_.damage_bracket_low_N = samples_.force(last);
+    if (last + 1 == samples_.count()) return note({"no damage up to ", short_number(samples_.force(last)), " N"});
+    row_.damage_bracket_high_N = samples_.force(last + 1);
+    row_.damage_force_N = row_.damage_bracket_low_N;
+    const std::string above = short_number(row_.damage_bracket_high_N);
+    if (samples_.state(last + 1) == GripState::fails) note({"above, at ", above, " N, it is not held again"});
+    if (samples_.state(last + 1) == GripState::untold) {
+      note({"from ", above, " N on the runs leave what the simulator can tell"});
+    }
+  }
+
+  void other_intervals() {
+    for (const SafeInterval& each : samples_.intervals()) {
+      const std::string ends = joined(
+          {"[", short_number(samples_.force(each.first)), ", ", short_number(samples_.force(each.last)), "]"});
+      row_.intervals += joined({row_.intervals.empty() ? "" : ", ", ends});
+      if (each.first != interval_.first) note({"not monotone: held and undamaged in ", ends, " N too"});
+    }
+  }
+
+  void note(std::initializer_list<std::string_view> parts) {
+    if (!row_.note.empty()) row_.note += "; ";
+    row_.note += joined(parts);
+  }
+
+  const Samples& samples_;
+  const SafeInterval interval_;
+  WindowRow row_;
+};
+
+/// Why no force lies in a window.
+class NoWindowInWords {
+ public:
+  explicit NoWindowInWords(const Samples& samples) : samples_(samples) {}
+
+  WindowRow read() {
+    hold_end();
+    damage_end();
+    row_.margin = row_.damage_force_N / row_.hold_force_N - 1.0;
+    row_.note = joined({"no window: ", row_.note.empty() ? ends_in_words() : row_.note});
+    return row_;
+  }
+
+ private:
+  void hold_end() {
+    held_ = samples_.first_marking();
+    if (held_ == samples_.count()) {
+      row_.hold_bracket_low_N = samples_.force(samples_.count() - 1);
+      return note({"no force up to ", short_number(row_.hold_bracket_low_N), " N holds"});
+    }
+    row_.hold_bracket_high_N = samples_.force(held_);
+    if (held_ == 0) return note({"holds at ", short_number(samples_.force(0)), " N already"});
+    row_.hold_bracket_low_N = samples_.force(held_ - 1);
+    row_.hold_force_N = row_.hold_bracket_high_N;
+  }
+
+  void damage_end() {
+    const std::size_t last = samples_.last_unmarked(held_);
+    if (last == samples_.count()) return damage_at_least_force();
+    row_.damage_bracket_low_N = samples_.force(last);
+    if (last + 1 == samples_.count()) return note({"no damage up to ", short_number(samples_.force(last)), " N"});
+    if (samples_.sample(last + 1).undamaged == Verdict::unknown) {
+      return note(
+          {"from ", short_number(samples_.force(last + 1)), " N on the runs leave what the simulator can tell"});
+    }
+    row_.damage_bracket_high_N = samples_.force(last + 1);
+    row_.damage_force_N = row_.damage_bracket_low_N;
+  }
+
+  void damage_at_least_force() {
+    const GripSample& least = samples_.sample(0);
     if (least.undamaged == Verdict::unknown) {
-      note(joined(
-          {"the runs leave what the simulator can tell at ", short_number(least.grip_force_N), " N already"}));
-    } else if (least.peak_finger_force_N > kImpactRatio * least.grip_force_N) {
-      note("the impact alone damages at this speed");
-    } else {
-      note(joined({"damages at ", short_number(least.grip_force_N), " N already"}));
+      return note(
+          {"the runs leave what the simulator can tell at ", short_number(least.grip_force_N), " N already"});
     }
-  }
-
-  void find_hold_end() {
-    // What does not hold above the first damaging force does not matter to the window below it.
-    std::size_t end = std::min(first_damaging_ + 1, count());
-    std::size_t first = first_of_holding_tail(holds_, end);
-    if (first == end) {
-      end = count();
-      first = first_of_holding_tail(holds_, end);
+    row_.damage_bracket_high_N = least.grip_force_N;
+    if (least.peak_finger_force_N > kImpactRatio * least.grip_force_N) {
+      return note({"the impact alone damages at this speed"});
     }
-    hold_range_end_ = end;
-    first_holding_ = first;
-    if (first > 0) row_.hold_bracket_low_N = force(first - 1);
-    if (first < end) row_.hold_bracket_high_N = force(first);
-    if (first == end) {
-      note(joined({"no force up to ", short_number(force(end - 1)), " N holds"}));
-      if (any_in(holds_, 0, end)) note("lower ones do in part");
-    } else if (first == 0) {
-      note(joined({"holds at ", short_number(force(0)), " N already"}));
-    } else {
-      row_.hold_force_N = row_.hold_bracket_high_N;
-    }
-  }
-
-  void note_non_monotone() {
-    if (first_holding_ != hold_range_end_ && any_in(holds_, 0, first_holding_)) {
-      note("not monotone: some forces below F_hold hold");
-    }
-    if (std::find(holds_.begin() + static_cast<std::ptrdiff_t>(hold_range_end_), holds_.end(), false) !=
-        holds_.end()) {
-      note("not monotone: some damaging forces do not hold");
-    }
-    if (any_in(unmarked_, first_damaging_, count()))
-      note("not monotone: some forces above F_damage do not damage");
+    note({"damages at ", short_number(least.grip_force_N), " N already"});
   }
 
   [[nodiscard]] std::string ends_in_words() const {
@@ -139,25 +188,78 @@ class WindowReader {
                    short_number(row_.damage_bracket_high_N), " N on"});
   }
 
-  void note(std::string_view text) {
+  void note(std::initializer_list<std::string_view> parts) {
     if (!row_.note.empty()) row_.note += "; ";
-    row_.note += text;
+    row_.note += joined(parts);
   }
 
-  std::vector<GripSample> samples_;
-  std::vector<bool> holds_;
-  std::vector<bool> unmarked_;
-  std::size_t first_damaging_ = 0;
-  std::size_t first_holding_ = 0;
-  std::size_t hold_range_end_ = 0;
+  const Samples& samples_;
+  std::size_t held_ = 0;
   WindowRow row_;
 };
 
+/// Adds the forces `i - 1` and `i` as a bracket, where both were tried.
+void add_bracket(const Samples& samples, std::size_t i, std::vector<ForceBracket>& brackets) {
+  if (i == 0 || i >= samples.count()) return;
+  const ForceBracket bracket{samples.force(i - 1), samples.force(i)};
+  if (std::find(brackets.begin(), brackets.end(), bracket) == brackets.end()) brackets.push_back(bracket);
+}
+
+/// Where no force is safe: a window may lie between a force that fails and the next, which marks.
+void add_hidden(const Samples& samples, std::vector<ForceBracket>& brackets) {
+  for (std::size_t i = 1; i < samples.count() && brackets.size() < kIntervalsSearched; ++i) {
+    const bool begins = samples.state(i - 1) == GripState::fails && samples.state(i) == GripState::marks;
+    if (begins) add_bracket(samples, i, brackets);
+  }
+  const std::size_t unmarked = samples.last_unmarked(samples.first_marking());
+  if (unmarked < samples.count()) add_bracket(samples, unmarked + 1, brackets);
+}
+
 }  // namespace
+
+std::vector<GripState> grip_states(const std::vector<GripSample>& samples) {
+  std::vector<GripState> states;
+  for (const GripSample& sample : samples) states.push_back(state_of(sample));
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (states[i] != GripState::untold || states[i - 1] != GripState::safe) continue;
+    std::size_t end = i;
+    while (end < states.size() && states[end] == GripState::untold) ++end;
+    if (end == states.size() || states[end] != GripState::safe) continue;
+    std::fill(states.begin() + static_cast<std::ptrdiff_t>(i), states.begin() + static_cast<std::ptrdiff_t>(end),
+              GripState::safe);
+  }
+  return states;
+}
+
+std::vector<SafeInterval> safe_intervals(const std::vector<GripState>& states) {
+  std::vector<SafeInterval> intervals;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] != GripState::safe) continue;
+    if (intervals.empty() || intervals.back().last + 1 != i) intervals.push_back({i, i});
+    intervals.back().last = i;
+  }
+  return intervals;
+}
+
+std::vector<ForceBracket> deciding_brackets(std::vector<GripSample> samples) {
+  const Samples sorted(std::move(samples));
+  std::vector<ForceBracket> brackets;
+  const std::vector<SafeInterval> widest = sorted.by_width();
+  for (std::size_t i = 0; i < std::min(widest.size(), kIntervalsSearched); ++i) {
+    add_bracket(sorted, widest[i].first, brackets);
+    add_bracket(sorted, widest[i].last + 1, brackets);
+  }
+  if (widest.empty()) add_hidden(sorted, brackets);
+  std::sort(brackets.begin(), brackets.end(),
+            [](const ForceBracket& a, const ForceBracket& b) { return a.low_N < b.low_N; });
+  return brackets;
+}
 
 WindowRow read_grip_window(std::vector<GripSample> samples) {
   if (samples.empty()) return WindowRow{.inputs = {}, .note = "no window: nothing was tried"};
-  return WindowReader(std::move(samples)).read();
+  const Samples sorted(std::move(samples));
+  if (sorted.intervals().empty()) return NoWindowInWords(sorted).read();
+  return WindowInWords(sorted, sorted.by_width().front()).read();
 }
 
 CommonWindow common_window(const std::vector<WindowRow>& rows) {

@@ -1,10 +1,10 @@
 #pragma once
 
 /// @file
-/// The grip window from sampled grip forces: between which of them the holding starts, and between which the
-/// damage starts. Sweeps read it from their grid, window studies refine it (window_search.hpp).
+/// The grip window from sampled grip forces: from which of them on the product is held, and up to which of those
+/// that hold it stays unmarked. Sweeps read it from their grid, window studies refine it (window_search.hpp).
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,15 +21,45 @@ struct GripSample {
   double peak_finger_force_N = kAbsent;
 };
 
-/// The window that the samples show.
+/// What a grip force does, as far as the window is concerned: damage counts where the product is held.
+enum class GripState {
+  fails,   ///< does not hold, damaged or not
+  safe,    ///< holds and leaves the product unmarked
+  marks,   ///< damages, and is not known to fail
+  untold,  ///< the run ended before it could be told
+};
+
+/// The states of samples in ascending order of force. Untold ones between two safe ones count as safe.
+std::vector<GripState> grip_states(const std::vector<GripSample>& samples);
+
+/// Safe forces that follow each other: indices first .. last.
+struct SafeInterval {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+/// All of them, in ascending order.
+std::vector<SafeInterval> safe_intervals(const std::vector<GripState>& states);
+
+/// Two neighbouring forces between which a window begins or ends.
+struct ForceBracket {
+  double low_N = 0.0;
+  double high_N = 0.0;
+  friend bool operator==(const ForceBracket&, const ForceBracket&) = default;
+};
+
+/// The brackets that a search has to narrow, in ascending order: the ends of the safe intervals (the widest few of
+/// them); where no force is safe, every step from a force that fails to one that marks, for a window may lie
+/// between them, and the bracket in which the damage begins.
+std::vector<ForceBracket> deciding_brackets(std::vector<GripSample> samples);
+
+/// The window that the samples show: it exists when some force holds the product and leaves it unmarked.
 ///
-/// F_hold = least force from which on every sample holds: looked for among the forces up to the first damaging
-/// one, and among all of them when none of those holds. F_damage = greatest force up to which every sample is
-/// undamaged. Each value is the bracket's end on the safe side; NaN, and the reason in the note, where the samples
-/// do not enclose it. The window exists when a sampled force neither fails to hold nor damages, i.e. when
-/// hold_bracket_high_N <= damage_bracket_low_N. Unknown verdicts count as failures at the outer side only: for the
-/// holding when no lower force holds, for the damage when no higher force is undamaged.
-/// @param samples at least one, any order, forces all different.
+/// Safe forces that follow each other are an interval, and the widest (in ratio, then the lower) is the window:
+/// F_hold is its least force, F_damage its greatest. Each is the bracket's end on the safe side; NaN, and the
+/// reason in the note, where the samples do not enclose it. `intervals` lists all of them. Where there is none,
+/// F_hold is the least force of the first held ones, and F_damage the greatest one below it that leaves the
+/// product unmarked, held or not.
+/// @param samples any order, forces all different.
 /// @return a row without inputs.
 WindowRow read_grip_window(std::vector<GripSample> samples);
 

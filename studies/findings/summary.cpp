@@ -7,7 +7,8 @@
 #include <variant>
 
 #include "studies/findings/found_lines.hpp"
-#include "studies/findings/grip_window.hpp"
+#include "studies/findings/table_text.hpp"
+#include "studies/findings/window_lines.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -21,99 +22,6 @@ constexpr std::size_t kCombinationLinesOfSearch = 200;
 std::string input_text(const InputValue& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? short_number(*number) : std::get<std::string>(value);
-}
-
-/// "a, b and c" of the keys' last parts.
-std::string leaves_text(const std::vector<ColumnInfo>& columns) {
-  std::string text;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (i > 0) text += i + 1 == columns.size() ? " and " : ", ";
-    text += key_leaf(columns[i].key);
-  }
-  return text;
-}
-
-/// "(1.05, 1.12]": the force is above the first and at most the second.
-std::string hold_bracket_text(const WindowRow& row) {
-  if (std::isnan(row.hold_bracket_low_N)) return joined({"at or below ", short_number(row.hold_bracket_high_N)});
-  return joined({"in (", short_number(row.hold_bracket_low_N), ", ", short_number(row.hold_bracket_high_N), "]"});
-}
-
-std::string damage_bracket_text(const WindowRow& row) {
-  if (std::isnan(row.damage_bracket_high_N))
-    return joined({"at or above ", short_number(row.damage_bracket_low_N)});
-  return joined(
-      {"in [", short_number(row.damage_bracket_low_N), ", ", short_number(row.damage_bracket_high_N), ")"});
-}
-
-std::string ends_text(double hold_N, bool hold_is_bound, double damage_N, bool damage_is_bound) {
-  return joined({hold_is_bound ? "[<= " : "[", short_number(hold_N), ", ", damage_is_bound ? ">= " : "",
-                 short_number(damage_N), "] N"});
-}
-
-std::string percent_text(double ratio) { return joined({short_number(100.0 * ratio), " %"}); }
-
-/// "[1.12, 2.31] N, margin 106 % (F_hold in ..., F_damage in ...)", or the note that says why there is none.
-std::string window_text(const WindowRow& row) {
-  if (!row.exists) return row.note;
-  std::string text = ends_text(row.hold_bracket_high_N, std::isnan(row.hold_bracket_low_N),
-                               row.damage_bracket_low_N, std::isnan(row.damage_bracket_high_N));
-  if (!std::isnan(row.margin)) text += joined({", margin ", percent_text(row.margin)});
-  text += joined({" (F_hold ", hold_bracket_text(row), ", F_damage ", damage_bracket_text(row), ")"});
-  if (!row.note.empty()) text += joined({"; ", row.note});
-  return text;
-}
-
-std::string at_text(const WindowTable& window, const WindowRow& row) {
-  const std::string inputs = inputs_text(window.inputs, row.inputs);
-  return inputs.empty() ? inputs : joined({" at ", inputs});
-}
-
-std::string combination_line(const WindowTable& window, const WindowRow& row) {
-  if (row.exists) return joined({"grip window", at_text(window, row), ": ", window_text(row)});
-  // The note begins with the words "no window" itself.
-  constexpr std::string_view kBegin = "no window: ";
-  const std::string_view note = row.note;
-  return joined(
-      {"no window", at_text(window, row), ": ", note.starts_with(kBegin) ? note.substr(kBegin.size()) : note});
-}
-
-std::string common_text(const WindowTable& window, const CommonWindow& common) {
-  std::string text =
-      ends_text(common.hold_force_N, common.hold_is_bound, common.damage_force_N, common.damage_is_bound);
-  text +=
-      joined({" (brackets: F_hold ", hold_bracket_text(*common.hold_row), at_text(window, *common.hold_row),
-              "; F_damage ", damage_bracket_text(*common.damage_row), at_text(window, *common.damage_row), ")"});
-  return text;
-}
-
-std::string disjoint_text(const WindowTable& window, const CommonWindow& common) {
-  return joined({"holding needs ", short_number(common.hold_force_N), " N", at_text(window, *common.hold_row),
-                 ", but damage begins above ", short_number(common.damage_force_N), " N",
-                 at_text(window, *common.damage_row)});
-}
-
-/// One line over all combinations, and where some have no window one over those that have one.
-std::vector<std::string> common_lines(const WindowTable& window) {
-  const std::string keys = leaves_text(window.inputs);
-  const CommonWindow common = common_window(window.rows);
-  if (common.exists) return {joined({"grip window over all ", keys, ": ", common_text(window, common)})};
-  std::vector<WindowRow> with_window;
-  std::copy_if(window.rows.begin(), window.rows.end(), std::back_inserter(with_window),
-               [](const WindowRow& row) { return row.exists; });
-  const std::size_t without = window.rows.size() - with_window.size();
-  if (without == 0) return {joined({"no window common to all ", keys, ": ", disjoint_text(window, common)})};
-  std::vector<std::string> lines = {
-      joined({"no window common to all ", keys, ": ", std::to_string(without), " of ",
-              std::to_string(window.rows.size()), " combinations have none"})};
-  if (!with_window.empty()) {
-    const CommonWindow rest = common_window(with_window);
-    lines.push_back(rest.exists ? joined({"grip window over the other ", std::to_string(with_window.size()), ": ",
-                                          common_text(window, rest)})
-                                : joined({"no window common to the other ", std::to_string(with_window.size()),
-                                          ": ", disjoint_text(window, rest)}));
-  }
-  return lines;
 }
 
 bool is_better(const ScenarioRow& a, const ScenarioRow& b) {
@@ -208,23 +116,6 @@ std::string balance_line(const std::vector<ScenarioRow>& rows) {
   return text.empty() ? text : joined({"worst balances: ", text});
 }
 
-std::vector<std::string> window_lines(const WindowTable& window, std::size_t most_lines) {
-  std::vector<const WindowRow*> order;
-  for (const WindowRow& row : window.rows) order.push_back(&row);
-  const bool all = order.size() <= most_lines;
-  if (!all) std::stable_partition(order.begin(), order.end(), [](const WindowRow* row) { return !row->exists; });
-  order.resize(std::min(order.size(), most_lines));
-  std::vector<std::string> lines;
-  for (const WindowRow* row : order) lines.push_back(combination_line(window, *row));
-  if (!all) {
-    lines.push_back(joined({"... and ", std::to_string(window.rows.size() - order.size()), " more in /window"}));
-  }
-  if (window.rows.size() > 1) {
-    for (std::string& line : common_lines(window)) lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
   const ScenarioRow* best = nullptr;
   for (const ScenarioRow& row : rows) {
@@ -253,14 +144,15 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   std::vector<std::string> lines = {outcome_line(tables.rows)};
   if (std::string balances = balance_line(tables.rows); !balances.empty()) lines.push_back(std::move(balances));
   if (tables.window) {
-    for (std::string& line : window_lines(*tables.window, most)) lines.push_back(std::move(line));
+    const ResultTable* set_points = find_table(tables.found, "set_points");
+    for (std::string& line : window_lines(*tables.window, set_points, most)) lines.push_back(std::move(line));
   }
   const bool has_cycles = std::any_of(tables.rows.begin(), tables.rows.end(), [](const ScenarioRow& row) {
     return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
   });
   for (std::string& line : found_lines(tables.found)) lines.push_back(std::move(line));
   if (!tables.found.empty()) return lines;
-  if (study_kind == "simulate" || study_kind == "sweep" || study_kind == "window") {
+  if (study_kind == "simulate") {
     if (has_cycles) lines.push_back(best_line(tables));
   } else {
     // The fastest of the scenarios so far is no answer to what these kinds ask.

@@ -31,9 +31,6 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows);
 /// The largest |impulse_balance_error| and the largest energy_balance_error, with their scenarios; empty when
 /// no row has them.
 std::string balance_line(const std::vector<ScenarioRow>& rows);
-/// The window of each combination and the one common to all.
-/// @param most_lines of combinations; where there are more, those without a window come first.
-std::vector<std::string> window_lines(const WindowTable& window, std::size_t most_lines);
 /// The held row with the shortest cycle, then the largest friction margin, then the least id; nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
 std::string best_line(const StudyTables& tables);

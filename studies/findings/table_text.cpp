@@ -72,7 +72,10 @@ std::string keys_text(const ResultTable& table, std::size_t row) {
   std::string text;
   for (const ResultColumn& column : table.columns) {
     if (column.name.find('.') == std::string::npos) continue;
-    text += joined({text.empty() ? "" : ", ", assignment(column.name, number_in(table, column.name, row))});
+    const std::string word = text_in(table, column.name, row);
+    text += joined({text.empty() ? "" : ", ", word.empty()
+                                                  ? assignment(column.name, number_in(table, column.name, row))
+                                                  : joined({key_leaf(column.name), " = ", word})});
   }
   return text;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -14,10 +13,9 @@
 #include "studies/execution/evaluation_broker.hpp"
 #include "studies/execution/periodic_task.hpp"
 #include "studies/findings/found_tables.hpp"
-#include "studies/findings/grip_window.hpp"
 #include "studies/findings/strategy_judge.hpp"
-#include "studies/goals/verdict.hpp"
 #include "studies/kinds/search_study.hpp"
+#include "studies/kinds/study_answer.hpp"
 #include "studies/kinds/window_search.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/scenarios/scenario_set.hpp"
@@ -26,8 +24,6 @@
 
 namespace unbruised::studies {
 namespace {
-
-constexpr const char* kGripForceKey = "strategy.grip_force_N";
 
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);
@@ -42,20 +38,6 @@ std::string utc_now() {
 struct JournalFailure {
   ResultsError error;
 };
-
-GripSample sample_of(const ScenarioResult& result, const LimitParameters& limits, double grip_force_N) {
-  return {.grip_force_N = grip_force_N,
-          .holds = holds(result.metrics, result.outcome, limits),
-          .undamaged = undamaged(result.metrics, result.outcome, limits),
-          .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N]};
-}
-
-std::optional<std::size_t> column_of(const Study& study, const std::string& key) {
-  for (std::size_t i = 0; i < study.inputs().size(); ++i) {
-    if (study.inputs()[i].key == key) return i;
-  }
-  return std::nullopt;
-}
 
 class StudyRun {
  public:
@@ -117,8 +99,9 @@ class StudyRun {
   void look_at_set(const std::vector<ScenarioRow>& rows) {
     switch (study_.kind()) {
       case StudyKind::sweep:
-        report_.tables.window = window_of_sweep(study_, rows);
-        return;
+        if (std::optional<StudyWindow> window = window_of_sweep(study_, rows))
+          return keep(std::move(*window), rows);
+        return keep(grid_answer(input_columns(study_), rows));
       case StudyKind::sample:
         report_.tables.found = sample_tables(study_, rows);
         return;
@@ -155,22 +138,32 @@ class StudyRun {
     std::vector<ScenarioRow> rows = run_.rows();
     number_search_rows(rows);
     report_.tables.found = search_tables(judge, found, rows);
+    if (!found.interrupted) strategy_ = search_strategy(study_, found);
   }
 
   // window: rounds of evaluations, each answered from the journal where it can be.
   void run_window() {
     if (options_.progress != nullptr) options_.progress->total_may_grow();
     const WindowSettings& range = study_.window();
-    WindowSearchSettings settings{.from_N = range.from_N,
-                                  .to_N = range.to_N,
-                                  .tolerance = range.tolerance,
-                                  .lane_count = simulator_.lane_count(),
-                                  .factor_group = factor_groups()};
+    WindowSearchSettings settings{
+        .from_N = range.from_N, .to_N = range.to_N, .tolerance = range.tolerance, .factor_group = factor_groups()};
     for (const ScenarioRow& row : run_.rows()) recorded_.emplace(row.id, row);
     const WindowSearchResult found =
         search_windows(settings, [this](const std::vector<ForceRequest>& requests) { return answer(requests); });
     report_.interrupted = found.interrupted;
-    if (!found.interrupted) report_.tables.window = window_table(found.rows);
+    if (!found.interrupted) keep(window_table(found.rows), run_.rows());
+  }
+
+  void keep(StudyWindow window, const std::vector<ScenarioRow>& rows) {
+    const WindowAnswer answer = answer_of(study_, window, input_columns(study_), rows);
+    report_.tables.found = {set_points_table(answer)};
+    strategy_ = window_strategy(study_, window, answer);
+    report_.tables.window = std::move(window.table);
+  }
+
+  void keep(GridAnswer answer) {
+    strategy_ = grid_strategy(study_, answer);
+    report_.tables.found = {std::move(answer.table)};
   }
 
   std::vector<std::size_t> factor_groups() const {
@@ -204,7 +197,7 @@ class StudyRun {
     std::vector<GripSample> answers;
     for (const ForceRequest& request : requests) {
       const LimitParameters limits = study_.scenario(request.combination).limits;
-      answers.push_back(sample_of(recorded_.at(request.id).result, limits, request.grip_force_N));
+      answers.push_back(grip_sample(recorded_.at(request.id).result, limits, request.grip_force_N));
     }
     return answers;
   }
@@ -232,14 +225,15 @@ class StudyRun {
              {}}};
   }
 
-  WindowTable window_table(const std::vector<WindowRow>& found) const {
-    WindowTable table;
-    table.inputs = input_columns(study_);
-    table.inputs.pop_back();  // the grip force is what was searched
-    table.rows = found;
-    for (std::size_t point = 0; point < found.size(); ++point)
-      table.rows[point].inputs = grid_inputs(study_, point);
-    return table;
+  StudyWindow window_table(const std::vector<WindowRow>& found) const {
+    StudyWindow window;
+    window.table.inputs = scenario_set(study_).columns;
+    window.table.rows = found;
+    for (std::size_t point = 0; point < found.size(); ++point) {
+      window.table.rows[point].inputs = grid_inputs(study_, point);
+      window.points.push_back(point);
+    }
+    return window;
   }
 
   void record(const ScenarioRow& row) {
@@ -266,7 +260,16 @@ class StudyRun {
     }
   }
 
+  /// The answer as a strategy file; without one, that of an earlier run goes.
+  MaybeError write_strategy() {
+    if (!strategy_) return run_.remove_strategy();
+    const std::string toml = strategy_toml(study_, *strategy_, rows_digest(run_.rows()));
+    add_strategy(report_.tables.found, *strategy_, toml);
+    return run_.write_strategy(toml);
+  }
+
   MaybeError write_results() {
+    if (auto error = write_strategy()) return error;
     ResultsContent content = unfinished_content(study_, run_, all_warnings());
     content.meta.complete = !report_.interrupted;
     content.tables = report_.tables.found;
@@ -305,6 +308,7 @@ class StudyRun {
   std::unordered_map<std::uint64_t, ScenarioRow> recorded_;
   Trace trace_;
   bool has_trace_ = false;
+  std::optional<AnsweredStrategy> strategy_;
   StudyReport report_;
 };
 
@@ -375,35 +379,6 @@ std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& r
     }
   }
   return std::nullopt;
-}
-
-std::optional<WindowTable> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows) {
-  const std::optional<std::size_t> force_column = column_of(study, kGripForceKey);
-  if (!force_column) return std::nullopt;
-  // Points that agree in all other keys stand together, in the order of the study.
-  std::map<std::vector<std::size_t>, std::vector<GripSample>> samples;
-  std::map<std::vector<std::size_t>, std::uint64_t> a_point_of;
-  for (const ScenarioRow& row : rows) {
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < study.inputs().size(); ++i) {
-      if (i != *force_column) others.push_back(study.input_index(row.id, i));
-    }
-    const double force_N = study.input_number(row.id, *force_column);
-    samples[others].push_back(sample_of(row.result, study.scenario(row.id).limits, force_N));
-    a_point_of.try_emplace(std::move(others), row.id);
-  }
-  const auto without_force = [&](auto values) {
-    values.erase(values.begin() + static_cast<std::ptrdiff_t>(*force_column));
-    return values;
-  };
-  WindowTable table;
-  table.inputs = without_force(input_columns(study));
-  for (auto& [others, group] : samples) {
-    WindowRow row = read_grip_window(std::move(group));
-    row.inputs = without_force(grid_inputs(study, a_point_of.at(others)));
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 }  // namespace unbruised::studies

@@ -76,7 +76,4 @@ Scenario window_scenario(const Study& study, std::size_t point, double grip_forc
 /// The scenario a row of this study was made from; nothing when its inputs are none of the study's.
 std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row);
 
-/// The window of a sweep over the grip force, read from its grid; nothing when the grip force is not varied.
-std::optional<WindowTable> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows);
-
 }  // namespace unbruised::studies

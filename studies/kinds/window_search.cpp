@@ -7,19 +7,16 @@
 namespace unbruised::studies {
 namespace {
 
+/// Evaluations of one factor group that are asked together, at least: a multiple of the lanes of every machine,
+/// and the same on all of them, so that all of them find the same window.
+constexpr std::size_t kAskedTogether = 16;
 constexpr std::size_t kFirstRoundForces = 8;       // per combination, at least
 constexpr std::size_t kFirstRoundForcesMost = 16;  // per combination, when lanes would be empty otherwise
 constexpr std::size_t kCutsMost = 31;              // of one bracket in one round
 constexpr int kRoundsMost = 100;                   // bisection needs 30 for a ratio of 1e6 at a tolerance of 1e-3
 
-struct Bracket {
-  double low_N = 0.0;
-  double high_N = 0.0;
-  friend bool operator==(const Bracket&, const Bracket&) = default;
-};
-
 /// `count` forces strictly between the ends, in equal ratios.
-std::vector<double> log_between(const Bracket& bracket, std::size_t count) {
+std::vector<double> log_between(const ForceBracket& bracket, std::size_t count) {
   std::vector<double> forces;
   forces.reserve(count);
   const double ratio = bracket.high_N / bracket.low_N;
@@ -59,8 +56,8 @@ class WindowSearch {
     return std::vector<std::size_t>(groups, 0);
   }
 
-  [[nodiscard]] std::size_t lanes_for_each(std::size_t askers) const {
-    return static_cast<std::size_t>(settings_.lane_count) / std::max<std::size_t>(1, askers);
+  static std::size_t share_of_each(std::size_t askers) {
+    return kAskedTogether / std::max<std::size_t>(1, askers);
   }
 
   std::vector<ForceRequest> first_round() {
@@ -68,8 +65,8 @@ class WindowSearch {
     for (const std::size_t group : settings_.factor_group) ++members[group];
     std::vector<ForceRequest> requests;
     for (std::size_t combination = 0; combination < combination_count(); ++combination) {
-      const std::size_t lanes = lanes_for_each(members[settings_.factor_group[combination]]);
-      const std::size_t count = std::clamp(lanes, kFirstRoundForces, kFirstRoundForcesMost);
+      const std::size_t share = share_of_each(members[settings_.factor_group[combination]]);
+      const std::size_t count = std::clamp(share, kFirstRoundForces, kFirstRoundForcesMost);
       request(combination, {settings_.from_N}, requests);
       request(combination, log_between({settings_.from_N, settings_.to_N}, count - 2), requests);
       request(combination, {settings_.to_N}, requests);
@@ -78,7 +75,7 @@ class WindowSearch {
   }
 
   std::vector<ForceRequest> next_round() {
-    std::vector<std::vector<Bracket>> open(combination_count());
+    std::vector<std::vector<ForceBracket>> open(combination_count());
     std::vector<std::size_t> open_in_group = zero_per_group();
     for (std::size_t combination = 0; combination < combination_count(); ++combination) {
       open[combination] = open_brackets(combination);
@@ -86,33 +83,28 @@ class WindowSearch {
     }
     std::vector<ForceRequest> requests;
     for (std::size_t combination = 0; combination < combination_count(); ++combination) {
-      const std::size_t lanes = lanes_for_each(open_in_group[settings_.factor_group[combination]]);
-      for (const Bracket& bracket : open[combination]) {
-        request(combination, log_between(bracket, cuts_of(bracket, lanes)), requests);
+      const std::size_t share = share_of_each(open_in_group[settings_.factor_group[combination]]);
+      for (const ForceBracket& bracket : open[combination]) {
+        request(combination, log_between(bracket, cuts_of(bracket, share)), requests);
       }
     }
     return requests;
   }
 
-  /// The brackets wider than the tolerance, in ascending order, one where both ends lie in the same.
-  [[nodiscard]] std::vector<Bracket> open_brackets(std::size_t combination) const {
-    const WindowRow row = read_grip_window(samples_[combination]);
-    std::vector<Bracket> open;
-    for (const Bracket& bracket : {Bracket{row.hold_bracket_low_N, row.hold_bracket_high_N},
-                                   Bracket{row.damage_bracket_low_N, row.damage_bracket_high_N}}) {
-      // NaN where an end lies outside the range: nothing to cut.
-      const bool is_wide = bracket.high_N > bracket.low_N * (1.0 + settings_.tolerance);
-      if (is_wide && std::find(open.begin(), open.end(), bracket) == open.end()) open.push_back(bracket);
+  /// The deciding brackets that are wider than the tolerance.
+  [[nodiscard]] std::vector<ForceBracket> open_brackets(std::size_t combination) const {
+    std::vector<ForceBracket> open;
+    for (const ForceBracket& bracket : deciding_brackets(samples_[combination])) {
+      if (bracket.high_N > bracket.low_N * (1.0 + settings_.tolerance)) open.push_back(bracket);
     }
-    std::sort(open.begin(), open.end(), [](const Bracket& a, const Bracket& b) { return a.low_N < b.low_N; });
     return open;
   }
 
-  /// No more cuts than lanes, and no finer than the tolerance asks for.
-  [[nodiscard]] std::size_t cuts_of(const Bracket& bracket, std::size_t lanes) const {
+  /// No more cuts than its share, and no finer than the tolerance asks for.
+  [[nodiscard]] std::size_t cuts_of(const ForceBracket& bracket, std::size_t share) const {
     const double parts = std::ceil(std::log(bracket.high_N / bracket.low_N) / std::log1p(settings_.tolerance));
     const std::size_t useful = parts < 2.0 ? 1 : static_cast<std::size_t>(std::min(parts, 1e6)) - 1;
-    return std::clamp<std::size_t>(std::min(lanes, useful), 1, kCutsMost);
+    return std::clamp<std::size_t>(std::min(share, useful), 1, kCutsMost);
   }
 
   void request(std::size_t combination, const std::vector<double>& forces, std::vector<ForceRequest>& requests) {

@@ -2,7 +2,8 @@
 
 /// @file
 /// Finds F_hold and F_damage of many combinations at once: every round asks for the forces of all combinations
-/// together, so that lanes are full. Rounds depend on the answers alone, never on their order of arrival.
+/// together, so that lanes are full. Rounds depend on the answers alone, never on their order of arrival nor on
+/// the machine.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +23,6 @@ struct WindowSearchSettings {
   double to_N = 10.0;
   /// > 0; a bracket is done when high <= low (1 + tolerance)
   double tolerance = 0.005;
-  /// > 0; evaluations of one factor group that cost as much as one
-  int lane_count = 16;
   /// Factor group of each combination; its length is the number of combinations.
   std::vector<std::size_t> factor_group;
 };
@@ -46,7 +45,8 @@ struct WindowSearchResult {
 };
 
 /// Round 0 samples [from_N, to_N] log-evenly, ends included; each later one cuts every open bracket of every
-/// combination into k + 1 parts of equal ratio, k chosen per factor group so that its lanes are full.
+/// combination (`deciding_brackets`) into k + 1 parts of equal ratio, k chosen so that each factor group asks
+/// enough at once to fill lanes.
 WindowSearchResult search_windows(const WindowSearchSettings& settings, const ForceEvaluator& evaluate);
 
 }  // namespace unbruised::studies

@@ -10,6 +10,7 @@
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/report/packed_columns.hpp"
+#include "studies/results/window_columns.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -126,24 +127,22 @@ json common(const WindowTable& window) {
 
 json window_json(PackedColumns& packed, const WindowTable& window) {
   json columns = json::array();
-  const auto add = [&](const char* name, const char* units, double WindowRow::*member) {
+  for (const WindowNumber& number : kWindowNumbers) {
+    columns.push_back(column(number.name, number.units, "",
+                             packed.numbers(numbers_of<WindowRow>(
+                                 window.rows, [&](const WindowRow& row) { return row.*number.value; }))));
+  }
+  for (const WindowFlag& flag : kWindowFlags) {
+    columns.push_back(
+        column(flag.name, "1", "", packed.numbers(numbers_of<WindowRow>(window.rows, [&](const WindowRow& row) {
+          return row.*flag.value ? 1.0 : 0.0;
+        }))));
+  }
+  for (const WindowText& text : kWindowTexts) {
     columns.push_back(column(
-        name, units, "",
-        packed.numbers(numbers_of<WindowRow>(window.rows, [&](const WindowRow& row) { return row.*member; }))));
-  };
-  add("hold_force_N", "N", &WindowRow::hold_force_N);
-  add("damage_force_N", "N", &WindowRow::damage_force_N);
-  add("margin", "1", &WindowRow::margin);
-  add("hold_bracket_low_N", "N", &WindowRow::hold_bracket_low_N);
-  add("hold_bracket_high_N", "N", &WindowRow::hold_bracket_high_N);
-  add("damage_bracket_low_N", "N", &WindowRow::damage_bracket_low_N);
-  add("damage_bracket_high_N", "N", &WindowRow::damage_bracket_high_N);
-  columns.push_back(column("exists", "1", "",
-                           packed.numbers(numbers_of<WindowRow>(
-                               window.rows, [](const WindowRow& row) { return row.exists ? 1.0 : 0.0; }))));
-  columns.push_back(column("note", "", "", packed.texts(texts_of<WindowRow>(window.rows, [](const WindowRow& row) {
-    return row.note;
-  }))));
+        text.name, "", "",
+        packed.texts(texts_of<WindowRow>(window.rows, [&](const WindowRow& row) { return row.*text.value; }))));
+  }
   return {{"rows", window.rows.size()},
           {"inputs", input_columns_of(packed, window.inputs, window.rows)},
           {"columns", std::move(columns)},

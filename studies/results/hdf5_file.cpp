@@ -245,6 +245,7 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
                              const std::vector<std::string>& texts) {
   const Hdf5Handle type = text_type();
   std::vector<const char*> pointers;
+  pointers.reserve(texts.size() + 1);  // HDF5 takes no null pointer, not even for an empty list
   for (const std::string& text : texts) pointers.push_back(text.c_str());
   const char* const none = "";  // HDF5 wants an address even for an empty list
   write_attribute(object, name, type.id(), type.id(), texts.empty() ? &none : pointers.data(), pointers.size());

@@ -12,6 +12,7 @@
 #include "studies/results/digest.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/hdf5_file.hpp"
+#include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -22,25 +23,8 @@ namespace {
 
 constexpr std::int8_t kNotRunCode = -1;
 constexpr std::array<std::int8_t, 8> kOutcomeFlags = {-1, 0, 1, 2, 3, 4, 5, 6};
-constexpr std::array<std::int8_t, 2> kExistsFlags = {0, 1};
+constexpr std::array<std::int8_t, 2> kYesNoFlags = {0, 1};
 constexpr std::array<std::int8_t, 4> kEventFlags = {0, 1, 2, 3};
-
-struct WindowColumn {
-  const char* name;
-  double WindowRow::*value;
-  const char* units;
-  const char* long_name;
-};
-
-constexpr std::array<WindowColumn, 7> kWindowColumns = {{
-    {"hold_force_N", &WindowRow::hold_force_N, "N", "least grip force that neither drops nor slips"},
-    {"damage_force_N", &WindowRow::damage_force_N, "N", "greatest grip force that exceeds no damage limit"},
-    {"margin", &WindowRow::margin, "1", "damage_force_N / hold_force_N - 1"},
-    {"hold_bracket_low_N", &WindowRow::hold_bracket_low_N, "N", "greatest grip force known not to hold"},
-    {"hold_bracket_high_N", &WindowRow::hold_bracket_high_N, "N", "least grip force known to hold"},
-    {"damage_bracket_low_N", &WindowRow::damage_bracket_low_N, "N", "greatest grip force known not to damage"},
-    {"damage_bracket_high_N", &WindowRow::damage_bracket_high_N, "N", "least grip force known to damage"},
-}};
 
 std::string outcome_meanings() {
   std::string meanings = "not_run";
@@ -213,18 +197,24 @@ void write_window(Hdf5File& file, const WindowTable& table) {
   const Dimension windows{"/window/window", table.rows.size()};
   write_scale(file, windows, "number of the combination of the other varied keys");
   write_inputs(file, "/window", windows, table.inputs, table.rows);
-  for (const WindowColumn& column : kWindowColumns) {
+  for (const WindowNumber& column : kWindowNumbers) {
     const auto values = column_of(table.rows, [&](const WindowRow& row) { return row.*column.value; });
     write_column(file, joined({"/window/", column.name}), windows, values, column.units, column.long_name);
   }
-  const auto exists =
-      column_of(table.rows, [](const WindowRow& row) { return static_cast<std::int8_t>(row.exists); });
-  file.write("/window/exists", exists, {table.rows.size()}, 0);
-  describe_flags(file, "/window/exists", kExistsFlags, "no_window window",
-                 "is there a grip force that holds unharmed");
-  file.attach_scale("/window/exists", windows.scale, 0);
-  write_text_column(file, "/window/note", windows,
-                    column_of(table.rows, [](const WindowRow& row) { return row.note; }), "remark on this window");
+  for (const WindowFlag& flag : kWindowFlags) {
+    const std::string name = joined({"/window/", flag.name});
+    file.write(
+        name,
+        column_of(table.rows, [&](const WindowRow& row) { return static_cast<std::int8_t>(row.*flag.value); }),
+        {table.rows.size()}, 0);
+    describe_flags(file, name, kYesNoFlags, flag.meanings, flag.long_name);
+    file.attach_scale(name, windows.scale, 0);
+  }
+  for (const WindowText& text : kWindowTexts) {
+    write_text_column(file, joined({"/window/", text.name}), windows,
+                      column_of(table.rows, [&](const WindowRow& row) { return row.*text.value; }),
+                      text.long_name);
+  }
 }
 
 std::size_t length_of(const ResultColumn& column) {
@@ -579,18 +569,31 @@ std::vector<ResultTable> read_tables(const Hdf5File& file) {
   return tables;
 }
 
+// Files of earlier versions have fewer columns: the others keep their defaults.
 WindowTable read_window(const Hdf5File& file) {
   WindowTable table;
-  const auto exists = file.read_integers("/window/exists");
-  table.rows.resize(exists.size());
-  const auto notes = read_text_column(file, "/window/note", exists.size());
-  for (std::size_t i = 0; i < exists.size(); ++i) {
-    table.rows[i].exists = exists[i] != 0;
-    table.rows[i].note = notes[i];
+  table.rows.resize(file.read_integers("/window/exists").size());
+  const std::size_t count = table.rows.size();
+  const auto each = [&](const char* leaf, const auto& read) {
+    if (const std::string name = joined({"/window/", leaf}); file.exists(name)) read(name);
+  };
+  for (const WindowNumber& column : kWindowNumbers) {
+    each(column.name, [&](const std::string& name) {
+      const auto values = read_column(file, name, count);
+      for (std::size_t i = 0; i < count; ++i) table.rows[i].*column.value = values[i];
+    });
   }
-  for (const WindowColumn& column : kWindowColumns) {
-    const auto values = read_column(file, joined({"/window/", column.name}), exists.size());
-    for (std::size_t i = 0; i < values.size(); ++i) table.rows[i].*column.value = values[i];
+  for (const WindowFlag& flag : kWindowFlags) {
+    each(flag.name, [&](const std::string& name) {
+      const auto values = file.read_integers(name);
+      for (std::size_t i = 0; i < std::min(count, values.size()); ++i) table.rows[i].*flag.value = values[i] != 0;
+    });
+  }
+  for (const WindowText& text : kWindowTexts) {
+    each(text.name, [&](const std::string& name) {
+      const auto values = read_text_column(file, name, count);
+      for (std::size_t i = 0; i < count; ++i) table.rows[i].*text.value = values[i];
+    });
   }
   table.inputs = read_inputs(file, "/window", table.rows);
   return table;

@@ -67,13 +67,20 @@ struct WindowRow {
   std::vector<InputValue> inputs;  ///< in the order of WindowTable::inputs
   double hold_force_N = kAbsent;   ///< NaN where it lies outside the searched range
   double damage_force_N = kAbsent;
-  bool exists = false;                     ///< F_damage > F_hold, both ends known well enough to say so
-  double margin = kAbsent;                 ///< damage_force_N / hold_force_N - 1
-  double hold_bracket_low_N = kAbsent;     ///< greatest force known not to hold
-  double hold_bracket_high_N = kAbsent;    ///< least force known to hold
-  double damage_bracket_low_N = kAbsent;   ///< greatest force known not to damage
-  double damage_bracket_high_N = kAbsent;  ///< least force known to damage
-  std::string note;                        ///< e.g. "no window at this speed: the impact alone damages"
+  bool exists = false;                        ///< some force holds the product and leaves it unmarked
+  double margin = kAbsent;                    ///< damage_force_N / hold_force_N - 1
+  double hold_bracket_low_N = kAbsent;        ///< greatest force known not to hold
+  double hold_bracket_high_N = kAbsent;       ///< least force known to hold
+  double damage_bracket_low_N = kAbsent;      ///< greatest force known not to damage
+  double damage_bracket_high_N = kAbsent;     ///< least force known to damage
+  std::string note{};                         ///< e.g. "no window at this speed: the impact alone damages"
+  std::string intervals{};                    ///< all forces that hold unmarked, "[0.98, 1.09], [1.4, 2]" N
+  double hold_force_half_step_N = kAbsent;    ///< at half the time step; NaN where that was not looked at
+  double damage_force_half_step_N = kAbsent;  ///< at half the time step; NaN where that was not looked at
+  bool set_point_exists = false;
+  double set_point_N = kAbsent;            ///< findings/set_point.hpp; NaN where there is none
+  double set_point_tolerance_N = kAbsent;  ///< the setting may be off by it either way
+  std::string set_point_note{};            ///< "set 2.4 N, may be off ...", or why there is none
 };
 
 /// The window of every combination of the varied keys other than the grip force.

@@ -65,7 +65,8 @@ MaybeError make_directory(const fs::path& directory) {
 // Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
 bool is_own_extra(const std::string& name) {
   return name == "lock" || name == "log.txt" || name == "config.toml.tmp" || name == "report.html" ||
-         name == "report.html.tmp" || (name.starts_with("scenario_") && name.ends_with(".h5"));
+         name == "report.html.tmp" || name == "strategy.toml" || name == "strategy.toml.tmp" ||
+         (name.starts_with("scenario_") && name.ends_with(".h5"));
 }
 
 bool holds_anything(const fs::path& directory) {
@@ -370,6 +371,16 @@ MaybeError RunDirectory::finish(ResultsContent content) {
   content.meta.config_sha256 = config_sha256_;
   const std::lock_guard one_at_a_time(results_mutex_);
   return write_results(content);
+}
+
+MaybeError RunDirectory::write_strategy(std::string_view toml) {
+  return write_text_file(directory_ / "strategy.toml", toml);
+}
+
+MaybeError RunDirectory::remove_strategy() {
+  std::error_code error;
+  fs::remove(directory_ / "strategy.toml", error);
+  return error ? MaybeError{system_error("remove", directory_ / "strategy.toml", error.value())} : MaybeError{};
 }
 
 MaybeError RunDirectory::write_results(const ResultsContent& content) {

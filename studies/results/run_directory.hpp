@@ -80,6 +80,9 @@ class RunDirectory {
   /// @param content meta, inputs, window and trace as wanted; `rows` may hold the not_run rows of an
   ///   interrupted study (journalled rows of the same id win). config texts are filled in when empty.
   MaybeError finish(ResultsContent content);
+  /// `strategy.toml`: the study's answer as a file, written anew, or gone where there is no answer.
+  MaybeError write_strategy(std::string_view toml);
+  MaybeError remove_strategy();
 
  private:
   RunDirectory() = default;

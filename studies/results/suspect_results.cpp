@@ -14,6 +14,7 @@
 
 #include "studies/results/durable_files.hpp"
 #include "studies/results/run_layout.hpp"
+#include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -231,12 +232,9 @@ void pass(Way& way, ScenarioRow& row) {
 template <class Way>
 void pass(Way& way, WindowRow& row) {
   pass(way, row.inputs);
-  for (double* number : {&row.hold_force_N, &row.damage_force_N, &row.margin, &row.hold_bracket_low_N,
-                         &row.hold_bracket_high_N, &row.damage_bracket_low_N, &row.damage_bracket_high_N}) {
-    way.plain(*number);
-  }
-  way.plain(row.exists);
-  way.bytes(row.note);
+  for (const WindowNumber& column : kWindowNumbers) way.plain(row.*column.value);
+  for (const WindowFlag& flag : kWindowFlags) way.plain(row.*flag.value);
+  for (const WindowText& text : kWindowTexts) way.bytes(row.*text.value);
 }
 
 template <class Way>

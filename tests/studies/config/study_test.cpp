@@ -145,6 +145,17 @@ count = 100
   EXPECT_EQ(forces(99'999), std::pair(2.0, 1.0));
 }
 
+TEST(ContactForce, FollowsTheLeastGripForceOfTheStudyWhereItIsNotWritten) {
+  const auto contact_of = [](const Study& study) { return study.scenario(0).strategy.contact_force_N; };
+  EXPECT_EQ(contact_of(study_of(gripped_block("simulate"))), 0.3) << "the default, below every grip force";
+  EXPECT_EQ(contact_of(study_of(gripped_block("simulate"), {"strategy.grip_force_N=0.2"})), 0.2);
+  const Study window = study_of(gripped_block("window") + "[window]\nfrom_N = 0.1\nto_N = 5.0\n");
+  EXPECT_EQ(contact_of(window), 0.1);
+  EXPECT_NE(window.resolved_toml().find("contact_force_N = 0.1\n"), std::string::npos);
+  const std::string grips = "[[vary]]\nkey = \"strategy.grip_force_N\"\nvalues = [0.9, 0.15, 0.4]\n";
+  EXPECT_EQ(contact_of(study_of(gripped_block("sweep") + grips)), 0.15);
+}
+
 TEST(Set, OverridesTheStudyAndTheFilesItUses) {
   const std::string text = "[study]\nname = \"t\"\nkind = \"simulate\"\n[gripper]\n[product]\nfriction = 0.9\n";
   const Study study =

@@ -33,11 +33,8 @@ ForceEvaluator evaluator_of(const std::vector<Truth>& truths) {
 }
 
 WindowSearchSettings settings_of(std::size_t combinations) {
-  return {.from_N = 0.1,
-          .to_N = 10.0,
-          .tolerance = 0.005,
-          .lane_count = 16,
-          .factor_group = std::vector<std::size_t>(combinations, 0)};
+  return {
+      .from_N = 0.1, .to_N = 10.0, .tolerance = 0.005, .factor_group = std::vector<std::size_t>(combinations, 0)};
 }
 
 TEST(WindowSearch, FindsKnownEndsWithinTheTolerance) {
@@ -163,6 +160,63 @@ TEST(WindowSearch, ReportsAnInterruption) {
   EXPECT_TRUE(found.rows.empty());
 }
 
+/// A weak grip slips and lands hard: damaged from `landing_N` on, but held only from `truth.hold_N` on.
+ForceEvaluator slipping_evaluator(const Truth& truth, double landing_N) {
+  return [=](const std::vector<ForceRequest>& requests) {
+    std::vector<GripSample> answers;
+    for (const ForceRequest& request : requests) {
+      GripSample answer = answer_of(truth, request.grip_force_N);
+      if (answer.holds == Verdict::no && request.grip_force_N >= landing_N) answer.undamaged = Verdict::no;
+      answers.push_back(answer);
+    }
+    return std::optional(answers);
+  };
+}
+
+TEST(WindowSearch, DamageOfAForceThatDoesNotHoldEndsNoWindow) {
+  for (const double landing_N : {0.0, 0.5, 0.932}) {
+    const WindowSearchResult found = search_windows(settings_of(1), slipping_evaluator({0.984, 1.09}, landing_N));
+    const WindowRow& row = found.rows[0];
+    EXPECT_TRUE(row.exists) << landing_N << ": " << row.note;
+    EXPECT_GE(row.hold_force_N, 0.984);
+    EXPECT_LE(row.hold_force_N, 0.984 * 1.005);  // the search's tolerance
+    EXPECT_LE(row.damage_force_N, 1.09);
+    EXPECT_GE(row.damage_force_N, 1.09 / 1.005);
+  }
+}
+
+TEST(WindowSearch, FindsAWindowThatIsHardlyWiderThanTheTolerance) {
+  const WindowSearchResult found = search_windows(settings_of(1), slipping_evaluator({0.984, 0.995}, 0.3));
+  EXPECT_TRUE(found.rows[0].exists) << found.rows[0].note;
+}
+
+TEST(WindowSearch, WithoutAWindowDamageIsLookedForBelowTheLeastHeldForce) {
+  const WindowSearchResult found = search_windows(settings_of(1), slipping_evaluator({5.4, 2.0}, 5.0));
+  EXPECT_FALSE(found.rows[0].exists);
+  EXPECT_NEAR(found.rows[0].hold_force_N, 5.4, 5.4 * 0.005);
+  EXPECT_NEAR(found.rows[0].damage_force_N, 2.0, 2.0 * 0.005);
+  EXPECT_TRUE(found.rows[0].intervals.empty());
+}
+
+TEST(GripWindow, IsToldAsIntervalsWhereItIsNotMonotone) {
+  std::vector<GripSample> samples;
+  for (const double force_N : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) samples.push_back(answer_of({2.0, 9.0}, force_N));
+  samples[2].undamaged = Verdict::no;  // 3 N marks
+  const WindowRow row = read_grip_window(samples);
+  EXPECT_TRUE(row.exists);
+  EXPECT_EQ(row.hold_force_N, 4.0);  // [4, 6] is wider than [2, 2]
+  EXPECT_TRUE(std::isnan(row.damage_force_N));
+  EXPECT_EQ(row.intervals, "[2, 2], [4, 6]");
+  EXPECT_NE(row.note.find("not monotone: held and undamaged in [2, 2] N too"), std::string::npos) << row.note;
+}
+
+TEST(GripWindow, ARunThatEndedEarlyBetweenSafeForcesDoesNotSplitTheWindow) {
+  std::vector<GripSample> samples;
+  for (const double force_N : {1.0, 2.0, 3.0, 4.0}) samples.push_back(answer_of({2.0, 9.0}, force_N));
+  samples[2].holds = samples[2].undamaged = Verdict::unknown;
+  EXPECT_EQ(read_grip_window(samples).intervals, "[2, 4]");
+}
+
 TEST(GripWindow, AForceThatSlipsAboveTheDamagingOnesDoesNotTouchTheWindow) {
   std::vector<GripSample> samples;
   for (const double force_N : {1.0, 2.0, 3.0, 4.0, 5.0}) samples.push_back(answer_of({2.0, 3.0}, force_N));
@@ -173,7 +227,8 @@ TEST(GripWindow, AForceThatSlipsAboveTheDamagingOnesDoesNotTouchTheWindow) {
   EXPECT_EQ(row.hold_bracket_low_N, 1.0);
   EXPECT_EQ(row.damage_force_N, 3.0);
   EXPECT_EQ(row.damage_bracket_high_N, 4.0);
-  EXPECT_NE(row.note.find("some damaging forces do not hold"), std::string::npos);
+  EXPECT_EQ(row.intervals, "[2, 3]");
+  EXPECT_EQ(row.note, "");
 }
 
 TEST(GripWindow, RunsThatEndEarlyAtHighForcesEndTheWindowThere) {

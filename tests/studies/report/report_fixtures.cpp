@@ -8,6 +8,7 @@
 
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/summary.hpp"
+#include "studies/findings/window_answer.hpp"
 
 namespace unbruised::studies::testing {
 namespace {
@@ -109,7 +110,15 @@ ReportFixture begin(const std::string& name, const std::string& kind) {
 
 /// The summary needs the rows.
 ReportFixture end(ReportFixture fixture) {
-  if (fixture.window) fixture.content.window = fixture.window.get();
+  if (fixture.window) {
+    const SettingOfRow setting = [](std::size_t) {
+      return ForceSetting{.min_N = 0.5, .max_N = 60.0, .accuracy = 0.05, .step_N = 0.1};
+    };
+    add_set_points(*fixture.window, setting);
+    fixture.content.tables.push_back(
+        set_points_table(window_answer(*fixture.window, setting, fixture.content.inputs, fixture.content.rows)));
+    fixture.content.window = fixture.window.get();
+  }
   if (fixture.trace) fixture.content.trace = fixture.trace.get();
   StudyTables tables;
   tables.inputs = fixture.content.inputs;

@@ -1,0 +1,22 @@
+#include "studies/config/strategy_text.hpp"
+
+#include <string_view>
+
+#include "studies/config/schema.hpp"
+
+namespace unbruised::studies {
+
+std::string strategy_lines(const Scenario& scenario) {
+  constexpr std::string_view kTable = "strategy.";
+  Scenario copy = scenario;
+  std::string text;
+  for (const KeySpec& spec : key_table()) {
+    if (!spec.path.starts_with(kTable) || spec.field == nullptr) continue;
+    if (!is_used(spec, copy, StudyKind::compare, {})) continue;
+    const std::string value = spelled(spec, spec.field(copy, 0));
+    if (!value.empty()) text += std::string(spec.path.substr(kTable.size())) + " = " + value + "\n";
+  }
+  return text;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,88 @@
+#include "studies/findings/grid_answer.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "studies/findings/key_columns.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// What became of one strategy.
+struct Tally {
+  std::vector<InputValue> values;
+  std::uint64_t scenario = 0;  ///< the first one
+  double held = 0.0;
+  double count = 0.0;
+  double cycle_time_s = kAbsent;  ///< the longest of those held
+};
+
+void count_row(Tally& tally, const ScenarioRow& row) {
+  tally.count += 1.0;
+  if (row.result.outcome != Outcome::held) return;
+  tally.held += 1.0;
+  tally.cycle_time_s = std::fmax(tally.cycle_time_s, row.result.metrics[Metric::cycle_time_s]);
+}
+
+const Tally* best_of(const std::vector<Tally>& tallies) {
+  const Tally* best = nullptr;
+  for (const Tally& tally : tallies) {
+    if (tally.held < tally.count || std::isnan(tally.cycle_time_s)) continue;
+    if (best == nullptr || tally.cycle_time_s < best->cycle_time_s) best = &tally;
+  }
+  return best;
+}
+
+ResultTable table_of(const std::vector<ColumnInfo>& keys, const std::vector<Tally>& tallies, const Tally* best) {
+  ResultTable table{.name = "strategies", .row = "strategy_number", .columns = {}, .attributes = {}};
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    std::vector<InputValue> values;
+    for (const Tally& tally : tallies) values.push_back(tally.values[k]);
+    table.columns.push_back(key_column(keys[k], values));
+  }
+  std::vector<double> held;
+  std::vector<double> count;
+  std::vector<double> cycle_time_s;
+  std::vector<double> is_best;
+  for (const Tally& tally : tallies) {
+    held.push_back(tally.held);
+    count.push_back(tally.count);
+    cycle_time_s.push_back(tally.cycle_time_s);
+    is_best.push_back(&tally == best ? 1.0 : 0.0);
+  }
+  table.columns.push_back({"held", "1", "combinations held without damage", std::move(held)});
+  table.columns.push_back({"combinations", "1", "of the keys that are not chosen", std::move(count)});
+  table.columns.push_back({"cycle_time_s", "s", "longest of those held", std::move(cycle_time_s)});
+  table.columns.push_back({"best", "1", "1: shortest cycle of those held in all", std::move(is_best)});
+  return table;
+}
+
+}  // namespace
+
+GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows) {
+  const KeyPlaces places = key_places(inputs);
+  std::vector<Tally> tallies;
+  std::map<std::vector<InputValue>, std::size_t> place_of;
+  for (const ScenarioRow& row : rows) {
+    std::vector<InputValue> values = picked(row.inputs, places.others);
+    const auto [found, is_new] = place_of.try_emplace(values, tallies.size());
+    if (is_new) {
+      Tally& tally = tallies.emplace_back();
+      tally.values = std::move(values);
+      tally.scenario = row.id;
+    }
+    count_row(tallies[found->second], row);
+  }
+  GridAnswer answer;
+  answer.keys = picked(inputs, places.others);
+  const Tally* best = best_of(tallies);
+  answer.table = table_of(answer.keys, tallies, best);
+  answer.table.attributes.emplace_back("over", leaves_text(picked(inputs, places.given)));
+  if (best == nullptr) return answer;
+  answer.best = best->scenario;
+  answer.best_values = best->values;
+  return answer;
+}
+
+}  // namespace unbruised::studies

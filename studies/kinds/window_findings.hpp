@@ -1,0 +1,36 @@
+#pragma once
+
+/// @file
+/// Windows of a study and what follows from them: the window table of a sweep's grid, set-points, the answer.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/simulation/scenario.hpp"
+#include "studies/config/study.hpp"
+#include "studies/findings/grip_window.hpp"
+#include "studies/findings/window_answer.hpp"
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+inline constexpr const char* kGripForceKey = "strategy.grip_force_N";
+
+/// A window table with a point of the study's grid for each row.
+struct StudyWindow {
+  WindowTable table;
+  std::vector<std::size_t> points;
+};
+
+GripSample grip_sample(const ScenarioResult& result, const LimitParameters& limits, double grip_force_N);
+
+/// The window of a sweep over the grip force, read from its grid; nothing when the grip force is not varied.
+std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows);
+
+/// Fills the set-points of the table and says what the study answers. @param inputs, rows of all scenarios
+WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vector<ColumnInfo>& inputs,
+                       const std::vector<ScenarioRow>& rows);
+
+}  // namespace unbruised::studies

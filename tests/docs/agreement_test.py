@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""What the pages name exists: links, keys, metrics, files, flags, studies, and the folders of the architecture page.
+
+usage: agreement_test.py PROGRAM SOURCE [unittest options]
+"""
+import re
+import subprocess
+import sys
+import tomllib
+import unittest
+from functools import lru_cache
+from pathlib import Path
+
+from pages import pages
+
+PROGRAM, SOURCE = Path(sys.argv.pop(1)), Path(sys.argv.pop(1)).resolve()
+CODE = ("core", "optimizer", "studies", "report", "configs", "scripts", "tests", "benchmarks", "cmake")
+FOLDERS_OF_A_RUN = ("build/", "results/")
+OTHER_PROGRAMS = {"--esbuild-->", "npm", "sha256sum", "cmake", "ctest", "git", "pip", "apt"}
+
+
+def say(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=True).stdout
+
+
+@lru_cache
+def keys():
+    """Every key that `explain` names, lists without their index."""
+    return {line.replace("[]", "") for line in say("explain").split("\n") if re.match(r"^[a-z_]+(\[\])?(\.[a-z_]+(\[\])?)?\.\w+$", line)}
+
+
+@lru_cache
+def code():
+    """The text of the tree without the pages, and the names of its files."""
+    names, texts = set(), []
+    for top in CODE:
+        for path in sorted((SOURCE / top).rglob("*")):
+            if path.is_dir() or "node_modules" in path.parts:
+                continue
+            names.add(path.name)
+            if path.suffix not in (".png", ".svg", ".lock", ".json") and path.parent.name != "history":
+                texts.append(path.read_text(encoding="utf-8", errors="replace"))
+    return names, "\n".join(texts)
+
+
+@lru_cache
+def words():
+    """Every word of the tree."""
+    return set(re.findall(r"\w+", code()[1])) | {name.split(".")[0] for name in code()[0]}
+
+
+def every_quoted(pattern):
+    """(place, match) of what stands in backticks and matches as a whole."""
+    for page in pages(SOURCE):
+        for line, text in page.quoted():
+            match = re.fullmatch(pattern, text)
+            if match:
+                yield f"{page.path.relative_to(SOURCE)}:{line}", match
+
+
+class Pages(unittest.TestCase):
+    """Each test collects every place that is wrong, so that one run names all."""
+
+    def none_wrong(self, wrong):
+        self.assertEqual([], sorted(set(wrong)), "\n" + "\n".join(sorted(set(wrong))))
+
+    def test_relative_links_and_their_anchors_resolve(self):
+        wrong = []
+        by_path = {page.path.resolve(): page for page in pages(SOURCE)}
+        for page in pages(SOURCE):
+            for line, target in page.links():
+                file, _, anchor = target.partition("#")
+                aim = (page.path.parent / file).resolve() if file else page.path.resolve()
+                known = aim in by_path and anchor in by_path[aim].anchors() if anchor else True
+                if not aim.exists() or not known:
+                    wrong.append(f"{page.path.name}:{line}: {target}")
+        self.none_wrong(wrong)
+
+    def test_dotted_names_are_config_keys(self):
+        tables = {key.split(".")[0] for key in keys()} | {"product", "candidate"}
+        lists = {".".join(key.split(".")[:2]) for key in keys()}
+        strategy = {key.split(".")[1] for key in keys() if key.startswith("strategy.")}
+        lists |= {key.rsplit(".", 1)[0] for key in keys()}
+        wrong = []
+        for place, match in every_quoted(r"([a-z]+)(?:\[\d\])?\.([a-z]\w*)(?:\[\d\])?(\.\w+)?(?:\[\d\])?(?: ?= ?.*)?"):
+            table, name, rest = match.groups()
+            key = f"{table}.{name}"
+            if table not in tables or name in ("toml", "KEY", "cpp", "hpp", "js", "py"):
+                continue
+            known = key in keys() or key in lists or f"{key}{rest or ''}" in keys()
+            if not known and not (table == "candidate" and name in strategy):
+                wrong.append(f"{place}: {match.group(0)}")
+        self.none_wrong(wrong)
+
+    def test_names_with_underscores_stand_in_the_code(self):
+        self.none_wrong(f"{place}: {match.group(0)}" for place, match in every_quoted(r"/?(?:\w+/)*(\w*[a-zA-Z]_\w+)")
+                        if not match.group(1).startswith("_") and self.without_axis(match.group(1)) not in words())
+
+    @staticmethod
+    def without_axis(name):
+        """Columns of CSV files have the name of a key with an axis in it: position_x_m."""
+        return re.sub(r"_[xyz](?=_m)", "", name)
+
+    def test_files_exist_or_are_made_by_the_program(self):
+        names, text = code()
+        wrong = []
+        written = {block.remarks["file"] for page in pages(SOURCE) for block in page.blocks if "file" in block.remarks}
+        for place, match in every_quoted(r"([\w./<>*-]*\w\.(?:toml|h5|html|txt|md|cpp|hpp|js|py|sha256|csv|jrnl|png|cmake))(?: .*)?"):
+            path = match.group(1)
+            name = path.split("/")[-1]
+            known = (SOURCE / path).exists() or name in names or name in written or f'"{name}"' in text or f"/{name}" in text
+            if path.startswith(FOLDERS_OF_A_RUN) or not re.fullmatch(r"[\w.-]+", name) or path.isupper():
+                continue
+            if not known or ("/" in path and name in names and not self.found(path)):
+                wrong.append(f"{place}: {path}")
+        self.none_wrong(wrong)
+
+    @staticmethod
+    def found(path):
+        return any((SOURCE / top / path).exists() for top in ("", "configs", "docs"))
+
+    def test_flags_are_those_of_the_program_and_the_scripts(self):
+        commands = re.findall(r"^  ([a-z]+)  ", say("--help"), re.M)
+        helps = say("--help") + "".join(say(command, "--help") for command in commands)
+        helps += "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "scripts").iterdir() if path.is_file())
+        helps += (SOURCE / "report/build").read_text(encoding="utf-8")
+        known, wrong = set(re.findall(r"--[a-z][a-z-]*", helps)), []
+        for page in pages(SOURCE):
+            inside = [(block.line, text) for block in page.blocks for text in block.commands]
+            for line, text in [*page.quoted(), *inside]:
+                if text.split()[0].strip("$ ") in OTHER_PROGRAMS:
+                    continue
+                wrong += [f"{page.path.name}:{line}: {flag}" for flag in re.findall(r"(?<![\w-])--[a-z][a-z-]*", text)
+                          if flag not in known]
+        self.none_wrong(wrong)
+
+    def test_toml_blocks_are_toml_and_whole_studies_are_valid(self):
+        wrong = []
+        for page in pages(SOURCE):
+            for block in page.blocks:
+                if block.language != "toml":
+                    continue
+                lines = [line for line in block.lines if line.strip() != "..."]
+                try:
+                    tomllib.loads("\n".join(lines))
+                except tomllib.TOMLDecodeError as error:
+                    # Alternatives of one key stand below each other; they are told apart by the reader.
+                    if "overwrite" not in str(error):
+                        wrong.append(f"{page.path.name}:{block.line}: {error}")
+                wrong += [f"{page.path.name}:{block.line}: [{table}]" for table in
+                          re.findall(r"^\[+([\w.]+)\]+$", block.text, re.M) if not self.is_table(table)]
+        self.none_wrong(wrong)
+
+    @staticmethod
+    def is_table(table):
+        return table == "source" or any(key.startswith(table + ".") for key in keys())
+
+    def test_folders_of_the_architecture_page_are_those_of_the_tree(self):
+        text = (SOURCE / "docs/architecture.md").read_text(encoding="utf-8")
+        for house in ("core", "studies"):
+            section = text.split(f"### Inside {house}\n")[1].split("\n### ")[0].split("\n## ")[0]
+            listed = set(re.findall(r"^\| (?:\d+ \| )?`(\w+)` \|", section, re.M))
+            there = {path.name for path in (SOURCE / house).iterdir() if path.is_dir()}
+            self.assertEqual(there, listed, f"docs/architecture.md, inside {house}")
+        tops = set(re.findall(r"^(\w+)/ ", text, re.M))
+        there = {path.name for path in SOURCE.iterdir() if path.is_dir() and not path.name.startswith(".")}
+        self.assertEqual(there - {"build", "cmake", "results"}, tops - {"results"}, "docs/architecture.md, houses")
+
+    def test_the_optimizer_files_of_the_architecture_page_are_those_of_the_tree(self):
+        text = (SOURCE / "docs/architecture.md").read_text(encoding="utf-8")
+        section = text.split("### Inside optimizer\n")[1].split("\n## ")[0]
+        rows = re.findall(r"^\| (`.*`) \|", section, re.M)
+        listed = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+        there = {path.stem for path in (SOURCE / "optimizer").glob("*.hpp")}
+        self.assertEqual(there, listed)
+
+    def test_every_page_is_in_the_index(self):
+        linked = {target for page in pages(SOURCE) if page.path.name == "index.md" for _, target in page.links()}
+        there = {path.name for path in (SOURCE / "docs").glob("*.md")} - {"index.md"}
+        self.assertEqual(set(), there - linked)
+
+    def test_every_number_of_the_library_names_its_source(self):
+        wrong = []
+        for path in sorted((SOURCE / "configs").glob("*/*.toml")):
+            table = tomllib.loads(path.read_text(encoding="utf-8"))
+            if path.parent.name not in ("products", "grippers", "strategies"):
+                continue
+            source = table.get("source", {})
+            named = [key for key, value in table.items() if isinstance(value, (int, float, list))]
+            wrong += [f"{path.name}: {key}" for key in named
+                      if not {key, "others", "all"} & set(source) and not (key == "at_frequency_Hz" and "loss_ratio" in source)]
+            wrong += [f"{path.name}: limits.{key}" for key in table.get("limits", {})
+                      if not {f"limits_{key}", "limits", "all"} & set(source)]
+        self.none_wrong(wrong)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

@@ -9,7 +9,7 @@
 #include "core/lanes/lane.hpp"
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised::studies {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/results/rows.hpp"
 
 namespace unbruised::studies {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/config/study.hpp"
 #include "studies/results/rows.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/config/study.hpp"
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/window_answer.hpp"

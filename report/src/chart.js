@@ -3,7 +3,7 @@
 
 import * as echarts from "echarts/core";
 import { BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart } from "echarts/charts";
-import { AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TitleComponent, TooltipComponent } from "echarts/components";
+import { AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent } from "echarts/components";
 import { CanvasRenderer } from "echarts/renderers";
 import { h } from "./dom.js";
 import { number, scaleFor } from "./words.js";
@@ -11,7 +11,7 @@ import { colours, onTheme } from "./theme.js";
 
 echarts.use([
   BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart,
-  AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkLineComponent, TitleComponent, TooltipComponent,
+  AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent,
   CanvasRenderer,
 ]);
 
@@ -38,8 +38,19 @@ function drawLater(draw) {
 
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
+/** A long name of an axis takes two lines on a phone. */
+function breakAxisName(option) {
+  const { xAxis, grid } = option;
+  if (!xAxis?.name || xAxis.name.length < 36) return;
+  const middle = xAxis.name.indexOf(" ", xAxis.name.length / 2 - 4);
+  if (middle < 0) return;
+  xAxis.name = `${xAxis.name.slice(0, middle)}\n${xAxis.name.slice(middle + 1)}`;
+  if (typeof grid?.bottom === "number") grid.bottom += 18;
+}
+
 /** What every chart has in common. */
 function withDefaults(option, theme, width) {
+  if (width < 520) breakAxisName(option);
   // On a phone three numbers along the axis are enough.
   if (width < 520 && option.xAxis?.type === "value" && option.xAxis.splitNumber === undefined) option.xAxis.splitNumber = 3;
   const tooltip = {
@@ -79,7 +90,7 @@ export function axis(theme, { name, units = "", most = 0, type = "value", vertic
     name: vertical ? "" : title,
     nameLocation: "middle",
     nameGap: 32,
-    nameTextStyle: { color: theme.soft, fontSize: 13 },
+    nameTextStyle: { color: theme.soft, fontSize: 13, lineHeight: 17 },
     axisLine: { show: !vertical, lineStyle: { color: theme.line } },
     axisTick: { show: false },
     axisLabel: {
@@ -111,12 +122,14 @@ export function logAxis(least, most) {
 /**
  * @param option (theme, width) => ECharts option
  * @param describe () => text read instead of the picture
+ * @param legend (theme) => what the colours mean, as an element
  * @param pick (params) => called for a click on a mark
  * @returns { element, redraw }
  */
-export function figure({ option, describe, height = 420, controls = [], note = null, pick = null, below = null }) {
+export function figure({ option, describe, height = 420, controls = [], legend = null, note = null, pick = null, below = null }) {
   const canvas = h("div", { class: "chart", role: "img", tabindex: "-1" });
   const noteElement = h("p", { class: "note" });
+  const legendBox = h("div", { class: "legend-box" });
   let chart = null;
   let width = 0;
 
@@ -128,6 +141,7 @@ export function figure({ option, describe, height = 420, controls = [], note = n
     const text = typeof note === "function" ? note() : note;
     noteElement.textContent = text ?? "";
     noteElement.hidden = !text;
+    legendBox.replaceChildren(...[typeof legend === "function" ? legend(theme) : legend].filter(Boolean));
     if (!chart) {
       chart = echarts.init(canvas, null, { renderer: "canvas", devicePixelRatio: Math.max(2, window.devicePixelRatio || 1) });
       if (pick) chart.on("click", pick);
@@ -145,6 +159,6 @@ export function figure({ option, describe, height = 420, controls = [], note = n
   drawLater(draw);
   onTheme(() => chart && draw());
   if (still.matches) canvas.classList.add("still");
-  const element = h("figure", {}, controls.length ? h("div", { class: "controls" }, controls) : null, canvas, below, noteElement);
+  const element = h("figure", {}, controls.length ? h("div", { class: "controls" }, controls) : null, legend ? legendBox : null, canvas, below, noteElement);
   return { element, redraw: () => chart && draw(), chart: () => chart };
 }

@@ -2,9 +2,11 @@
 
 import { axis, figure } from "./chart.js";
 import { commandText, h } from "./dom.js";
-import { keyColumns } from "./answer.js";
+import { goalWords } from "./goals.js";
+import { legend } from "./legend.js";
 import { copyReplay, replayCommand, tip, tipLine } from "./scenario.js";
 import { extent } from "./statistics.js";
+import { inWords, keyColumns, unitsOfGoal } from "./tables.js";
 import { genericTable } from "./table.js";
 import { label, number, percent, plural, quantity } from "./words.js";
 import { outcomeColour } from "./theme.js";
@@ -17,7 +19,7 @@ export function evaluationTip(study, table, row, objectives) {
     h("div", { class: "tip-head" }, h("b", {}, table.at("feasible", row) === 0 ? "not feasible" : "feasible"), h("span", {}, `evaluation ${row}`)),
     objectives.map(({ name, column, units }) => tipLine(name, quantity(column.at(row), units))),
     probability === null ? null : tipLine("probability", percent(probability)),
-    table.at("feasible", row) === 0 && table.at("binding", row) ? tipLine("broken", table.at("binding", row)) : null,
+    table.at("feasible", row) === 0 && table.at("binding", row) ? tipLine("misses", goalWords(study, table.at("binding", row))) : null,
     h("hr"),
     keyColumns(table).map((column) => tipLine(label(column.name), quantity(column.at(row), column.units))),
     replay ? commandText(replay, { class: "replay" }) : null,
@@ -51,8 +53,8 @@ export function convergence(study) {
   const objective = table?.column("objective");
   if (!table || !objective || table.rows === 0) return null;
   const text = study.tables.get("best")?.attributes?.objective ?? (objective.longName || "objective");
-  const units = objective.units || (study.scenarios.column(text)?.units ?? "");
-  const name = study.scenarios.column(text) ? label(text) : text;
+  const units = objective.units || unitsOfGoal(study, text);
+  const name = inWords(text);
   const all = Array.from({ length: table.rows }, (_, row) => row);
   const feasible = all.filter((row) => table.at("feasible", row) === 1);
   const values = objective.numbers();
@@ -76,7 +78,8 @@ export function convergence(study) {
       };
     },
     describe: () => `${plural(table.rows, "evaluation")}, ${feasible.length} of them feasible. ${feasible.length ? `Best ${name}: ${quantity(Math.min(...feasible.map((row) => objective.at(row)).filter((value) => value !== null)), units)}.` : "None is feasible."}`,
-    note: `Green: feasible. Open: not feasible. Line: the best feasible one so far.${above ? ` ${plural(above, "evaluation")} above the frame ${above === 1 ? "is" : "are"} drawn at its edge.` : ""}`,
+    legend: (theme) => legend([[outcomeColour("held"), "feasible"], [theme.soft, "not feasible"], [theme.ink, "the best feasible one so far", "line"]]),
+    note: `${above ? ` ${plural(above, "evaluation")} above the frame ${above === 1 ? "is" : "are"} drawn at its edge.` : ""}`.trim(),
     pick: ({ data }) => table.at("scenario", data[2]) !== null && copyReplay(study, table.at("scenario", data[2])),
   });
   return h("div", {}, chart.element, strategies(study, table), searches(study));

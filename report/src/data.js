@@ -1,5 +1,8 @@
 // The study as the program wrote it into the page: one JSON document, and the bytes of its long columns.
 
+import { blockOf, numbersOf, plainValue } from "./config.js";
+import { learnWords } from "./words.js";
+
 const TYPES = { u8: Uint8Array, u16: Uint16Array, f32: Float32Array, f64: Float64Array };
 
 function decodeBase64(text) {
@@ -79,6 +82,12 @@ export class Column {
     return this.nearlyConstant;
   }
 
+  /** The greatest size of its numbers: what one unit for all of them has to suit. */
+  get most() {
+    if (this.greatest === undefined) this.greatest = this.numbers().reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    return this.greatest;
+  }
+
   get varies() {
     return this.distinct.length > 1;
   }
@@ -135,21 +144,25 @@ function readWindow(data, buffer) {
   return new Table([...inputs, ...rest], data.rows, { inputs, common: data.common });
 }
 
-/** `[limits]` of the resolved config: name -> number. */
-function readLimits(config) {
-  const limits = {};
-  let inside = false;
-  for (const line of config.split("\n")) {
-    if (line.startsWith("[")) inside = line.trim() === "[limits]";
-    const found = inside && /^(\w+) = ([-+.\deE]+)$/.exec(line.trim());
-    if (found) limits[found[1]] = Number(found[2]);
-  }
-  return limits;
+/** What the answer may claim and what it rests on; older results say nothing of it. */
+function readClaims(page) {
+  const block = blockOf(page.study.config, "[limits]");
+  const limits = numbersOf(block);
+  const damageLimits = page.damage_limits ?? [];
+  const isJudged = damageLimits.some(({ key }) => limits[key] !== undefined);
+  return {
+    limits,
+    damageLimits,
+    damage: page.study.damage ?? (plainValue(block.damage) === "not considered" ? "not considered" : isJudged ? "judged" : "not looked at"),
+    warnings: [...new Set([page.study.damage ? page.study.damage_note : "", ...(page.warnings ?? [])].filter(Boolean))],
+    sources: page.sources ?? [],
+  };
 }
 
 export function readStudy(document) {
   const page = JSON.parse(document.getElementById("study").textContent);
   const buffer = decodeBase64(document.getElementById("columns").textContent);
+  learnWords(page.words);
   const tables = new Map();
   for (const each of page.tables) {
     const columns = each.columns.map((column) => new Column(column, buffer));
@@ -162,7 +175,7 @@ export function readStudy(document) {
     bestRow: page.best_row ?? null,
     tables,
     trace: page.trace ? readTrace(page.trace, buffer) : null,
-    limits: readLimits(page.study.config),
+    ...readClaims(page),
   };
 }
 

@@ -2,17 +2,17 @@
 
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
+import { outcomeList } from "./legend.js";
 import { tip, tipLine } from "./scenario.js";
 import { binEdges, extent, quantile } from "./statistics.js";
 import { label, number, OUTCOMES, outcomeLabel, plural, quantity, scaleFor, thousands } from "./words.js";
 import { outcomeColour } from "./theme.js";
 
 const PREFERRED = ["permanent_set_max_m", "contact_yield_ratio_max", "friction_margin_min", "peak_finger_force_N", "cycle_time_s"];
-/** The limit that speaks about a metric. */
-const LIMITS = { permanent_set_max_m: "permanent_set_m", plastic_strain_max: "plastic_strain", contact_yield_ratio_max: "contact_yield_ratio", slip_max_m: "slip_m", peak_pressure_Pa: "peak_pressure_Pa", absorbed_energy_J: "absorbed_energy_J", bruised_volume_m3: "bruised_volume_m3", peak_finger_force_N: "finger_force_N" };
 
+/** The limit that speaks about a metric. */
 function limitOf(study, metric) {
-  const name = LIMITS[metric];
+  const name = metric === "slip_max_m" ? "slip_m" : study.damageLimits.find((limit) => limit.metric === metric)?.key;
   if (!name || study.scenarios.inputs.some((column) => column.name === `limits.${name}`)) return null;
   return study.limits[name] ?? null;
 }
@@ -163,6 +163,7 @@ export function distributions(study) {
   const chart = figure({
     height: () => (group ? 90 + 44 * group.distinct.length : 340),
     controls,
+    legend: () => (group ? null : outcomeList(OUTCOMES.filter((word) => rows.some((row) => study.scenarios.at("outcome", row) === word)))),
     option: (theme) => (group ? boxOption(study, theme, column, group, rows) : histogramOption(study, theme, column, rows)),
     describe: () => `Distribution of ${label(column.name)}. ${quantileText(column, rows)}`,
     note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${quantileText(column, rows)}${group ? " Boxes: the middle half; whiskers: from 5 % to 95 %." : ""}`,

@@ -51,6 +51,25 @@ export function select(label, options, chosen, onchange) {
   return h("span", { class: "choice" }, h("label", { for: id }, label), box);
 }
 
+/** Says by classes where a box that scrolls sideways has more to show; the style sheet draws it. */
+export function showsItsOverflow(box) {
+  const look = () => {
+    box.classList.toggle("more-before", box.scrollLeft > 4);
+    box.classList.toggle("more-behind", box.scrollLeft + box.clientWidth < box.scrollWidth - 4);
+  };
+  box.addEventListener("scroll", look, { passive: true });
+  const observer = new ResizeObserver(look);
+  observer.observe(box);
+  for (const child of box.children) observer.observe(child);
+  return box;
+}
+
+/** A table or picture that may be wider than the page: it scrolls inside its own box, and says so. */
+export function scrollBox(name, ...children) {
+  const box = showsItsOverflow(h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": name }, children));
+  return h("div", { class: "scroll-frame" }, box, h("p", { class: "scroll-hint", "aria-hidden": "true" }, "Scrolls sideways →"));
+}
+
 let speaker;
 let hush;
 

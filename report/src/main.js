@@ -5,32 +5,35 @@ import { comparison } from "./comparison.js";
 import { convergence } from "./convergence.js";
 import { readStudy } from "./data.js";
 import { distributions } from "./distributions.js";
-import { h } from "./dom.js";
+import { damageRemark, judgesDamage } from "./claims.js";
+import { h, showsItsOverflow } from "./dom.js";
 import { findings, otherTables } from "./findings.js";
 import { outcomeMap } from "./outcome_map.js";
 import { pareto } from "./pareto.js";
 import { notices, provenance } from "./provenance.js";
 import { sensitivity } from "./sensitivity.js";
+import { restsOn } from "./rests_on.js";
 import { scenarioTable } from "./table.js";
 import { startTheme, themeButton } from "./theme.js";
 import { traceCurves } from "./trace.js";
 import { windows } from "./windows.js";
 import { date } from "./words.js";
 
-/** Sections in reading order: [id, title, lead, content]. One without content is left out. */
+/** Sections in reading order: [id, title, lead, content, name in the navigation where it is another]. One without content is left out. */
 const SECTIONS = [
   ["trace", "Over time", "What the gripper did to the product, step by step.", traceCurves],
   ["pareto", "Trade-off", "More of one costs some of the other.", pareto],
   ["comparison", "Comparison", "Every candidate met the same products, so differences are taken product by product.", comparison],
   ["sensitivity", "What matters", "How strongly each input moves the result.", sensitivity],
-  ["windows", "Windows", "From the least force that holds to the greatest that leaves no mark.", (study) => (study.kind === "sweep" && study.window?.rows > 400 ? null : windows(study))],
+  ["windows", "Windows", (study) => `From the least force that holds${judgesDamage(study) ? " to the greatest that leaves no mark" : `; ${damageRemark(study)}`}.`, (study) => (study.kind === "sweep" && study.window?.rows > 400 ? null : windows(study))],
   ["convergence", "The search", "Every strategy that was tried, in order.", convergence],
-  ["findings", "Constraints and checks", "What the best strategy has to meet, and whether it still does when looked at more closely.", findings],
+  ["findings", "Constraints and checks", "What the best strategy has to meet, and whether it still does when looked at more closely.", findings, "Checks"],
   ["map", "Outcomes", "Each mark is a scenario. The pointer shows its numbers, a click copies the command that replays it.", outcomeMap],
   ["distributions", "Spread", "How a metric is distributed over the scenarios.", distributions],
+  ["rests_on", "What this answer rests on", "Every value of product, gripper and limits, and who says so.", restsOn, "Sources"],
   ["scenarios", "Scenarios", "Every scenario of the study. Sort by a column, filter by conditions, take them along as CSV.", (study) => (study.scenarios.rows ? scenarioTable(study) : null)],
   ["tables", "More tables", "What else the study left behind.", otherTables],
-  ["origin", "Inputs and origin", "What went in, and what it was computed with.", provenance],
+  ["origin", "Inputs and origin", "What went in, and what it was computed with.", provenance, "Origin"],
 ];
 
 /** Tables take the whole width. */
@@ -45,7 +48,7 @@ function sectionOf(study, [id, title, lead, content]) {
     body = h("p", { class: "banner" }, `This part of the page could not be drawn: ${error.message}`);
   }
   if (!body) return null;
-  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, lead)), h("div", { class: "content" }, body));
+  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, typeof lead === "function" ? lead(study) : lead)), h("div", { class: "content" }, body));
 }
 
 function header(study, sections) {
@@ -53,7 +56,7 @@ function header(study, sections) {
     "header",
     {},
     h("a", { class: "skip", href: "#answer" }, "To the answer"),
-    h("div", { class: "bar" }, h("p", { class: "name" }, h("b", {}, study.name), h("span", { class: "soft" }, [study.kind, date(study.created_utc)].filter(Boolean).join(" · "))), h("nav", { "aria-label": "Sections" }, h("ul", {}, sections.map(([id, title]) => h("li", {}, h("a", { href: `#${id}` }, title))))), themeButton()),
+    h("div", { class: "bar" }, h("p", { class: "name" }, h("b", {}, study.name), h("span", { class: "soft" }, [study.kind, date(study.created_utc)].filter(Boolean).join(" · "))), showsItsOverflow(h("nav", { "aria-label": "Sections" }, h("ul", {}, sections.map(([id, title]) => h("li", {}, h("a", { href: `#${id}` }, title)))))), themeButton()),
   );
 }
 
@@ -64,7 +67,7 @@ function footer() {
 function start() {
   startTheme();
   const study = readStudy(document);
-  const built = SECTIONS.map((each) => [each[0], each[1], sectionOf(study, each)]).filter((each) => each[2]);
+  const built = SECTIONS.map((each) => [each[0], each[4] ?? each[1], sectionOf(study, each)]).filter((each) => each[2]);
   const page = document.getElementById("page");
   page.append(header(study, built), h("main", {}, answer(study), built.map((each) => each[2])), footer());
 }

@@ -2,8 +2,10 @@
 
 import { axis, figure, logAxis, wantsLog } from "./chart.js";
 import { h, select } from "./dom.js";
+import { heldWords, judgesDamage } from "./claims.js";
+import { outcomeList } from "./legend.js";
 import { copyReplay, scenarioTip } from "./scenario.js";
-import { label, OUTCOMES, outcomeLabel, plural, quantity, SERIOUSNESS } from "./words.js";
+import { label, OUTCOMES, outcomeLabel, plural, SERIOUSNESS, shortText, valueText } from "./words.js";
 import { extent } from "./statistics.js";
 import { OUTCOME_SYMBOLS, outcomeColour } from "./theme.js";
 
@@ -76,7 +78,7 @@ function cellsOf(study, x, y, rows) {
 }
 
 function indexAxis(theme, column, vertical) {
-  const texts = column.distinct.map((value) => (typeof value === "number" ? String(value) : value.replace(/^.*\//, "").replace(/\.toml$/, "")));
+  const texts = column.distinct.map((value) => (typeof value === "number" ? String(value) : shortText(value)));
   const base = axis(theme, { name: label(column.name), units: column.units, most: column.isText ? 0 : Math.max(...column.distinct.map(Math.abs)), type: "category", vertical });
   const format = base.axisLabel.formatter;
   return { ...base, data: texts, axisLabel: { ...base.axisLabel, formatter: (text) => format(column.isText ? text : Number(text)) }, axisLine: { show: false }, boundaryGap: true };
@@ -163,7 +165,7 @@ function gridOption(study, theme, state) {
         },
       },
       borderSeries(study, theme, x, y, slices, slice, "hold", false),
-      borderSeries(study, theme, x, y, slices, slice, "damage", true),
+      judgesDamage(study) ? borderSeries(study, theme, x, y, slices, slice, "damage", true) : null,
     ].filter(Boolean),
     cells,
   };
@@ -232,7 +234,7 @@ function marksOption(study, theme, state) {
 function metricLines(study, { x, y }, row) {
   return [x, y]
     .filter((column) => !study.scenarios.inputs.includes(column))
-    .map((column) => h("div", { class: "tip-line" }, h("span", {}, label(column.name)), h("b", {}, quantity(column.at(row), column.units))));
+    .map((column) => h("div", { class: "tip-line" }, h("span", {}, label(column.name)), h("b", {}, valueText(column, column.at(row)))));
 }
 
 /** The value of a remaining key that is shown first: that of the best scenario, else the middle one. */
@@ -252,7 +254,7 @@ function sliceControls(state, redraw) {
   return state.slices.map((column) =>
     select(
       label(column.name),
-      [{ value: "all", label: "all: the most serious" }, ...column.distinct.map((value, i) => ({ value: String(i), label: quantity(value, column.units) }))],
+      [{ value: "all", label: "all: the most serious" }, ...column.distinct.map((value, i) => ({ value: String(i), label: column.isText ? shortText(value) : valueText(column, value) }))],
       String(column.distinct.indexOf(state.slice.get(column.name))),
       (chosen) => {
         state.slice.set(column.name, chosen === "all" ? undefined : column.distinct[Number(chosen)]);
@@ -283,6 +285,7 @@ export function outcomeMap(study) {
       select("Upwards", options, y.name, (name) => { y = named(name); change(); }),
       sliceBox,
     ],
+    legend: outcomeList(OUTCOMES.filter((word) => study.scenarios.counts[word])),
     option: (theme) => {
       const option = state.grid ? gridOption(study, theme, state) : marksOption(study, theme, state);
       cells = option.cells ?? [];
@@ -303,7 +306,7 @@ export function outcomeMap(study) {
 function mapNote(study, { grid, x, y }) {
   if (!grid) return "";
   const parts = [];
-  if (study.window && x.name === GRIP && study.window.inputs.some((column) => column.name === y.name)) parts.push("Solid line: holding begins. Dashed line: damage begins.");
-  if (study.bestRow !== null) parts.push("Ring: the fastest cycle held without damage.");
+  if (study.window && x.name === GRIP && study.window.inputs.some((column) => column.name === y.name)) parts.push(`Solid line: holding begins.${judgesDamage(study) ? " Dashed line: damage begins." : ""}`);
+  if (study.bestRow !== null) parts.push(`Ring: the fastest cycle ${heldWords(study)}.`);
   return parts.join(" ");
 }

@@ -3,9 +3,10 @@
 import { evaluationTip } from "./convergence.js";
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
-import { objectiveColumns, objectiveLabel, objectiveUnits } from "./answer.js";
+import { legend } from "./legend.js";
 import { copyReplay } from "./scenario.js";
 import { extent } from "./statistics.js";
+import { objectiveColumns, objectiveLabel, objectiveUnits } from "./tables.js";
 import { genericTable } from "./table.js";
 import { number, plural } from "./words.js";
 
@@ -13,7 +14,7 @@ function rangeAxis(study, theme, column, values, vertical) {
   const [least, most] = extent(values) ?? [0, 1];
   const pad = 0.08 * (most - least || Math.abs(most) || 1);
   return axis(theme, {
-    name: objectiveLabel(study, column), units: objectiveUnits(study, column), most: Math.max(Math.abs(least), Math.abs(most)), vertical,
+    name: objectiveLabel(column), units: objectiveUnits(study, column), most: Math.max(Math.abs(least), Math.abs(most)), vertical,
     scale: true, min: least - pad, max: most + pad,
     splitNumber: 5, inner: true,
   });
@@ -51,8 +52,8 @@ export function pareto(study) {
   if (objectives.length < 2) return h("div", {}, genericTable(study, front, { name: "pareto" }));
   let [x, y] = objectives;
   const evaluations = study.tables.get("evaluations");
-  const described = objectives.map((column) => ({ name: objectiveLabel(study, column), column, units: objectiveUnits(study, column) }));
-  const options = objectives.map((column) => ({ value: column.name, label: objectiveLabel(study, column) }));
+  const described = objectives.map((column) => ({ name: objectiveLabel(column), column, units: objectiveUnits(study, column) }));
+  const options = objectives.map((column) => ({ value: column.name, label: objectiveLabel(column) }));
   const controls = objectives.length > 2
     ? [select("Across", options, x.name, (name) => { x = front.column(name); chart.redraw(); }), select("Upwards", options, y.name, (name) => { y = front.column(name); chart.redraw(); })]
     : [];
@@ -84,7 +85,8 @@ export function pareto(study) {
       };
     },
     describe: () => `Front of ${plural(front.rows, "strategy", "strategies")} over ${described.map((each) => each.name).join(" and ")}. The table below holds the same values.`,
-    note: `Green: strategies that no other beats in everything. Grey: other feasible ones. Less is better on both axes.${objectives.length > 2 ? " With three objectives, two are shown at a time, so a point may seem beaten here." : ""}`,
+    legend: (theme) => legend([[theme.accent, "strategies that no other beats in everything"], [theme.soft, "other feasible ones"]]),
+    note: `Less is better on both axes.${objectives.length > 2 ? " With three objectives, two are shown at a time, so a point may seem beaten here." : ""}`,
     pick: ({ data, seriesName }) => {
       const table = seriesName === "tried" ? evaluations : front;
       if (Array.isArray(data) && table.at("scenario", data[2]) !== null) copyReplay(study, table.at("scenario", data[2]));

@@ -1,7 +1,7 @@
 // Where the numbers come from: inputs, config, versions.
 
-import { copy, download, h } from "./dom.js";
-import { date, label, plural, quantity, thousands } from "./words.js";
+import { copy, download, h, scrollBox } from "./dom.js";
+import { date, label, plural, shortText, thousands, valueText } from "./words.js";
 
 function entry(name, ...value) {
   return h("div", {}, h("dt", {}, name), h("dd", {}, value));
@@ -10,17 +10,16 @@ function entry(name, ...value) {
 function rangeOf(column) {
   const values = column.distinct;
   if (values.length === 0) return "no values";
-  if (column.isText) return values.length <= 6 ? values.join(", ") : plural(values.length, "text");
-  const ends = `${quantity(values[0], column.units)} to ${quantity(values[values.length - 1], column.units)}`;
-  return values.length === 1 ? quantity(values[0], column.units) : `${ends}, ${plural(values.length, "value")}`;
+  if (column.isText) return values.length <= 6 ? values.map(shortText).join(", ") : plural(values.length, "text");
+  const ends = `${valueText(column, values[0])} to ${valueText(column, values[values.length - 1])}`;
+  return values.length === 1 ? valueText(column, values[0]) : `${ends}, ${plural(values.length, "value")}`;
 }
 
 function inputs(study) {
   const { inputs: columns } = study.scenarios;
   if (columns.length === 0) return h("p", { class: "soft" }, "Nothing was varied.");
-  return h(
-    "div",
-    { class: "scroll", tabindex: "0", role: "region", "aria-label": "Inputs" },
+  return scrollBox(
+    "Inputs",
     h("table", { class: "plain" }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "input"), h("th", { scope: "col" }, "key"), h("th", { scope: "col" }, "values"))), h("tbody", {}, columns.map((column) => h("tr", {}, h("th", { scope: "row" }, label(column.name)), h("td", {}, h("code", {}, column.name)), h("td", {}, rangeOf(column)))))),
   );
 }

@@ -2,7 +2,7 @@
 
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
-import { effects } from "./answer.js";
+import { effects } from "./tables.js";
 import { tip, tipLine } from "./scenario.js";
 import { genericTable } from "./table.js";
 import { label, percent, plural, quantity, scaleFor } from "./words.js";

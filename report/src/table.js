@@ -1,6 +1,6 @@
 // A table that sorts, filters, pages and leaves as CSV.
 
-import { copy, download, freshId, h } from "./dom.js";
+import { copy, download, freshId, h, scrollBox } from "./dom.js";
 import { replayCommand } from "./scenario.js";
 import { label, leaf, number, OUTCOMES, outcomeLabel, plural, scaleFor, thousands } from "./words.js";
 
@@ -126,7 +126,7 @@ class DataTable {
       this.chipBox,
       h("button", { type: "button", class: "quiet csv", onclick: () => this.save() }, "Download CSV"),
     );
-    this.element = h("div", { class: "table-box" }, tools, this.message, h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `Table: ${this.name}` }, table), this.pager, this.chooser());
+    this.element = h("div", { class: "table-box" }, tools, this.message, scrollBox(`Table: ${this.name}`, table), this.pager, this.chooser());
   }
 
   chip(word) {

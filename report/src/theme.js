@@ -56,6 +56,7 @@ export function colours() {
     paper: of("--paper"),
     raised: of("--raised"),
     accent: of("--accent"),
+    bad: of("--bad"),
     faint: of("--faint"),
     font: of("--sans"),
     series: [of("--accent"), "#4a7fb0", "#e0702d", "#c583b0", of("--soft"), "#9fd0ee"],

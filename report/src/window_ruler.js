@@ -1,10 +1,10 @@
-// The window as a ruler of grip forces: where the product falls, where it is safe, where it is marked, and how well the borders
-// are known.
+// The window as a ruler of grip forces: where the product falls, where it is safe, where it is marked, how well the
+// borders are known, and where to set.
 
+import { judgesDamage } from "./claims.js";
 import { h } from "./dom.js";
+import { legend } from "./legend.js";
 import { number } from "./words.js";
-
-const WIDTH = 1000;
 
 function tried(study) {
   const force = study.scenarios.column("strategy.grip_force_N");
@@ -12,39 +12,63 @@ function tried(study) {
   return values.length > 1 ? [values[0], values[values.length - 1]] : null;
 }
 
-export function windowRuler(study, window, common) {
+/** Places along the ruler in per cent; logarithmic where the range is long. */
+function scaleOf([least, most]) {
+  const log = least > 0 && most / least > 4;
+  const share = (force) => (log ? Math.log(force / least) / Math.log(most / least) : (force - least) / (most - least));
+  return { log, at: (force) => 100 * Math.min(1, Math.max(0, share(force))) };
+}
+
+function borders(window, ends, [least, most]) {
+  const end = (name, row, side) => (row === null || row === undefined ? null : window.at(`${name}_bracket_${side}_N`, row));
+  return {
+    hold: { low: end("hold", ends.hold_row, "low") ?? least, high: ends.hold_force_N },
+    damage: { low: ends.damage_force_N, high: end("damage", ends.damage_row, "high") ?? most },
+  };
+}
+
+/** A line of its own for each label, pushed inside the ruler at its ends, so that none can cover another. */
+function tick(at, kind, text) {
+  return h("div", { class: `tick-line ${kind}` }, h("span", { style: `margin-left:${at}%;transform:translateX(-${at}%)` }, text));
+}
+
+function bracket(words, { low, high }) {
+  return low === high ? `${words} at ${number(high)} N` : `${words} between ${number(low)} and ${number(high)} N`;
+}
+
+export function windowRuler(study, ends, set = null) {
   const range = tried(study);
   if (!range) return null;
   const [least, most] = range;
-  const log = least > 0 && most / least > 4;
-  const at = (force) => WIDTH * (log ? Math.log(force / least) / Math.log(most / least) : (force - least) / (most - least));
-  const hold = { low: window.at("hold_bracket_low_N", common.hold_row) ?? least, high: common.hold_force_N };
-  const damage = { low: common.damage_force_N, high: window.at("damage_bracket_high_N", common.damage_row) ?? most };
+  const { log, at } = scaleOf(range);
+  const { hold, damage } = borders(study.window, ends, range);
+  const judged = judgesDamage(study);
+  const safe = judged ? "held, unmarked" : "held";
   const zone = (from, to, kind, text) => {
-    const width = Math.max(0, at(to) - at(from));
-    if (width < 1) return null;
-    return h("span", { class: `zone ${kind}`, style: `left:${at(from) / 10}%;width:${width / 10}%` }, width > 90 ? h("em", {}, text) : null);
+    const width = at(to) - at(from);
+    return width < 0.1 ? null : h("span", { class: `zone ${kind}`, style: `left:${at(from)}%;width:${width}%` }, text ? h("em", {}, text) : null);
   };
-  const tick = (force, side) =>
-    h("span", { class: `tick ${side}`, style: `left:${Math.min(100, Math.max(0, at(force) / 10))}%` }, `${number(force)} N`);
+  const holdLine = ends.hold_is_bound ? null : tick(at(hold.high), "hold", bracket("holding begins", hold));
+  const damageLine = ends.damage_is_bound || !judged ? null : tick(at(damage.low), "damage", bracket("damage begins", damage));
   return h(
     "div",
-    {
-      class: "ruler",
-      role: "img",
-      "aria-label": `Grip forces from ${number(least)} to ${number(most)} N: not held below ${number(common.hold_force_N)} N, held and unmarked up to ${number(common.damage_force_N)} N, marked above.`,
-    },
+    { class: "ruler" },
+    set ? tick(at(set.force_N), "set", `set ${number(set.force_N)} N`) : null,
     h(
       "div",
-      { class: "track" },
-      common.hold_is_bound ? null : zone(least, hold.low, "falls", "not held"),
-      common.hold_is_bound ? null : zone(hold.low, hold.high, "unsure", ""),
-      zone(common.hold_force_N, common.damage_force_N, "safe", "held, unmarked"),
-      common.damage_is_bound ? null : zone(damage.low, damage.high, "unsure", ""),
-      common.damage_is_bound ? null : zone(damage.high, most, "marks", "marked"),
+      { class: "track", role: "img", "aria-label": `Grip forces from ${number(least)} to ${number(most)} N: not held below ${number(hold.low)} N, ${safe} from ${number(hold.high)} to ${number(damage.low)} N${judged ? ", marked above" : ""}.${set ? ` To set: ${number(set.force_N)} N.` : ""}` },
+      ends.hold_is_bound ? null : zone(least, hold.low, "falls", "not held"),
+      ends.hold_is_bound ? null : zone(hold.low, hold.high, "unsure", ""),
+      zone(hold.high, damage.low, "safe", set ? "" : safe),
+      ends.damage_is_bound ? null : zone(damage.low, damage.high, "unsure", ""),
+      ends.damage_is_bound ? null : zone(damage.high, most, "marks", "marked"),
+      set ? h("span", { class: "spread", style: `left:${at(set.force_N - set.tolerance_N)}%;width:${at(set.force_N + set.tolerance_N) - at(set.force_N - set.tolerance_N)}%` }) : null,
+      set ? h("span", { class: "pin", style: `left:${at(set.force_N)}%` }) : null,
     ),
-    h("div", { class: "ticks" }, tick(least, "end"), common.hold_is_bound ? null : tick(common.hold_force_N, "edge"), common.damage_is_bound ? null : tick(common.damage_force_N, "edge"), tick(most, "end last")),
-    h("p", { class: "soft" }, `Grip forces tried, ${log ? "logarithmic" : "linear"}. Hatched: the border lies somewhere here.`),
+    h("div", { class: "tick-ends" }, h("span", {}, `${number(least)} N`), h("span", {}, `${number(most)} N`)),
+    holdLine,
+    damageLine,
+    legend([["color-mix(in srgb, var(--dropped) 26%, var(--paper))", "not held"], ["var(--safe)", safe], ...(judged ? [["color-mix(in srgb, var(--damaged) 30%, var(--paper))", "marked"]] : [])]),
+    h("p", { class: "soft" }, `Grip forces tried, ${log ? "logarithmic" : "linear"}. Hatched: the border lies somewhere here.${set ? " Thin bar: how far the setting may be off." : ""}`),
   );
 }
-

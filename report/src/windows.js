@@ -1,29 +1,27 @@
 // The window of every combination: a bar from the force that holds to the force that damages.
 
 import { axis, figure } from "./chart.js";
+import { bracketText } from "./answer/window.js";
+import { heldWords, judgesDamage } from "./claims.js";
+import { legend } from "./legend.js";
+import { inWords } from "./tables.js";
 import { genericTable } from "./table.js";
 import { tip, tipLine } from "./scenario.js";
 import { h, select } from "./dom.js";
-import { label, number, percent, plural, quantity } from "./words.js";
+import { label, number, percent, plural, shortText, valueText } from "./words.js";
 import { outcomeColour } from "./theme.js";
 
-function bracket(low, high) {
-  if (low === null && high === null) return "–";
-  if (low === null) return `at or below ${number(high)} N`;
-  if (high === null) return `at or above ${number(low)} N`;
-  return `${number(low)} to ${number(high)} N`;
-}
-
-function windowTip(window, row) {
+function windowTip(study, window, row) {
   const at = (name) => window.at(name, row);
   return tip(
     h("div", { class: "tip-head" }, h("b", {}, at("exists") === 1 ? "grip window" : "no window")),
-    window.inputs.map((column) => tipLine(label(column.name), quantity(column.at(row), column.units))),
+    window.inputs.map((column) => tipLine(label(column.name), column.isText ? shortText(column.at(row)) : valueText(column, column.at(row)))),
     h("hr"),
-    tipLine("holding begins", bracket(at("hold_bracket_low_N"), at("hold_bracket_high_N"))),
-    tipLine("damage begins", bracket(at("damage_bracket_low_N"), at("damage_bracket_high_N"))),
+    tipLine("holding begins", bracketText(at("hold_bracket_low_N"), at("hold_bracket_high_N"))),
+    judgesDamage(study) ? tipLine("damage begins", bracketText(at("damage_bracket_low_N"), at("damage_bracket_high_N"))) : null,
+    at("set_point_exists") === 1 ? tipLine("set", `${number(at("set_point_N"))} N ± ${number(at("set_point_tolerance_N"))} N`) : null,
     at("margin") === null ? null : tipLine("margin", percent(at("margin"))),
-    at("note") ? h("p", {}, at("note")) : null,
+    at("note") ? h("p", {}, inWords(at("note"))) : null,
   );
 }
 
@@ -39,7 +37,9 @@ function forces(window) {
   return ["hold_force_N", "damage_force_N", "hold_bracket_high_N", "damage_bracket_low_N", "hold_bracket_low_N", "damage_bracket_high_N"].flatMap((name) => window.column(name).numbers());
 }
 
-function barItem(window, theme, row, index, api, top) {
+function barItem(study, theme, row, index, api, top) {
+  const { window } = study;
+  const judged = judgesDamage(study);
   const at = (name) => window.at(name, row);
   const width = Math.min(64, api.size([1, 0])[0] * 0.56);
   const px = api.coord([index, 0])[0] - width / 2;
@@ -60,7 +60,8 @@ function barItem(window, theme, row, index, api, top) {
     children.push({ type: "rect", shape: { x: px, width, y: y(top), height: y(0) - y(top), r: 2 }, style: { fill: theme.soft, opacity: 0.06 } });
   }
   if (at("hold_force_N") !== null) children.push(rule(at("hold_force_N"), outcomeColour("dropped")));
-  if (at("damage_force_N") !== null) children.push(rule(at("damage_force_N"), outcomeColour("damaged")));
+  if (at("damage_force_N") !== null && judged) children.push(rule(at("damage_force_N"), outcomeColour("damaged")));
+  if (at("set_point_exists") === 1) children.push({ type: "path", shape: { pathData: "M0 -6L6 0L0 6L-6 0Z", x: px + width / 2 - 6, y: y(at("set_point_N")) - 6, width: 12, height: 12 }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
   return { type: "group", children };
 }
 
@@ -73,9 +74,9 @@ function windowAxis(theme, top) {
   return axis(theme, { name: "grip force", units: "N", most: top, vertical: true, min: 0, max: top, axisLabel: { color: theme.soft, fontSize: 12, showMaxLabel: false, formatter: (value) => number(value, 3) } });
 }
 
+/** The numbers of one column share its unit, or an axis would mix two. */
 function shortValue(column, row) {
-  const value = column.at(row);
-  return typeof value === "number" ? quantity(value, column.units, 3) : value.replace(/^.*\//, "").replace(/\.toml$/, "");
+  return column.isText ? shortText(column.at(row)) : valueText(column, column.at(row), 3);
 }
 
 /** Few combinations, side by side, each with all its values. */
@@ -88,15 +89,24 @@ function allAtOnce(study, window, inputs) {
       grid: { left: 8, right: 12, top: 34, bottom: 12, containLabel: true },
       xAxis: { ...axis(theme, { name: "", type: "category" }), data: shown.map((row) => inputs.map((column) => shortValue(column, row)).join("\n")), axisLabel: { color: theme.soft, fontSize: 12, lineHeight: 17, interval: 0 } },
       yAxis: windowAxis(theme, top),
-      tooltip: { trigger: "item", formatter: ({ data }) => windowTip(window, data[2]) },
-      series: [{ type: "custom", data: shown.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(window, theme, api.value(2), api.value(0), api, top) }],
+      tooltip: { trigger: "item", formatter: ({ data }) => windowTip(study, window, data[2]) },
+      series: [{ type: "custom", data: shown.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(study, theme, api.value(2), api.value(0), api, top) }],
     }),
+    legend: (theme) => windowLegend(study, theme),
     describe: () => `Grip windows of ${plural(window.rows, "combination")}. The table below holds the same values.`,
-    note: `Below each: ${inputs.map((column) => label(column.name)).join(", ")}. ${LEGEND}${shown.length < window.rows ? ` The first ${shown.length} of ${window.rows}.` : ""}`,
+    note: `Below each: ${inputs.map((column) => label(column.name)).join(", ")}. ${shown.length < window.rows ? ` The first ${shown.length} of ${window.rows}.` : ""}`,
   }).element;
 }
 
-const LEGEND = "Blue line: holding begins. Orange line: damage begins. Pale: the border lies somewhere here.";
+function windowLegend(study, theme) {
+  return legend([
+    [outcomeColour("held"), heldWords(study)],
+    [outcomeColour("held"), "the border lies somewhere here", "pale"],
+    [outcomeColour("dropped"), "holding begins", "line"],
+    ...(judgesDamage(study) ? [[outcomeColour("damaged"), "damage begins", "line"]] : []),
+    ...(study.window.column("set_point_N") ? [[theme.ink, "set here"]] : []),
+  ]);
+}
 
 export function windows(study) {
   const { window } = study;
@@ -115,7 +125,7 @@ export function windows(study) {
     for (const column of others) if (!slice.has(column.name)) slice.set(column.name, column.distinct[0]);
     sliceBox.replaceChildren(
       ...others.map((column) =>
-        select(label(column.name), column.distinct.map((value, i) => ({ value: String(i), label: quantity(value, column.units) })), String(column.distinct.indexOf(slice.get(column.name))), (chosen) => {
+        select(label(column.name), column.distinct.map((value, i) => ({ value: String(i), label: column.isText ? shortText(value) : valueText(column, value) })), String(column.distinct.indexOf(slice.get(column.name))), (chosen) => {
           slice.set(column.name, column.distinct[Number(chosen)]);
           chart.redraw();
         }),
@@ -131,14 +141,14 @@ export function windows(study) {
       const format = base.axisLabel.formatter;
       return {
         grid: { left: 8, right: 12, top: 34, bottom: 44, containLabel: true },
-        xAxis: { ...base, data: rows.map((row) => String(x.at(row))), axisLabel: { ...base.axisLabel, formatter: (text) => (x.isText ? text.replace(/^.*\//, "").replace(/\.toml$/, "") : format(Number(text))) } },
+        xAxis: { ...base, data: rows.map((row) => String(x.at(row))), axisLabel: { ...base.axisLabel, formatter: (text) => (x.isText ? shortText(text) : format(Number(text))) } },
         yAxis: windowAxis(theme, top),
-        tooltip: { trigger: "item", formatter: ({ data }) => windowTip(window, data[2]) },
-        series: [{ type: "custom", data: rows.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(window, theme, api.value(2), api.value(0), api, top) }],
+        tooltip: { trigger: "item", formatter: ({ data }) => windowTip(study, window, data[2]) },
+        series: [{ type: "custom", data: rows.map((row, index) => [index, top, row]), encode: { x: 0, y: 1 }, renderItem: (params, api) => barItem(study, theme, api.value(2), api.value(0), api, top) }],
       };
     },
     describe: () => `Grip windows of ${plural(window.rows, "combination")} over ${label(x.name)}. The table below holds the same values.`,
-    note: LEGEND,
+    legend: (theme) => windowLegend(study, theme),
   });
   prepare();
   return h("div", {}, chart.element, table);

@@ -4,32 +4,45 @@ export const OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped",
 /** Most serious first: what a map shows where several scenarios share a cell. */
 export const SERIOUSNESS = ["diverged", "out_of_range", "dropped", "not_grasped", "damaged", "slipped", "held", "not_run"];
 
-const UNIT_SUFFIXES = ["_m_s2", "_m_s", "_kg_m3", "_N_s_m", "_N_m", "_m3", "_kg", "_Pa", "_Hz", "_rad", "_N", "_J", "_s", "_m"];
-const LABELS = {
-  permanent_set_max_m: "permanent set",
-  permanent_set_rms_m: "permanent set, r.m.s.",
-  plastic_strain_max: "plastic strain",
-  contact_yield_ratio_max: "contact yield ratio",
-  compression_max_m: "compression",
-  slip_max_m: "slip",
-  friction_margin_min: "friction margin",
-  outcome_time_s: "time of outcome",
-};
+/** The program's own words for its metrics and keys, and the endings of names with their units. */
+let names = {};
+let unitSuffixes = [];
+
+export function learnWords({ names: known = {}, unit_suffixes: suffixes = [] } = {}) {
+  names = known;
+  unitSuffixes = suffixes;
+}
 
 export function leaf(key) {
   return key.endsWith(".use") ? key : key.slice(key.lastIndexOf(".") + 1);
 }
 
-/** "strategy.lift_acceleration_m_s2" -> "lift acceleration" */
+function suffixOf(name) {
+  return unitSuffixes.find(([each]) => name.endsWith(each) && name.length > each.length);
+}
+
+/** The units that the name of a key ends with. */
+export function unitsOfKey(key) {
+  return suffixOf(leaf(key))?.[1] ?? "";
+}
+
+/** "strategy.lift_acceleration_m_s2" -> "lift acceleration"; "mean_cycle_time_s" -> "mean cycle time". */
 export function label(key) {
   const last = leaf(key);
-  if (LABELS[last]) return LABELS[last];
-  const suffix = UNIT_SUFFIXES.find((each) => last.endsWith(each) && last.length > each.length);
+  const known = names[key] ?? names[last];
+  if (known) return known;
+  if (last.startsWith("mean_")) return `mean ${label(last.slice(5))}`;
+  const suffix = suffixOf(last)?.[0];
   return (suffix ? last.slice(0, -suffix.length) : last).replaceAll("_", " ");
 }
 
 export function outcomeLabel(word) {
   return String(word).replaceAll("_", " ");
+}
+
+/** The style sheet's colour of an outcome. */
+export function outcomeVariable(word) {
+  return `var(--${String(word).replaceAll("_", "-")})`;
 }
 
 const PRETTY = { 1: "", "m s-1": "m/s", "m s-2": "m/s²", m3: "m³", "kg m-3": "kg/m³", "N s m-1": "N·s/m", "N m": "N·m", "N m-1": "N/m" };
@@ -68,16 +81,26 @@ export function number(value, digits = 4) {
   return text.replaceAll("-", "−");
 }
 
+const SAFE_DIGITS = 3;
+
+/** Three digits a person types, rounded towards the inside of a window: up at its lower end, down at its upper. */
+export function innerNumber(value, end) {
+  if (!(value > 0) || !Number.isFinite(value)) return number(value);
+  const step = 10 ** (Math.floor(Math.log10(value)) - SAFE_DIGITS + 1);
+  const steps = value / step;
+  return number((end === "low" ? Math.ceil(steps - 1e-9) : Math.floor(steps + 1e-9)) * step, SAFE_DIGITS);
+}
+
 /** 1,234,567 */
 export function thousands(value) {
   return String(value).replace(/\B(?=(\d{3})+(?!\d))/g, ",");
 }
 
-/** "1.27 N", "0.12 mm" */
-export function quantity(value, units, digits = 4) {
+/** "1.27 N", "0.12 mm"; in the unit that suits `most`, so that values side by side share it. */
+export function quantity(value, units, digits = 4, most = value) {
   if (typeof value === "string") return value;
   if (value === null || value === undefined) return "–";
-  const { factor, unit } = scaleFor(units, value);
+  const { factor, unit } = scaleFor(units, most);
   return number(value / factor, digits) + (unit ? ` ${unit}` : "");
 }
 
@@ -97,9 +120,19 @@ export function listed(words) {
   return `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`;
 }
 
+/** A value of a column, in the unit of the whole column. */
+export function valueText(column, value, digits = 4) {
+  return quantity(value, column.units, digits, column.isText ? undefined : column.most);
+}
+
+/** The file a `use` names, without its folders; any other value as it is. */
+export function shortText(value) {
+  return String(value).replace(/^.*\//, "").replace(/\.toml$/, "").replaceAll("_", " ");
+}
+
 /** "grip force 1.2 N, friction 0.5" of the given columns at a row. */
 export function valuesText(columns, row, between = ", ") {
-  return columns.map((column) => `${label(column.name)} ${quantity(column.at(row), column.units)}`).join(between);
+  return columns.map((column) => `${label(column.name)} ${column.isText ? shortText(column.at(row)) : valueText(column, column.at(row))}`).join(between);
 }
 
 export function date(utc) {

@@ -157,6 +157,8 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
     if (descriptive) {
       if (entry.value.kind != Value::Kind::text) {
         problems.add(entry.origin, local, spelled(entry.value), "must be a string");
+      } else if (local.starts_with("source.") && table != "strategy") {
+        out.push_back({std::string(table) + "." + local, entry.value, entry.origin});
       }
     } else if (local == "use") {
       problems.add(entry.origin, local, spelled(entry.value), "a file that is used may not use another one");

@@ -46,8 +46,8 @@ class Library {
   int next_rank_ = 1;
 };
 
-/// Puts the entries of a product's or gripper's table under their study paths, leaves out what only describes
-/// (name, description, [source]), and reports tables that do not belong there.
+/// Puts the entries of a product's or gripper's table under their study paths ("product.source.mass_kg" too),
+/// leaves out what only describes (name, description), and reports tables that do not belong there.
 /// @param prefix of the entries' paths to be taken away, e.g. "vary[0].variant[1]."; empty for a whole file
 std::vector<Entry> library_entries(const Document& document, std::string_view prefix, std::string_view table,
                                    Problems& problems);

@@ -31,6 +31,18 @@ struct Writer {
     }
   }
 
+  /// [product.source] or [gripper.source], where there is anything to say.
+  void sources(const std::string& table) {
+    const std::string prefix = table + ".source.";
+    bool is_first = true;
+    for (const Entry& source : data.sources) {
+      if (!source.path.starts_with(prefix)) continue;
+      if (is_first) header("[" + table + ".source]");
+      is_first = false;
+      out += source.path.substr(prefix.size()) + " = " + toml_string(source.value.text) + "\n";
+    }
+  }
+
   void table(const std::string& name, Scenario& scenario) {
     header("[" + name + "]");
     keys(name, scenario, 0);
@@ -142,8 +154,12 @@ std::string resolved_text(const StudyData& data) {
   if (!product_varies) {
     writer.header("[product]");
     writer.product("product", base);
+    writer.sources("product");
   }
-  if (base.gripper && !gripper_varies) writer.table("gripper", base);
+  if (base.gripper && !gripper_varies) {
+    writer.table("gripper", base);
+    writer.sources("gripper");
+  }
   writer.table("cell", base);
   if (base.gripper) writer.table("strategy", base);
   if (!product_varies) writer.table("limits", base);

@@ -11,6 +11,7 @@
 #include "studies/config/problems.hpp"
 #include "studies/config/rules.hpp"
 #include "studies/config/searching.hpp"
+#include "studies/config/sources.hpp"
 #include "studies/config/study_data.hpp"
 
 namespace unbruised::studies {
@@ -167,6 +168,8 @@ class Reader {
       } else if (is_descriptive(entry.path)) {
         if (entry.value.kind != Value::Kind::text) {
           problems_.add(entry.origin, entry.path, spelled(entry.value), "must be a string");
+        } else if (is_source(entry.path)) {
+          own_sources_.push_back(entry);
         }
       } else if (const std::string table = table_called(entry.path); !table.empty()) {
         problems_.add(entry.origin, entry.path, spelled(entry.value),
@@ -265,6 +268,7 @@ class Reader {
       }
     }
     assemble_candidates(input, products.front(), grippers.front());
+    take_sources(products, grippers);
     data_.settings = assemblies_.front().settings;
     for (Assembly& assembly : assemblies_) {
       if (data_.settings.kind == StudyKind::window) {
@@ -298,12 +302,24 @@ class Reader {
     contact_force_N = std::min(contact_force_N, least_N);
   }
 
+  /// Of a product or gripper that is varied no source is taken: there are several.
+  void take_sources(const std::vector<std::vector<Entry>>& products,
+                    const std::vector<std::vector<Entry>>& grippers) {
+    std::vector<Entry> library;
+    for (const auto* lists : {&products, &grippers}) {
+      if (lists->size() == 1) library.insert(library.end(), lists->front().begin(), lists->front().end());
+    }
+    data_.sources = sources_in_use(library, own_sources_, study_, command_line_);
+  }
+
   /// Everything that is said about one scenario, in layer order; `own` overrides what the study says.
   std::vector<LayeredEntry> layers(const std::vector<Entry>& product, const std::vector<Entry>& gripper,
                                    const std::vector<Entry>& own) const {
     std::vector<LayeredEntry> all;
     for (const auto* list : {&product, &gripper}) {
-      for (const Entry& entry : *list) all.push_back({Layer::library, &entry});
+      for (const Entry& entry : *list) {
+        if (!is_source(entry.path)) all.push_back({Layer::library, &entry});
+      }
     }
     for (const Entry& entry : study_) all.push_back({Layer::study, &entry});
     for (const Entry& entry : own) all.push_back({Layer::study, &entry});
@@ -468,7 +484,8 @@ class Reader {
   Library library_;
   Problems problems_;
   Document document_;
-  std::vector<Entry> study_, command_line_, sets_, vary_entries_, vary_tables_, block_entries_, block_tables_;
+  std::vector<Entry> study_, command_line_, own_sources_, sets_, vary_entries_, vary_tables_, block_entries_,
+      block_tables_;
   ReadBlocks blocks_;
   std::vector<std::string> unknown_tables_;
   std::unordered_map<std::string, Origin> tables_;

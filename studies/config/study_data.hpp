@@ -25,6 +25,7 @@ struct StudyData {
   SamplingSettings sampling;
   CompareSettings compare;
   SensitivitySettings sensitivity;
+  std::vector<Entry> sources;  ///< where the values come from: "product.source.mass_kg" and the like
   std::string resolved;
   std::vector<std::string> warnings;
 

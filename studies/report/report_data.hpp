@@ -32,14 +32,4 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
 /// `text` with every '<', '>' and '&' written as a JSON escape. They occur in the strings of JSON only.
 std::string inert_json(const std::string& text);
 
-/// Most rows of a trace that go into a page.
-inline constexpr std::size_t kTraceRowsMost = 4000;
-
-/// For curves with more than kTraceRowsMost rows: which pairs of rows stand for the others. Rows are cut into
-/// kTraceRowsMost / 2 equal parts; each part becomes two rows, the lesser and the greater value of every curve in
-/// the order in which they occur, so that no peak is lost.
-std::vector<double> thinned_keeping_peaks(const std::vector<double>& values);
-/// The times that go with them: first and middle row of each part.
-std::vector<double> thinned_times(const std::vector<double>& time_s);
-
 }  // namespace unbruised::studies

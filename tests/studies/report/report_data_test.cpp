@@ -11,6 +11,7 @@
 
 #include "studies/report/base64.hpp"
 #include "studies/report/packed_columns.hpp"
+#include "studies/report/report_trace.hpp"
 #include "tests/studies/report/report_fixtures.hpp"
 
 namespace unbruised::studies {

@@ -164,22 +164,24 @@ TEST(ResultsFile, OpensInH5pyAndXarrayWithNamedDimensionsAndUnits) {
   EXPECT_EQ(run_python_check(path, 23), 0);
 }
 
-TEST(PlotWindow, DrawsAFileWithASweepOrATraceAndRefusesAnythingElse) {
+TEST(PlotWindow, DrawsSweepsAndWindowsOverTheGripForceAndRefusesAnythingElse) {
   const TemporaryDirectory directory;
   const fs::path path = directory.path() / "sweep.h5";
   ResultsContent content = sample_content(23);
+  const WindowTable window = sample_window();
+  content.window = &window;
   content.inputs[1].key = "product.label";  // texts alternate: two panels
-  ASSERT_EQ(message_of(write_results_file(path, content)), "");
-  EXPECT_EQ(run_python("scripts/plot_window.py " + path.string() + " > /dev/null"), 0);
+  const auto plotted = [&](const std::string& kind) {
+    content.meta.study_kind = kind;
+    EXPECT_EQ(message_of(write_results_file(path, content)), "");
+    return run_python("scripts/plot_window.py " + path.string() + " > /dev/null 2> /dev/null");
+  };
+  EXPECT_EQ(plotted("sweep"), 0);
   EXPECT_EQ(bytes_of(directory.path() / "sweep.png").substr(1, 3), "PNG");
-
-  content.inputs[0].key = "strategy.settle_s";  // no grip force: only a trace could be drawn
-  ASSERT_EQ(message_of(write_results_file(path, content)), "");
-  EXPECT_EQ(run_python("scripts/plot_window.py " + path.string() + " 2> /dev/null"), 2);
-  const Trace trace = sample_trace(5, 4);
-  content.trace = &trace;
-  ASSERT_EQ(message_of(write_results_file(path, content)), "");
-  EXPECT_EQ(run_python("scripts/plot_window.py " + path.string() + " > /dev/null"), 0);
+  EXPECT_EQ(plotted("window"), 0);
+  for (const std::string kind : {"robust", "pareto", "sample"}) EXPECT_EQ(plotted(kind), 2) << kind;
+  content.window = nullptr;
+  EXPECT_EQ(plotted("sweep"), 2);
 
   put_bytes(path, "not HDF5");
   EXPECT_EQ(run_python("scripts/plot_window.py " + path.string() + " 2> /dev/null"), 2);

@@ -1,0 +1,29 @@
+// What the page may claim: whether damage was judged, and whether anything takes the green from an answer.
+
+import { plural } from "./words.js";
+
+export function judgesDamage(study) {
+  return study.damage === "judged";
+}
+
+/** null where damage was judged, else the words that say it was not. */
+export function damageRemark(study) {
+  if (judgesDamage(study)) return null;
+  return study.damage === "not considered" ? "damage was not considered" : "damage was not looked at";
+}
+
+/** "held without damage", or what is left of it where nobody looked. */
+export function heldWords(study) {
+  return judgesDamage(study) ? "held without damage" : "held";
+}
+
+/** A good verdict stays good only where nothing stands against it. */
+export function soberly(study, { tone, text }) {
+  if (tone !== "good") return { tone, text };
+  const doubts = [
+    damageRemark(study),
+    study.warnings.length ? `${plural(study.warnings.length, "warning")} above ${study.warnings.length === 1 ? "belongs" : "belong"} to it` : null,
+    study.complete ? null : "the study is not complete",
+  ].filter(Boolean);
+  return doubts.length ? { tone: "warn", text: `${text}, but ${doubts.join(", and ")}` } : { tone, text };
+}

@@ -1,0 +1,66 @@
+#include "studies/report/page_words.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/outcome/damage_limits.hpp"
+#include "core/outcome/metric_words.hpp"
+#include "studies/config/sources.hpp"
+#include "studies/text/key_names.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using nlohmann::json;
+
+/// Keys that would read wrongly with the underscores taken out.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kKeyWords = {{
+    {"youngs_modulus_Pa", "Young's modulus"},
+    {"poisson_ratio", "Poisson's ratio"},
+    {"permanent_set_m", "permanent set"},
+    {"outcome_time_s", "time of outcome"},
+}};
+
+json json_of(const Value& value) {
+  if (value.kind != Value::Kind::array) return value.number;
+  json list = json::array();
+  for (const Value& item : value.items) list.push_back(item.number);
+  return list;
+}
+
+}  // namespace
+
+json page_words() {
+  json names = json::object();
+  for (const MetricInfo& info : kMetricTable) names[std::string(info.name)] = metric_words(info.metric);
+  for (const auto& [key, words] : kKeyWords) names[std::string(key)] = words;
+  json suffixes = json::array();
+  for (const Unit& unit : all_units()) suffixes.push_back({unit.suffix, unit.udunits});
+  return {{"names", std::move(names)}, {"unit_suffixes", std::move(suffixes)}};
+}
+
+json page_damage_limits() {
+  constexpr std::string_view kTable = "limits.";
+  json limits = json::array();
+  for (const DamageLimit& limit : kDamageLimits) {
+    limits.push_back({{"metric", kMetricTable[static_cast<std::size_t>(limit.metric)].name},
+                      {"key", limit.key.substr(kTable.size())}});
+  }
+  return limits;
+}
+
+json page_sources(const std::string& config_toml) {
+  json sources = json::array();
+  for (const ValueSource& each : value_sources(config_toml)) {
+    sources.push_back({{"key", each.key},
+                       {"value", json_of(each.value)},
+                       {"source", each.source},
+                       {"standing", standing_word(each.standing)}});
+  }
+  return sources;
+}
+
+}  // namespace unbruised::studies

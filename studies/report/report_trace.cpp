@@ -1,0 +1,104 @@
+#include "studies/report/report_trace.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace unbruised::studies {
+namespace {
+
+using nlohmann::json;
+using Digits = PackedColumns::Digits;
+
+constexpr std::size_t kSignalColumnsMost = 12;
+
+std::size_t width_of(const TraceSignal& signal) {
+  std::size_t width = 1;
+  for (const int extent : signal.extents) width *= static_cast<std::size_t>(std::max(extent, 0));
+  return width;
+}
+
+/// "finger 1, x" for an entry of a signal with the dimensions finger and component.
+std::string curve_name(const TraceSignal& signal, std::size_t entry) {
+  static constexpr const char* kAxes[] = {"x", "y", "z"};
+  static constexpr const char* kSurfaces[] = {"left pad", "right pad", "support"};
+  std::string text;
+  std::size_t rest = entry;
+  for (std::size_t i = signal.extents.size(); i-- > 0;) {
+    const auto extent = static_cast<std::size_t>(signal.extents[i]);
+    const std::size_t at = rest % extent;
+    rest /= extent;
+    const std::string& dimension = signal.dimensions[i];
+    std::string part = dimension + " " + std::to_string(at + 1);
+    if (dimension == "component" && extent == 3) part = kAxes[at];
+    if (dimension == "surface" && extent == 3) part = kSurfaces[at];
+    text = text.empty() ? part : part + ", " + text;
+  }
+  return text;
+}
+
+bool is_whole(const Trace& trace, const TraceSignal& signal) {
+  const std::size_t width = width_of(signal);
+  return signal.dimensions.size() == signal.extents.size() && width > 0 && width <= kSignalColumnsMost &&
+         signal.values.size() == trace.time_s.size() * width;
+}
+
+std::size_t part_start(std::size_t part, std::size_t rows) { return part * rows / (kTraceRowsMost / 2); }
+
+}  // namespace
+
+json trace_json(PackedColumns& packed, const Trace& trace) {
+  const bool thin = trace.time_s.size() > kTraceRowsMost;
+  const auto pack = [&](const std::vector<double>& values) {
+    return packed.numbers(thin ? thinned_keeping_peaks(values) : values, Digits::seven);
+  };
+  json signals = json::array();
+  for (const TraceSignal& signal : trace.signals) {
+    if (!is_whole(trace, signal)) continue;
+    const std::size_t width = width_of(signal);
+    json curves = json::array();
+    for (std::size_t entry = 0; entry < width; ++entry) {
+      std::vector<double> values;
+      for (std::size_t row = entry; row < signal.values.size(); row += width) values.push_back(signal.values[row]);
+      curves.push_back({{"name", curve_name(signal, entry)}, {"values", pack(values)}});
+    }
+    signals.push_back({{"name", signal.name},
+                       {"units", signal.units},
+                       {"long_name", signal.long_name},
+                       {"curves", std::move(curves)}});
+  }
+  return {{"rows", trace.time_s.size()},
+          {"thinned", thin},
+          {"particles", trace.particle_count},
+          {"events", trace.events.size()},
+          {"time_s", packed.numbers(thin ? thinned_times(trace.time_s) : trace.time_s)},
+          {"signals", std::move(signals)}};
+}
+
+std::vector<double> thinned_keeping_peaks(const std::vector<double>& values) {
+  std::vector<double> kept;
+  kept.reserve(kTraceRowsMost);
+  for (std::size_t part = 0; part < kTraceRowsMost / 2; ++part) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(part_start(part, values.size()));
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(part_start(part + 1, values.size()));
+    const auto [least, greatest] = std::minmax_element(begin, end);
+    kept.push_back(least < greatest ? *least : *greatest);
+    kept.push_back(least < greatest ? *greatest : *least);
+  }
+  return kept;
+}
+
+std::vector<double> thinned_times(const std::vector<double>& time_s) {
+  std::vector<double> kept;
+  kept.reserve(kTraceRowsMost);
+  for (std::size_t part = 0; part < kTraceRowsMost / 2; ++part) {
+    const std::size_t begin = part_start(part, time_s.size());
+    const std::size_t end = part_start(part + 1, time_s.size());
+    kept.push_back(time_s[begin]);
+    kept.push_back(time_s[begin + (end - begin) / 2]);
+  }
+  return kept;
+}
+
+}  // namespace unbruised::studies

@@ -10,9 +10,9 @@
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/report/packed_columns.hpp"
-#include "studies/results/window_columns.hpp"
 #include "studies/report/page_words.hpp"
 #include "studies/report/report_trace.hpp"
+#include "studies/results/window_columns.hpp"
 
 namespace unbruised::studies {
 namespace {

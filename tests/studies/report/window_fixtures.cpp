@@ -43,6 +43,16 @@ ReportFixture window(const std::string& name, const std::vector<Approach>& appro
   return fixture;
 }
 
+/// Two cells and products that no single force suits: one answer has to hold over both.
+ReportFixture disjoint() {
+  ReportFixture fixture = window("disjoint", {{0.02, 12.0}, {0.4, 0.5}}, 1.0);
+  for (std::vector<ColumnInfo>* columns : {&fixture.content.inputs, &fixture.window->inputs}) {
+    (*columns)[0] = {"cell.approach_gap_m", "m", ""};
+    (*columns)[1] = kMass;
+  }
+  return fixture;
+}
+
 }  // namespace
 
 ReportFixture sweep(const std::string& name, const std::vector<double>& forces, const std::vector<double>& speeds,
@@ -77,7 +87,7 @@ std::vector<ReportFixture> window_fixtures() {
   const std::vector<double> speeds = from_to(0.02, 0.6, 8);
   return {sweep("kiwi_sweep", forces, speeds, {1.0, 2.667, 4.333, 6.0}, 1.0),
           window("kiwi_window", {{0.02, 2.0}, {0.1, 2.0}, {0.2, 2.0}, {0.3, 2.0}}, 1.0),
-          window("no_window", {{0.05, 2.0}}, 0.15), window("disjoint", {{0.02, 12.0}, {0.4, 0.5}}, 1.0)};
+          window("no_window", {{0.05, 2.0}}, 0.15), disjoint()};
 }
 
 }  // namespace unbruised::studies::testing

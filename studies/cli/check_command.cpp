@@ -60,6 +60,9 @@ StudyCost cost_of(const ScenarioSet& set) {
   return cost;
 }
 
+/// Two forces at either end of the window that answers a window study, at half the time step: twice the steps.
+constexpr double kHalfStepEvaluations = 8.0;
+
 /// Evaluations per scenario known beforehand: of a window study from a rehearsal with made-up ends inside the
 /// range.
 double evaluations_per_known(const Study& study, const StudyCost& cost) {
@@ -86,7 +89,8 @@ double evaluations_per_known(const Study& study, const StudyCost& cost) {
     }
     return std::optional(std::move(answers));
   };
-  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count);
+  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count) +
+         kHalfStepEvaluations / static_cast<double>(cost.group_of.size());
 }
 
 double compute_seconds(const StudyCost& cost, double evaluations_each) {

@@ -14,6 +14,7 @@ namespace unbruised::studies {
 namespace {
 
 constexpr const char* kGripForceKey = "strategy.grip_force_N";
+constexpr const char* kNoneAtHalfStep = "no window at half the time step";
 
 /// How much the half time step narrows an end of a row: >= 1 for the lower, <= 1 for the upper one.
 double hold_factor(const WindowRow& row) {
@@ -107,7 +108,10 @@ std::string rows_text(std::size_t without, std::size_t all) {
 
 void find_set_point(StrategyWindow& strategy, const WindowTable& window, const SettingOfRow& setting) {
   strategy.set_point = set_point(safe_forces(strategy, window), setting(strategy.rows.front()));
-  if (strategy.exists) return;
+  if (strategy.exists) {
+    if (!safe_forces(strategy, window).exists) strategy.set_point.sentence = kNoneAtHalfStep;
+    return;
+  }
   const auto without = static_cast<std::size_t>(std::count_if(
       strategy.rows.begin(), strategy.rows.end(), [&](std::size_t i) { return !window.rows[i].exists; }));
   strategy.set_point.sentence = without > 0 ? rows_text(without, strategy.rows.size()) : "no window common to all";
@@ -152,7 +156,8 @@ double as_number(const std::optional<std::size_t>& row) { return row ? static_ca
 void add_set_points(WindowTable& window, const SettingOfRow& setting) {
   for (std::size_t i = 0; i < window.rows.size(); ++i) {
     WindowRow& row = window.rows[i];
-    const SetPoint found = set_point(safe_forces(row), setting(i));
+    SetPoint found = set_point(safe_forces(row), setting(i));
+    if (row.exists && !safe_forces(row).exists) found.sentence = kNoneAtHalfStep;
     row.set_point_exists = found.exists;
     row.set_point_N = found.force_N;
     row.set_point_tolerance_N = found.tolerance_N;

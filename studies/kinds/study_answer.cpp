@@ -7,7 +7,8 @@
 #include "studies/findings/key_columns.hpp"
 #include "studies/findings/strategy_judge.hpp"
 #include "studies/findings/summary.hpp"
-#include "studies/kinds/study_runner.hpp"
+#include "studies/findings/table_text.hpp"
+#include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -79,6 +80,20 @@ std::optional<AnsweredStrategy> search_strategy(const Study& study, const Search
   say(strategy, study.kind() == StudyKind::pareto ? "the knee of the front" : "the best feasible strategy");
   say(strategy, with_text(strategy.keys, strategy.values));
   return strategy;
+}
+
+std::optional<AnsweredStrategy> compare_strategy(const Study& study, const std::vector<ResultTable>& tables) {
+  const ResultTable* comparison = find_table(tables, "comparison");
+  const std::string winner = comparison == nullptr ? std::string() : text_attribute(*comparison, "winner");
+  for (const StrategyCandidate& candidate : study.candidates()) {
+    if (winner.empty() || candidate.name != winner) continue;
+    return AnsweredStrategy{
+        .scenario = candidate.scenario,
+        .keys = {{kCandidateColumn, "", "strategy"}},
+        .values = {winner},
+        .says = {joined({"the candidate ", winner, ": ", text_attribute(*comparison, "verdict")})}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace unbruised::studies

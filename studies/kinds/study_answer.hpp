@@ -25,4 +25,7 @@ std::optional<AnsweredStrategy> grid_strategy(const Study& study, const GridAnsw
 /// Of optimize and robust the best, of pareto the knee. Nothing: none is feasible.
 std::optional<AnsweredStrategy> search_strategy(const Study& study, const SearchFindings& found);
 
+/// Of compare the winner. @param tables of the study. Nothing: no candidate is shown to be better than all others.
+std::optional<AnsweredStrategy> compare_strategy(const Study& study, const std::vector<ResultTable>& tables);
+
 }  // namespace unbruised::studies

@@ -14,6 +14,7 @@
 #include "studies/execution/periodic_task.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/strategy_judge.hpp"
+#include "studies/kinds/half_step.hpp"
 #include "studies/kinds/search_study.hpp"
 #include "studies/kinds/study_answer.hpp"
 #include "studies/kinds/window_search.hpp"
@@ -107,6 +108,7 @@ class StudyRun {
         return;
       case StudyKind::compare:
         report_.tables.found = compare_tables(study_, rows);
+        strategy_ = compare_strategy(study_, report_.tables.found);
         return;
       case StudyKind::sensitivity:
         report_.tables.found = sensitivity_tables(study_, rows);
@@ -151,7 +153,51 @@ class StudyRun {
     const WindowSearchResult found =
         search_windows(settings, [this](const std::vector<ForceRequest>& requests) { return answer(requests); });
     report_.interrupted = found.interrupted;
-    if (!found.interrupted) keep(window_table(found.rows), run_.rows());
+    if (!found.interrupted) look_at_half_step(window_table(found.rows), found.evaluation_count);
+  }
+
+  /// Looks for the ends that decide the answer again, until an answer rests on no others.
+  void look_at_half_step(StudyWindow window, std::uint64_t next_id) {
+    const auto answer = [&] { return answer_of(study_, window, input_columns(study_), run_.rows()); };
+    std::vector<KnownEnd> ends = deciding_ends(window.table, answer());
+    while (!varies_time_step(study_) && !ends.empty()) {
+      const EndSearchResult found = search_half_step(window, ends, next_id);
+      report_.interrupted = found.interrupted;
+      if (found.interrupted) return;
+      next_id += found.evaluation_count;
+      keep_half_step(window.table, ends, found.safe_N);
+      ends = deciding_ends(window.table, answer());
+    }
+    for (std::string& warning : half_step_warnings(window.table, study_.window().tolerance, time_steps(window))) {
+      report_.warnings.push_back(std::move(warning));
+    }
+    keep(std::move(window), run_.rows());
+  }
+
+  EndSearchResult search_half_step(const StudyWindow& window, const std::vector<KnownEnd>& ends,
+                                   std::uint64_t first_id) {
+    const WindowSettings& range = study_.window();
+    const EndSearchSettings settings{
+        .from_N = range.from_N, .to_N = range.to_N, .tolerance = range.tolerance, .first_id = first_id};
+    return search_ends(
+        ends, settings, [&](const std::vector<EndRequest>& asked) -> std::optional<std::vector<bool>> {
+          std::vector<ForceRequest> requests;
+          for (const EndRequest& each : asked) {
+            requests.push_back({each.id, window.points[ends[each.end].row], each.grip_force_N, StepSize::half});
+          }
+          const auto samples = answer(requests);
+          if (!samples) return std::nullopt;
+          std::vector<bool> safe;
+          for (std::size_t i = 0; i < asked.size(); ++i)
+            safe.push_back(is_safe((*samples)[i], ends[asked[i].end].end));
+          return safe;
+        });
+  }
+
+  [[nodiscard]] std::vector<double> time_steps(const StudyWindow& window) const {
+    std::vector<double> steps;
+    for (const std::size_t point : window.points) steps.push_back(study_.scenario(point).simulation.time_step_s);
+    return steps;
   }
 
   void keep(StudyWindow window, const std::vector<ScenarioRow>& rows) {
@@ -184,7 +230,7 @@ class StudyRun {
       if (!is_recorded(request)) batch.ids.push_back(request.id);
     }
     batch.scenario = [&](std::uint64_t id) {
-      return window_scenario(study_, request_of(id).combination, request_of(id).grip_force_N);
+      return window_scenario(study_, request_of(id).combination, request_of(id).grip_force_N, request_of(id).step);
     };
     expect(requests.size(), requests.size() - batch.ids.size());
     const BatchReport done =
@@ -203,9 +249,7 @@ class StudyRun {
   }
 
   std::vector<InputValue> evaluation_inputs(const ForceRequest& request) const {
-    std::vector<InputValue> inputs = grid_inputs(study_, request.combination);
-    inputs.emplace_back(request.grip_force_N);
-    return inputs;
+    return window_inputs(study_, request);
   }
 
   bool is_recorded(const ForceRequest& request) const {
@@ -351,17 +395,8 @@ bool has_fixed_scenarios(StudyKind kind) { return kind != StudyKind::window && !
 std::vector<ColumnInfo> input_columns(const Study& study) {
   if (is_search(study.kind())) return search_columns(study);
   std::vector<ColumnInfo> columns = scenario_set(study).columns;
-  if (study.kind() == StudyKind::window) {
-    columns.push_back({.key = kGripForceKey, .units = "N", .long_name = "drive force limit of each finger"});
-  }
+  if (study.kind() == StudyKind::window) add_window_columns(study, columns);
   return columns;
-}
-
-Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N) {
-  Scenario scenario = study.scenario(point);
-  scenario.strategy.grip_force_N = grip_force_N;
-  scenario.strategy.contact_force_N = std::min(scenario.strategy.contact_force_N, grip_force_N);
-  return scenario;
 }
 
 std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row) {
@@ -371,14 +406,7 @@ std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& r
     return set.scenario(row.id);
   }
   if (is_search(study.kind())) return scenario_of_search_inputs(study, row.inputs);
-  if (row.inputs.empty() || !std::holds_alternative<double>(row.inputs.back())) return std::nullopt;
-  const std::vector<InputValue> combination(row.inputs.begin(), row.inputs.end() - 1);
-  for (std::size_t point = 0; point < study.scenario_count(); ++point) {
-    if (grid_inputs(study, point) == combination) {
-      return window_scenario(study, point, std::get<double>(row.inputs.back()));
-    }
-  }
-  return std::nullopt;
+  return scenario_of_window_inputs(study, row.inputs);
 }
 
 }  // namespace unbruised::studies

@@ -70,9 +70,6 @@ std::vector<ColumnInfo> input_columns(const Study& study);
 /// known once they have been asked for.
 bool has_fixed_scenarios(StudyKind kind);
 
-/// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds
-/// it.
-Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N);
 /// The scenario a row of this study was made from; nothing when its inputs are none of the study's.
 std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row);
 

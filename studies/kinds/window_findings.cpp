@@ -1,5 +1,6 @@
 #include "studies/kinds/window_findings.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -8,6 +9,8 @@
 
 namespace unbruised::studies {
 namespace {
+
+constexpr const char* kTimeStepKey = "simulation.time_step_s";
 
 std::optional<std::size_t> column_of(const Study& study, const std::string& key) {
   for (std::size_t i = 0; i < study.inputs().size(); ++i) {
@@ -29,6 +32,45 @@ GripSample grip_sample(const ScenarioResult& result, const LimitParameters& limi
           .holds = holds(result.metrics, result.outcome, limits),
           .undamaged = undamaged(result.metrics, result.outcome, limits),
           .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N]};
+}
+
+Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N, StepSize step) {
+  Scenario scenario = study.scenario(point);
+  scenario.strategy.grip_force_N = grip_force_N;
+  scenario.strategy.contact_force_N = std::min(scenario.strategy.contact_force_N, grip_force_N);
+  if (step == StepSize::half) scenario.simulation.time_step_s *= 0.5;
+  return scenario;
+}
+
+bool varies_time_step(const Study& study) { return column_of(study, kTimeStepKey).has_value(); }
+
+void add_window_columns(const Study& study, std::vector<ColumnInfo>& columns) {
+  if (!varies_time_step(study))
+    columns.push_back({kTimeStepKey, "s", "time step; half of it where the ends were looked at again"});
+  columns.push_back({kGripForceKey, "N", "drive force limit of each finger"});
+}
+
+std::vector<InputValue> window_inputs(const Study& study, const ForceRequest& request) {
+  std::vector<InputValue> inputs = grid_inputs(study, request.combination);
+  if (!varies_time_step(study)) {
+    const Scenario scenario = window_scenario(study, request.combination, request.grip_force_N, request.step);
+    inputs.emplace_back(scenario.simulation.time_step_s);
+  }
+  inputs.emplace_back(request.grip_force_N);
+  return inputs;
+}
+
+std::optional<Scenario> scenario_of_window_inputs(const Study& study, const std::vector<InputValue>& inputs) {
+  if (inputs.empty() || !std::holds_alternative<double>(inputs.back())) return std::nullopt;
+  ForceRequest request{.id = 0, .combination = 0, .grip_force_N = std::get<double>(inputs.back())};
+  for (; request.combination < study.scenario_count(); ++request.combination) {
+    for (const StepSize step : {StepSize::as_written, StepSize::half}) {
+      request.step = step;
+      if (window_inputs(study, request) != inputs) continue;
+      return window_scenario(study, request.combination, request.grip_force_N, step);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows) {

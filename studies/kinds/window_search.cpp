@@ -108,7 +108,8 @@ class WindowSearch {
   }
 
   void request(std::size_t combination, const std::vector<double>& forces, std::vector<ForceRequest>& requests) {
-    for (const double force_N : forces) requests.push_back({next_id_++, combination, force_N});
+    for (const double force_N : forces)
+      requests.push_back({next_id_++, combination, force_N, StepSize::as_written});
   }
 
   bool ask(const std::vector<ForceRequest>& requests) {

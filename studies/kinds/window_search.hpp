@@ -27,11 +27,15 @@ struct WindowSearchSettings {
   std::vector<std::size_t> factor_group;
 };
 
+/// With which time step a run is made.
+enum class StepSize { as_written, half };
+
 /// A force to try. Ids count on from 0 by (round, combination, force).
 struct ForceRequest {
   std::uint64_t id = 0;
   std::size_t combination = 0;
   double grip_force_N = 0.0;
+  StepSize step = StepSize::as_written;
 };
 
 /// Answers in the order of the requests (`grip_force_N` is filled in by the search); nothing: interrupted.

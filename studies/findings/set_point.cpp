@@ -117,6 +117,10 @@ ForceSetting force_setting(const GripperParameters& gripper) {
 
 SetPoint set_point(const SafeForces& window, const ForceSetting& gripper) {
   if (!window.exists) return none({"no window"});
+  if (std::isnan(window.greatest_N)) {
+    return none({"damage is not judged, so nothing says how hard the product may be gripped; it is held from ",
+                 short_number(window.least_N), " N on"});
+  }
   const Settings safe = safe_settings(window, gripper.accuracy);
   if (auto reason = refused(window, gripper, safe)) return *reason;
   const Settings settable{std::max(safe.least_N, gripper.min_N), std::min(safe.greatest_N, gripper.max_N)};

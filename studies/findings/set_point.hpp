@@ -16,7 +16,7 @@ struct SafeForces {
   bool exists = false;
   /// > 0; the upper end of F_hold's bracket, the lower one of F_damage's: the safe sides
   double least_N = kAbsent;
-  /// >= least_N
+  /// >= least_N; NaN where nobody looked at damage
   double greatest_N = kAbsent;
 };
 
@@ -45,8 +45,9 @@ struct SetPoint {
 /// The setting s that makes the smaller of the two margins (1 - a) s / least and greatest / ((1 + a) s) as large
 /// as it can be, s = sqrt(least greatest / (1 - a^2)), moved into [min, max], then rounded to the roundest number
 /// (1, 2 or 5 times a power of ten, a multiple of the step) that gives up no more than a fifth of that margin.
-/// Does not exist where the window does not, lies outside what the gripper can hold, is narrower than the
-/// accuracy, or no multiple of the step lies inside; the sentence says which.
+/// Does not exist where the window does not, has no upper end because damage is not judged, lies outside what the
+/// gripper can hold, is narrower than the accuracy, or no multiple of the step lies inside; the sentence says
+/// which.
 SetPoint set_point(const SafeForces& window, const ForceSetting& gripper);
 
 }  // namespace unbruised::studies

@@ -29,7 +29,7 @@ double damage_factor(const WindowRow& row) {
 SafeForces safe_forces(const WindowRow& row) {
   const double least_N = row.hold_bracket_high_N * hold_factor(row);
   const double greatest_N = row.damage_bracket_low_N * damage_factor(row);
-  return {.exists = row.exists && least_N <= greatest_N, .least_N = least_N, .greatest_N = greatest_N};
+  return {.exists = row.exists && !(least_N > greatest_N), .least_N = least_N, .greatest_N = greatest_N};
 }
 
 /// The held rows of each combination of the window table: force and cycle time.
@@ -82,22 +82,23 @@ void find_ends(StrategyWindow& strategy, const WindowTable& window) {
   const auto place = [&](const WindowRow* row) {
     return strategy.rows[static_cast<std::size_t>(row - own.data())];
   };
-  if (common.hold_row == nullptr) return;
-  strategy.hold_row = place(common.hold_row);
-  strategy.damage_row = place(common.damage_row);
+  if (common.hold_row != nullptr) strategy.hold_row = place(common.hold_row);
+  if (common.damage_row != nullptr) strategy.damage_row = place(common.damage_row);
 }
 
 /// The common window; what half the time step does to any of the rows is taken to happen to all of them.
 SafeForces safe_forces(const StrategyWindow& strategy, const WindowTable& window) {
   double hold = 1.0;
   double damage = 1.0;
+  bool is_judged = true;
   for (const std::size_t row : strategy.rows) {
     hold = std::max(hold, hold_factor(window.rows[row]));
     damage = std::min(damage, damage_factor(window.rows[row]));
+    if (std::isnan(window.rows[row].damage_bracket_low_N)) is_judged = false;
   }
   const double least_N = strategy.hold_force_N * hold;
-  const double greatest_N = strategy.damage_force_N * damage;
-  return {.exists = strategy.exists && least_N <= greatest_N, .least_N = least_N, .greatest_N = greatest_N};
+  const double greatest_N = is_judged ? strategy.damage_force_N * damage : kAbsent;
+  return {.exists = strategy.exists && !(least_N > greatest_N), .least_N = least_N, .greatest_N = greatest_N};
 }
 
 std::string rows_text(std::size_t without, std::size_t all) {

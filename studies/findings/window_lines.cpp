@@ -107,8 +107,12 @@ class SetPointLines {
   [[nodiscard]] std::string common_line(std::size_t i) const {
     const WindowRow* hold = window_row("hold_row", i);
     const WindowRow* damage = window_row("damage_row", i);
-    if (hold == nullptr || damage == nullptr) return joined({"no window", at_keys(i), " for any ", over_});
+    if (hold == nullptr) return joined({"no window", at_keys(i), " for any ", over_});
     const double hold_N = number("hold_force_N", i);
+    if (damage == nullptr) {
+      return joined({"held over all ", over_, at_keys(i), " from ", short_number(hold_N), " N on (F_hold ",
+                     hold_bracket_text(*hold), at_text(window_, *hold), ")"});
+    }
     const double damage_N = number("damage_force_N", i);
     if (flag("exists", i)) {
       return joined({"grip window over all ", over_, at_keys(i), ": ",
@@ -131,6 +135,13 @@ class SetPointLines {
     return joined({"set-point", at_keys(i), ": ", note, over});
   }
 
+  /// Nothing where no run near the set-point was held.
+  [[nodiscard]] std::string cycle_text(std::size_t i) const {
+    const double cycle_time_s = number("cycle_time_s", i);
+    return std::isnan(cycle_time_s) ? std::string()
+                                    : joined({"the shortest cycle, ", short_number(cycle_time_s), " s, "});
+  }
+
   void add_best() {
     std::size_t usable = 0;
     for (std::size_t i = 0; i < row_count(table_); ++i) usable += flag("set_point_exists", i) ? 1U : 0U;
@@ -138,9 +149,8 @@ class SetPointLines {
     for (std::size_t i = 0; i < row_count(table_); ++i) {
       if (!flag("best", i)) continue;
       lines_.push_back(
-          joined({"best: ", text_in(table_, "note", i), " with ", keys_text(table_, i), ": the shortest cycle, ",
-                  short_number(number("cycle_time_s", i)), " s, of ", std::to_string(usable),
-                  usable == 1 ? " strategy" : " strategies", " with a set-point"}));
+          joined({"best: ", text_in(table_, "note", i), " with ", keys_text(table_, i), ": ", cycle_text(i), "of ",
+                  std::to_string(usable), usable == 1 ? " strategy" : " strategies", " with a set-point"}));
     }
   }
 

@@ -66,6 +66,8 @@ TEST(SetPoint, SaysWhatAGripperCannotHold) {
   EXPECT_TRUE(
       set_point(window(2.0, 3.2), gripper).sentence.starts_with("not for this gripper: it holds 3 to 40 N"));
   EXPECT_EQ(set_point({}, gripper).sentence, "no window");
+  EXPECT_EQ(set_point({.exists = true, .least_N = 1.5}, gripper).sentence,
+            "damage is not judged, so nothing says how hard the product may be gripped; it is held from 1.5 N on");
 }
 
 TEST(SetPoint, StartsAtTheLeastForceWhereTheMiddleLiesBelowIt) {

@@ -116,14 +116,23 @@ function noCommonWindow(study, ends, where) {
   };
 }
 
-function setPointAnswer(study, ends, set, where) {
+/** Why this strategy: of all that can be set its cycle is the shortest. */
+function cycleFact(study, chosen) {
+  const table = study.tables.get("set_points");
+  const time = chosen === null ? null : table.at("cycle_time_s", chosen);
+  if (time === null || table.rows < 2) return null;
+  const usable = rowsOf(table).filter((row) => table.at("set_point_exists", row) === 1).length;
+  return fact("Cycle time", quantity(time, "s"), usable > 1 ? `the shortest of ${plural(usable, "strategy", "strategies")} with a set-point` : "the one strategy with a set-point");
+}
+
+function setPointAnswer(study, ends, set, where, chosen) {
   return {
     kicker: capital(`grip force to set ${where}`.trim()),
     headline: `Set ${number(set.force_N)}`,
     unit: "N",
     verdict: verdict("good", `May be off by ${quantity(set.tolerance_N, "N")} either way`),
     sentence: windowSentence(study, ends),
-    facts: [fact("Grip window", h("span", {}, rangeText(ends.hold_force_N, ends.hold_is_bound, ends.damage_force_N, ends.damage_is_bound), " N")), ...windowFacts(study, ends)],
+    facts: [fact("Grip window", h("span", {}, rangeText(ends.hold_force_N, ends.hold_is_bound, ends.damage_force_N, ends.damage_is_bound), " N")), ...windowFacts(study, ends), cycleFact(study, chosen)],
   };
 }
 
@@ -171,7 +180,7 @@ export function windowAnswer(study) {
   const where = conditions(study, chosen, ends);
   if (window.common.over === 0) return noWindow(study, set);
   if (!ends.exists) return noCommonWindow(study, ends, where);
-  const answer = !judgesDamage(study) ? heldOnly(study, ends, where) : set === null ? plainWindow(study, ends, where) : set.exists ? setPointAnswer(study, ends, set, where) : withoutSetPoint(study, ends, set, where);
+  const answer = !judgesDamage(study) ? heldOnly(study, ends, where) : set === null ? plainWindow(study, ends, where) : set.exists ? setPointAnswer(study, ends, set, where, chosen) : withoutSetPoint(study, ends, set, where);
   answer.extra = [windowRuler(study, ends, set?.exists && judgesDamage(study) ? set : null), exceptions(study, window)];
   return answer;
 }

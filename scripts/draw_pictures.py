@@ -80,7 +80,7 @@ def draw_side(axes):
     arrow(axes, (0, 88), (130, 88), "cell.transfer_m[1]", at=(0, 5))
     arrow(axes, (-15, 11), (15, 11))
     axes.plot([12, 42], [11, 11], color=INK, lw=0.8)
-    axes.text(44, 11, "gripper.pad_size_m[0]", ha="left", va="center", color=INK)
+    axes.text(44, 11, "pad_size_m[0]", ha="left", va="center", color=INK)
     draw_frame(axes, (-66, -16), ("y", "z"))
     axes.text(65, 104, "seen along x", ha="center", color=SOFT)
     axes.set(xlim=(-74, 186), ylim=(-20, 108))
@@ -100,8 +100,8 @@ def draw_axes(path):
 PHASES = [("approach", 1.2, "approach_gap_m,\napproach_speed_m_s"), ("grip", 2.7, "grip_ramp_s,\nsettle_s"),
           ("lift", 4.2, "lift_height_m,\nlift_acceleration_m_s2"), ("hold", 5.0, "hold_s"),
           ("transfer", 6.9, "transfer_m,\ntransfer_acceleration_m_s2"),
-          ("lower", 8.4, "place_height_m,\nlower_acceleration_m_s2"), ("settle", 9.2, "place_settle_s"),
-          ("release", 10.1, "release_speed_m_s"), ("recover", 11.2, "recover_s")]
+          ("lower", 9.0, "lower_acceleration_m_s2,\nplace_settle_s"), ("release", 10.1, "release_speed_m_s"),
+          ("recover", 11.2, "recover_s")]
 BEGIN = {name: end for (_, end, _), (name, _, _) in zip(PHASES, PHASES[1:])}
 END = {name: end for name, end, _ in PHASES}
 
@@ -116,7 +116,8 @@ def part_of(phase, time):
 
 
 def height(time):
-    return quintic(part_of("lift", time)) - quintic(part_of("lower", time))
+    down = min(part_of("lower", time) / 0.75, 1)  # the rest of the phase is place_settle_s
+    return quintic(part_of("lift", time)) - quintic(down)
 
 
 def force(time):

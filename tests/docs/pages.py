@@ -96,4 +96,5 @@ class Page:
 def pages(source):
     """All pages of the repository, README first."""
     root = Path(source)
-    return [Page(root / "README.md"), Page(root / "CONTRIBUTING.md"), *map(Page, sorted((root / "docs").glob("*.md")))]
+    others = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "benchmarks/README.md", "results/README.md")
+    return [*(Page(root / name) for name in others), *map(Page, sorted((root / "docs").glob("*.md")))]

@@ -1,8 +1,10 @@
 #include "studies/report/page_words.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,25 +20,25 @@ namespace {
 using nlohmann::json;
 
 TEST(PageWords, CallEveryMetricByWordsWithoutUnderscoresAndUnits) {
-  const json words = page_words();
+  const auto names = page_words()["names"].get<std::map<std::string, std::string>>();
   for (const MetricInfo& info : kMetricTable) {
-    const std::string name = words["names"].value(std::string(info.name), "");
-    EXPECT_FALSE(name.empty()) << info.name;
+    const auto found = names.find(std::string(info.name));
+    ASSERT_NE(found, names.end()) << info.name;
+    const std::string& name = found->second;
     EXPECT_EQ(name.find('_'), std::string::npos) << name;
   }
 }
 
 TEST(PageWords, KnowTheUnitOfEveryKeyThatHasOne) {
-  const json suffixes = page_words()["unit_suffixes"];
+  const auto suffixes = page_words()["unit_suffixes"].get<std::vector<std::pair<std::string, std::string>>>();
   for (const KeySpec& spec : key_table()) {
     const Unit* unit = unit_of(spec.path);
     if (unit == nullptr) continue;
     // The page takes the first ending that fits, as unit_of does.
-    const auto found = std::find_if(suffixes.begin(), suffixes.end(), [&](const json& each) {
-      return spec.path.ends_with(each[0].get<std::string>());
-    });
+    const auto found = std::find_if(suffixes.begin(), suffixes.end(),
+                                    [&](const auto& each) { return spec.path.ends_with(each.first); });
     ASSERT_NE(found, suffixes.end()) << spec.path;
-    EXPECT_EQ((*found)[1].get<std::string>(), unit->udunits) << spec.path;
+    EXPECT_EQ(found->second, unit->udunits) << spec.path;
   }
 }
 

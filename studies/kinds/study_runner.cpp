@@ -14,10 +14,9 @@
 #include "studies/execution/periodic_task.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/strategy_judge.hpp"
-#include "studies/kinds/half_step.hpp"
 #include "studies/kinds/search_study.hpp"
 #include "studies/kinds/study_answer.hpp"
-#include "studies/kinds/window_search.hpp"
+#include "studies/kinds/window_run.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/joined.hpp"
@@ -100,8 +99,10 @@ class StudyRun {
   void look_at_set(const std::vector<ScenarioRow>& rows) {
     switch (study_.kind()) {
       case StudyKind::sweep:
-        if (std::optional<StudyWindow> window = window_of_sweep(study_, rows))
-          return keep(std::move(*window), rows);
+        if (std::optional<StudyWindow> window = window_of_sweep(study_, rows)) {
+          const WindowAnswer answer = answer_of(study_, *window, input_columns(study_), rows);
+          return keep(std::move(*window), answer);
+        }
         return keep(grid_answer(input_columns(study_), rows));
       case StudyKind::sample:
         report_.tables.found = sample_tables(study_, rows);
@@ -146,62 +147,17 @@ class StudyRun {
   // window: rounds of evaluations, each answered from the journal where it can be.
   void run_window() {
     if (options_.progress != nullptr) options_.progress->total_may_grow();
-    const WindowSettings& range = study_.window();
-    WindowSearchSettings settings{
-        .from_N = range.from_N, .to_N = range.to_N, .tolerance = range.tolerance, .factor_group = factor_groups()};
     for (const ScenarioRow& row : run_.rows()) recorded_.emplace(row.id, row);
-    const WindowSearchResult found =
-        search_windows(settings, [this](const std::vector<ForceRequest>& requests) { return answer(requests); });
-    report_.interrupted = found.interrupted;
-    if (!found.interrupted) look_at_half_step(window_table(found.rows), found.evaluation_count);
+    std::optional<WindowRun> found =
+        run_window_study(study_, factor_groups(), input_columns(study_),
+                         [this](const std::vector<ForceRequest>& requests) { return answer(requests); });
+    report_.interrupted = !found;
+    if (!found) return;
+    report_.warnings = std::move(found->warnings);
+    keep(std::move(found->window), found->answer);
   }
 
-  /// Looks for the ends that decide the answer again, until an answer rests on no others.
-  void look_at_half_step(StudyWindow window, std::uint64_t next_id) {
-    const auto answer = [&] { return answer_of(study_, window, input_columns(study_), run_.rows()); };
-    std::vector<KnownEnd> ends = deciding_ends(window.table, answer());
-    while (!varies_time_step(study_) && !ends.empty()) {
-      const EndSearchResult found = search_half_step(window, ends, next_id);
-      report_.interrupted = found.interrupted;
-      if (found.interrupted) return;
-      next_id += found.evaluation_count;
-      keep_half_step(window.table, ends, found.safe_N);
-      ends = deciding_ends(window.table, answer());
-    }
-    for (std::string& warning : half_step_warnings(window.table, study_.window().tolerance, time_steps(window))) {
-      report_.warnings.push_back(std::move(warning));
-    }
-    keep(std::move(window), run_.rows());
-  }
-
-  EndSearchResult search_half_step(const StudyWindow& window, const std::vector<KnownEnd>& ends,
-                                   std::uint64_t first_id) {
-    const WindowSettings& range = study_.window();
-    const EndSearchSettings settings{
-        .from_N = range.from_N, .to_N = range.to_N, .tolerance = range.tolerance, .first_id = first_id};
-    return search_ends(
-        ends, settings, [&](const std::vector<EndRequest>& asked) -> std::optional<std::vector<bool>> {
-          std::vector<ForceRequest> requests;
-          for (const EndRequest& each : asked) {
-            requests.push_back({each.id, window.points[ends[each.end].row], each.grip_force_N, StepSize::half});
-          }
-          const auto samples = answer(requests);
-          if (!samples) return std::nullopt;
-          std::vector<bool> safe;
-          for (std::size_t i = 0; i < asked.size(); ++i)
-            safe.push_back(is_safe((*samples)[i], ends[asked[i].end].end));
-          return safe;
-        });
-  }
-
-  [[nodiscard]] std::vector<double> time_steps(const StudyWindow& window) const {
-    std::vector<double> steps;
-    for (const std::size_t point : window.points) steps.push_back(study_.scenario(point).simulation.time_step_s);
-    return steps;
-  }
-
-  void keep(StudyWindow window, const std::vector<ScenarioRow>& rows) {
-    const WindowAnswer answer = answer_of(study_, window, input_columns(study_), rows);
+  void keep(StudyWindow window, const WindowAnswer& answer) {
     report_.tables.found = {set_points_table(answer)};
     strategy_ = window_strategy(study_, window, answer);
     report_.tables.window = std::move(window.table);
@@ -222,7 +178,7 @@ class StudyRun {
     return group_of;
   }
 
-  std::optional<std::vector<GripSample>> answer(const std::vector<ForceRequest>& requests) {
+  std::optional<std::vector<ScenarioRow>> answer(const std::vector<ForceRequest>& requests) {
     const std::uint64_t first_id = requests.front().id;
     const auto request_of = [&](std::uint64_t id) -> const ForceRequest& { return requests[id - first_id]; };
     Batch batch;
@@ -235,27 +191,20 @@ class StudyRun {
     expect(requests.size(), requests.size() - batch.ids.size());
     const BatchReport done =
         run_batch(simulator_, batch, batch_options(), [&](std::uint64_t id, const ScenarioResult& result) {
-          ScenarioRow row{.id = id, .result = result, .inputs = evaluation_inputs(request_of(id))};
+          ScenarioRow row{.id = id, .result = result, .inputs = window_inputs(study_, request_of(id))};
           record(row);
           recorded_.insert_or_assign(id, std::move(row));
         });
     if (done.stopped) return std::nullopt;
-    std::vector<GripSample> answers;
-    for (const ForceRequest& request : requests) {
-      const LimitParameters limits = study_.scenario(request.combination).limits;
-      answers.push_back(grip_sample(recorded_.at(request.id).result, limits, request.grip_force_N));
-    }
+    std::vector<ScenarioRow> answers;
+    for (const ForceRequest& request : requests) answers.push_back(recorded_.at(request.id));
     return answers;
-  }
-
-  std::vector<InputValue> evaluation_inputs(const ForceRequest& request) const {
-    return window_inputs(study_, request);
   }
 
   bool is_recorded(const ForceRequest& request) const {
     const auto found = recorded_.find(request.id);
     if (found == recorded_.end()) return false;
-    if (found->second.inputs != evaluation_inputs(request)) {
+    if (found->second.inputs != window_inputs(study_, request)) {
       throw foreign_record(request.id);
     }
     return true;

@@ -1,0 +1,32 @@
+#pragma once
+
+/// @file
+/// A window study from its first force to its answer: the search of both ends at every combination, then the ends
+/// that decide the answer again at half the time step.
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/config/study.hpp"
+#include "studies/kinds/window_findings.hpp"
+
+namespace unbruised::studies {
+
+/// Rows in the order of the requests, from the journal or run now; nothing: interrupted.
+using ForceRunner = std::function<std::optional<std::vector<ScenarioRow>>(const std::vector<ForceRequest>&)>;
+
+struct WindowRun {
+  StudyWindow window;
+  WindowAnswer answer;
+  std::vector<std::string> warnings;  ///< ends that move at half the time step
+};
+
+/// @param factor_group of each combination; @param columns the input columns of all rows
+/// @return nothing when interrupted
+std::optional<WindowRun> run_window_study(const Study& study, const std::vector<std::size_t>& factor_group,
+                                          const std::vector<ColumnInfo>& columns, const ForceRunner& run);
+
+}  // namespace unbruised::studies

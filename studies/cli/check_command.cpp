@@ -6,7 +6,6 @@
 
 #include "core/simulation/simulation.hpp"
 #include "studies/cli/commands.hpp"
-#include "studies/estimate/contact_steps.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/known_scenarios.hpp"
 #include "studies/estimate/memory_need.hpp"
@@ -146,7 +145,11 @@ void print_sizes(const StudyCost& cost) {
 }
 
 void print_contact(const Study& study) {
-  const ContactSteps fewest = fewest_contact_steps(study);
+  const ContactSteps& fewest = study.fewest_contact_steps();
+  if (study.is_time_step_chosen()) {
+    print_line(joined({"time step: ", short_number(study.scenario(0).simulation.time_step_s),
+                       " s, chosen by the shortest contact"}));
+  }
   if (!std::isfinite(fewest.steps)) return;
   print_line(joined({"shortest contact: about ", duration_text(fewest.contact_s), ", ", short_number(fewest.steps),
                      " time steps"}));

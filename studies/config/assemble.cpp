@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "studies/config/usual_damping.hpp"
+
 namespace unbruised::studies {
 namespace {
 
@@ -103,8 +105,9 @@ struct Assembler {
       network->load.resize(list_size("product.load["));
       scenario.cell.support = false;
     }
+    if (input.has_gripper) scenario.gripper.emplace();
+    give_usual_layer_damping(scenario);
     if (!input.has_gripper) return;
-    scenario.gripper.emplace();
     if (std::holds_alternative<NetworkParameters>(scenario.product)) {
       problems.add(out.origin_of("gripper.use"), "[gripper]",
                    "a network cannot be gripped in this version; remove [gripper]");
@@ -182,6 +185,14 @@ struct Assembler {
       return;
     }
     if (const auto field = field_of(address)) assign(spec, *field, entry.value, address.elements);
+  }
+
+  void give_damping() {
+    constexpr std::array<std::string_view, 3> kDampingKeys = {"product.relaxation_time_s", "product.loss_ratio",
+                                                              "product.at_frequency_Hz"};
+    const auto is_varied = [&](std::string_view key) { return varied(key); };
+    if (std::none_of(kDampingKeys.begin(), kDampingKeys.end(), is_varied))
+      give_usual_product_damping(out.scenario);
   }
 
   void report_unused() {
@@ -266,6 +277,7 @@ Assembly assemble(const AssemblyInput& input, Problems& problems) {
   assembler.resolve_lists();
   assembler.prepare();
   for (const LayeredEntry& item : assembler.entries) assembler.apply(item);
+  assembler.give_damping();
   assembler.report_unused();
   if (input.is_complete) assembler.report_missing();
   return std::move(assembler.out);

@@ -4,6 +4,7 @@
 
 #include "studies/config/library.hpp"
 #include "studies/config/schema.hpp"
+#include "studies/config/usual_damping.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -55,12 +56,15 @@ Scenario specimen(const KeySpec& spec) {
     network.load.resize(1);
     scenario.product = network;
   }
+  give_usual_layer_damping(scenario);
+  give_usual_product_damping(scenario);
   return scenario;
 }
 
 std::string default_words(const KeySpec& spec) {
   if (spec.required) return "required";
   if (spec.path == "product.kind") return "\"lattice\"";
+  if (!spec.default_words.empty()) return std::string(spec.default_words);
   std::string words;
   if (spec.field != nullptr) {
     Scenario scenario = specimen(spec);

@@ -103,6 +103,8 @@ struct RandomBlock {
   std::optional<double> mode;
   std::optional<double> at_least;
   std::optional<double> at_most;
+  std::optional<double> relative;  ///< largest error around the value the key has, in parts of it
+  std::optional<double> absolute;  ///< the same in the key's unit
   Origin origin;
 };
 
@@ -199,6 +201,9 @@ struct KeySpec {
   Use use = Use::always;
   bool required = false;
   std::string_view note = {};  ///< a rule between keys, or what an absent key means
+  /// What stands where the key is not given, for those whose default depends on other keys; empty: the field's
+  /// value.
+  std::string_view default_words = {};
   /// One of these two, or neither for keys that steer the reading itself (use, kind, CSV files).
   FieldRef (*field)(Scenario&, int index) = nullptr;
   FieldRef (*study_field)(StudySettings&) = nullptr;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/simulation/simulation.hpp"
+#include "studies/config/execution_error.hpp"
 #include "studies/config/rules.hpp"
 #include "studies/statistics/distribution.hpp"
 
@@ -232,7 +233,7 @@ class Completion {
     return std::any_of(data_.variables.begin(), data_.variables.end(),
                        [&](const SearchVariable& v) { return v.key == key; }) ||
            std::any_of(data_.randoms.begin(), data_.randoms.end(),
-                       [&](const RandomVariable& r) { return r.key == key; });
+                       [&](const RandomVariable& r) { return key_behind(r.key) == key; });
   }
 
   /// Reports what is wrong with the key of a block.
@@ -316,20 +317,98 @@ class Completion {
   void add_randoms() {
     for (std::size_t i = 0; i < read_.blocks.random.size(); ++i) {
       const RandomBlock& block = read_.blocks.random[i];
+      if (error_kind(block)) {
+        add_error(block, i);
+        continue;
+      }
       if (!check_key("random", i, block.key, block.origin)) continue;
       if (!read_.random_sound[i] || !check_candidates_agree(block.key, i)) continue;
       const auto distribution = distribution_of(block, i);
       if (!distribution || !check_support(block, i, *distribution)) continue;
       give_base(block.key, quantile(*distribution, 0.5), quantile(*distribution, kRareHigh));
-      RandomVariable random{block.key, units_of(block.key), *distribution, false};
-      const std::array<std::string, 1> key = {block.key};
-      const auto factor_at = [&](double u) {
-        const std::array<double, 1> value = {quantile(*distribution, u)};
-        return factor_key(Study::with_values(data_.bases.front(), key, value));
-      };
-      random.changes_factor = factor_at(0.25) != factor_at(0.75);
-      data_.randoms.push_back(std::move(random));
+      add_random({block.key, units_of(block.key), *distribution, false});
     }
+  }
+
+  void add_random(RandomVariable random) {
+    const auto factor_at = [&](double u) {
+      const std::array<double, 1> value = {quantile(random.distribution, u)};
+      return factor_key(Study::with_values(data_.bases.front(), {&random.key, 1}, value));
+    };
+    random.changes_factor = factor_at(0.25) != factor_at(0.75);
+    data_.randoms.push_back(std::move(random));
+  }
+
+  /// An error around the values that a key has in this study.
+  void add_error(const RandomBlock& block, std::size_t i) {
+    if (!read_.random_sound[i] || block.key.empty()) return;
+    const ErrorKind kind = *error_kind(block);
+    if (const auto rule = why_no_error(block, i)) {
+      problems_.add(block.origin, "random[" + std::to_string(i) + "].key", toml_string(block.key), *rule);
+      return;
+    }
+    const std::string name = error_name({block.key, kind});
+    add_random({name, kind == ErrorKind::relative ? "1" : units_of(block.key), error_distribution(block), false});
+  }
+
+  std::optional<std::string> why_no_error(const RandomBlock& block, std::size_t i) {
+    if (const auto rule = why_not_numeric(block.key)) return rule;
+    if (!block.key.starts_with("strategy.") && !block.key.starts_with("cell.")) {
+      return "relative and absolute are errors of keys of [strategy] and [cell]; give a distribution of its "
+             "values";
+    }
+    for (const std::string& leaf : read_.random_keys[i]) {
+      if (leaf != "key" && leaf != "distribution" && leaf != (block.relative ? "relative" : "absolute")) {
+        return leaf + " does not go with an error; give relative or absolute, and distribution";
+      }
+    }
+    if (block.distribution == DistributionKind::lognormal) return "an error is uniform, normal or triangular";
+    const bool taken = std::any_of(data_.randoms.begin(), data_.randoms.end(), [&](const RandomVariable& random) {
+      return key_behind(random.key) == block.key;
+    });
+    if (taken) return "is drawn twice";
+    return why_error_leaves_range(block);
+  }
+
+  /// The error moves what is searched, what the candidates have, or what is written.
+  std::optional<std::string> why_error_leaves_range(const RandomBlock& block) {
+    const KeySpec& spec = *find_key(block.key).spec;
+    const std::string name = error_name({block.key, *error_kind(block)});
+    const double most = error_distribution(block).kind == DistributionKind::normal
+                            ? error_distribution(block).at_most
+                            : error_distribution(block).to;
+    for (Scenario scenario : scenarios_with_ends(block.key)) {
+      if (!number_in(scenario, block.key)) return "has no value for an error to act on";
+      for (const double error : {-most, most}) {
+        Scenario moved = scenario;
+        apply_named(moved, name, error);
+        const double value = *number_in(moved, block.key);
+        if (!spec.range.contains(value)) {
+          return "values outside '" + spec.range.text() + "' are possible (" + rounded(value) + ")";
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  static std::optional<double> number_in(Scenario& scenario, const std::string& key) {
+    const KeyAddress address = find_key(key);
+    if (!has_field(*address.spec, scenario, address.index)) return std::nullopt;
+    return number_at(field_of(scenario, address), address.elements);
+  }
+
+  /// The base, or with the key at both ends where it is searched, and the candidates.
+  std::vector<Scenario> scenarios_with_ends(const std::string& key) {
+    std::vector<Scenario> scenarios = {data_.bases.front()};
+    for (const SearchVariable& v : data_.variables) {
+      if (v.key != key) continue;
+      for (const double end : {v.from, v.to}) {
+        scenarios.push_back(data_.bases.front());
+        apply_named(scenarios.back(), key, end);
+      }
+    }
+    for (const StrategyCandidate& candidate : data_.candidates) scenarios.push_back(candidate.scenario);
+    return scenarios;
   }
 
   /// A drawn key is the same for all candidates, so none of them may have its own.
@@ -372,6 +451,10 @@ class Completion {
       if (!given(leaf) && !by_moments) complain(std::string(".") + leaf, "missing");
     }
     if (given("mode") != is_triangular) complain(".mode", is_triangular ? "missing" : "goes with triangular only");
+    if (!given("distribution")) {
+      complain(".distribution", "missing");
+      return std::nullopt;
+    }
     Distribution out{.kind = block.distribution};
     if (by_moments) {
       const int deviations = (given("standard_deviation") ? 1 : 0) + (given("relative_deviation") ? 1 : 0);
@@ -632,7 +715,8 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   std::vector<BoxSide> sides;
   const auto keys = read.keys();
   const auto origin_of = [&](const std::string& key) {
-    return std::find_if(keys.begin(), keys.end(), [&](const auto& item) { return item.first == key; })->second;
+    const std::string behind = key_behind(key);
+    return std::find_if(keys.begin(), keys.end(), [&](const auto& item) { return item.first == behind; })->second;
   };
   for (const SearchVariable& v : data.variables) sides.push_back({v.key, v.from, v.to, origin_of(v.key)});
   for (const RandomVariable& r : data.randoms) {
@@ -725,7 +809,7 @@ void check_box_rules(const StudyData& data, const ReadBlocks& read, Problems& pr
     check_candidates(rule, data, read, problems);
     std::vector<BoxSide> seen;
     std::copy_if(all.begin(), all.end(), std::back_inserter(seen), [&](const BoxSide& side) {
-      const std::string_view path = find_key(side.key).spec->path;
+      const std::string_view path = find_key(key_behind(side.key)).spec->path;
       return std::find(rule.keys.begin(), rule.keys.end(), path) != rule.keys.end();
     });
     if (seen.empty()) continue;

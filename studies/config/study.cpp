@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "studies/config/assemble.hpp"
+#include "studies/config/contact_steps.hpp"
+#include "studies/config/execution_error.hpp"
 #include "studies/config/library.hpp"
 #include "studies/config/problems.hpp"
 #include "studies/config/rules.hpp"
@@ -44,14 +46,6 @@ void apply_column(Scenario& scenario, const VaryColumn& column, std::size_t inde
   }
 }
 
-Scenario scenario_of(const StudyData& data, std::size_t id) {
-  Scenario scenario = data.bases[data.base_of(id)];
-  for (std::size_t c = 0; c < data.plan.columns.size(); ++c) {
-    apply_column(scenario, data.plan.columns[c], data.plan.index(id, c));
-  }
-  return scenario;
-}
-
 /// Reads one study; the steps of `run` are the steps of reading.
 class Reader {
  public:
@@ -74,6 +68,7 @@ class Reader {
     blocks_ = read_blocks(block_entries_, block_tables_, problems_);
     assemble_bases(known);
     complete_search(data_, blocks_, assemblies_.front(), problems_);
+    if (problems_.empty() && !is_given("simulation.time_step_s")) choose_time_step(data_);
     if (problems_.empty()) check_rules();
     if (problems_.empty()) check_box_rules(data_, blocks_, problems_);
     if (!problems_.empty()) return error();
@@ -405,7 +400,7 @@ class Reader {
         if (column.is_use() || matches(column, rule.keys)) axes.insert(column.axis);
       }
       for (const std::size_t id : scenarios_over(axes)) {
-        const auto broken = rule.broken(scenario_of(data_, id), data_.settings);
+        const auto broken = rule.broken(data_.scenario(id), data_.settings);
         if (!broken) continue;
         report(*broken, id, rule.keys, !axes.empty());
         break;
@@ -442,7 +437,7 @@ class Reader {
       if (column.is_use() || column.input.key.starts_with("product.")) axes.insert(column.axis);
     }
     for (const std::size_t id : scenarios_over(axes)) {
-      const Scenario scenario = scenario_of(data_, id);
+      const Scenario scenario = data_.scenario(id);
       const auto all = broken_network_rules(std::get<NetworkParameters>(scenario.product));
       for (const Broken& broken : all) report(broken, id, {}, varied && !axes.empty());
       if (!all.empty()) return;
@@ -473,11 +468,21 @@ class Reader {
     }
   }
 
+  /// Does the study say anything about the key: a value, several, a range or a distribution?
+  [[nodiscard]] bool is_given(const std::string& key) const {
+    const auto keys = blocks_.keys();
+    return assemblies_.front().given.contains(key) ||
+           std::any_of(data_.plan.columns.begin(), data_.plan.columns.end(),
+                       [&](const VaryColumn& column) { return column.input.key == key; }) ||
+           std::any_of(keys.begin(), keys.end(), [&](const auto& item) { return item.first == key; });
+  }
+
   void finish() {
     for (const VaryColumn& column : data_.plan.columns) data_.inputs.push_back(column.input);
     data_.random_blocks = blocks_.blocks.random;
+    data_.fewest_contact_steps = fewest_contact_steps(data_);
     data_.resolved = resolved_text(data_);
-    data_.warnings = doubts(scenario_of(data_, 0));
+    data_.warnings = doubts(data_.scenario(0));
   }
 
   std::shared_ptr<const std::string> file_;
@@ -496,6 +501,14 @@ class Reader {
 };
 
 }  // namespace
+
+Scenario StudyData::scenario(std::size_t id) const {
+  Scenario scenario = bases[base_of(id)];
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    apply_column(scenario, plan.columns[c], plan.index(id, c));
+  }
+  return scenario;
+}
 
 std::size_t StudyData::base_of(std::size_t scenario) const {
   std::size_t product = 0, gripper = 0, grippers = 1;
@@ -555,8 +568,10 @@ const WindowSettings& Study::window() const { return data_->settings.window; }
 std::size_t Study::scenario_count() const { return data_->plan.scenario_count; }
 const std::vector<InputColumn>& Study::inputs() const { return data_->inputs; }
 const std::string& Study::resolved_toml() const { return data_->resolved; }
+const ContactSteps& Study::fewest_contact_steps() const { return data_->fewest_contact_steps; }
+bool Study::is_time_step_chosen() const { return data_->is_time_step_chosen; }
 const std::vector<std::string>& Study::warnings() const { return data_->warnings; }
-Scenario Study::scenario(std::size_t id) const { return scenario_of(*data_, id); }
+Scenario Study::scenario(std::size_t id) const { return data_->scenario(id); }
 
 const std::vector<SearchVariable>& Study::variables() const { return data_->variables; }
 const std::vector<RandomVariable>& Study::randoms() const { return data_->randoms; }
@@ -567,10 +582,7 @@ const CompareSettings& Study::compare() const { return data_->compare; }
 const SensitivitySettings& Study::sensitivity() const { return data_->sensitivity; }
 
 Scenario Study::with_values(Scenario base, std::span<const std::string> keys, std::span<const double> values) {
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    const KeyAddress address = find_key(keys[k]);
-    assign_number(address.spec->field(base, address.index), values[k], address.elements);
-  }
+  for (std::size_t k = 0; k < keys.size(); ++k) apply_named(base, keys[k], values[k]);
   StrategyParameters& strategy = base.strategy;
   strategy.contact_force_N = std::min(strategy.contact_force_N, strategy.grip_force_N);
   return base;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -68,7 +69,7 @@ struct SearchVariable {
 
 /// A key that is drawn at random.
 struct RandomVariable {
-  std::string key;
+  std::string key;  ///< or the name of an error around one: "strategy.grip_force_N_relative_error"
   std::string units;
   Distribution distribution;
   bool changes_factor = false;  ///< another value makes another factor group
@@ -134,6 +135,14 @@ struct SensitivitySettings {
   double confidence = 0.95;
 };
 
+/// The contact of a study that gets the fewest time steps.
+struct ContactSteps {
+  double steps = std::numeric_limits<double>::infinity();  ///< infinite: the study has no contact that hits
+  double contact_s = std::numeric_limits<double>::infinity();
+  bool is_support = false;  ///< the product on the support; else a finger on the product
+  std::string where;        ///< the values of the keys that matter; may be empty
+};
+
 /// Lines to print, one per violation: `file:line: key = value: rule`, in file and line order.
 struct ConfigError {
   std::vector<std::string> messages;
@@ -162,9 +171,10 @@ class Study {
   [[nodiscard]] const CompareSettings& compare() const;
   [[nodiscard]] const SensitivitySettings& sensitivity() const;
 
-  /// `base` with numeric keys set to values; `contact_force_N` never exceeds the grip force (lowered where it
-  /// would).
-  /// @param keys variables, random keys, or other numeric keys that exist in the base. @param values as many
+  /// `base` with numeric keys set to values, and errors of keys added to what is there, in this order;
+  /// `contact_force_N` never exceeds the grip force (lowered where it would).
+  /// @param keys variables, random keys (RandomVariable::key), or other numeric keys that exist in the base.
+  /// @param values as many
   [[nodiscard]] static Scenario with_values(Scenario base, std::span<const std::string> keys,
                                             std::span<const double> values);
   /// The study's base scenario (that of id 0) with numeric keys set. Thread-safe.
@@ -185,6 +195,11 @@ class Study {
 
   /// The fully specified run `id`, 0 <= id < scenario_count(). A fraction of a microsecond for lattices.
   [[nodiscard]] Scenario scenario(std::size_t id) const;
+
+  /// The contact that gets the fewest time steps, between the ends of all that is varied, searched and drawn.
+  [[nodiscard]] const ContactSteps& fewest_contact_steps() const;
+  /// Was simulation.time_step_s chosen by the shortest contact, as nothing gave it?
+  [[nodiscard]] bool is_time_step_chosen() const;
 
   /// Complete TOML that reads back to this study without `use`, --set or CSV files; every value explicit and
   /// exact. Deterministic: equal studies give equal text.

@@ -26,9 +26,13 @@ struct StudyData {
   CompareSettings compare;
   SensitivitySettings sensitivity;
   std::vector<Entry> sources;  ///< where the values come from: "product.source.mass_kg" and the like
+  ContactSteps fewest_contact_steps;
+  bool is_time_step_chosen = false;
   std::string resolved;
   std::vector<std::string> warnings;
 
+  /// A point of the grid.
+  [[nodiscard]] Scenario scenario(std::size_t id) const;
   /// Which combination a scenario belongs to.
   [[nodiscard]] std::size_t base_of(std::size_t scenario) const;
 };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <variant>
 
 #include "core/motion/profile.hpp"
 #include "studies/execution/build_info.hpp"
@@ -22,39 +20,6 @@ double duration_of(const StrategyParameters& strategy, double distance_m, double
   if (distance_m == 0.0 || !(acceleration_m_s2 > 0.0) || !(strategy.speed_m_s > 0.0)) return 0.0;
   return MotionProfile::plan(strategy.profile, distance_m, acceleration_m_s2, strategy.speed_m_s).duration_s();
 }
-
-double series(double a, double b) { return a > 0.0 && b > 0.0 ? a * b / (a + b) : 0.0; }
-
-/// A curved product against a flat pad (or a flat one, when there is no curvature).
-struct ContactSpring {
-  const LatticeParameters& product;
-  const GripperParameters& gripper;
-
-  [[nodiscard]] double flat_stiffness_N_m() const {
-    const double area =
-        std::min(gripper.pad_size_m[0], product.size_m[1]) * std::min(gripper.pad_size_m[1], product.size_m[2]);
-    const double layer = gripper.pad_modulus_Pa * area / gripper.pad_thickness_m;
-    return series(layer, product.youngs_modulus_Pa * area / (0.5 * product.size_m[0]));
-  }
-
-  [[nodiscard]] double curved_stiffness_N_m(double force_N) const {
-    const double radius = 0.25 * (product.size_m[1] + product.size_m[2]);
-    const double reduced = product.youngs_modulus_Pa / (1.0 - product.poisson_ratio * product.poisson_ratio);
-    const double depth = std::pow(0.75 * force_N / (reduced * std::sqrt(radius)), 2.0 / 3.0);
-    const double pad_area = gripper.pad_size_m[0] * gripper.pad_size_m[1];
-    const double area = std::min(std::numbers::pi * radius * depth, pad_area);
-    const double layer = gripper.pad_modulus_Pa * area / gripper.pad_thickness_m;
-    return series(layer, 2.0 * reduced * std::sqrt(radius * depth));
-  }
-
-  [[nodiscard]] bool flat() const {
-    return product.shape == Shape::box || (product.shape == Shape::cylinder && product.axis == Axis::x);
-  }
-
-  [[nodiscard]] double stiffness_N_m(double force_N) const {
-    return flat() ? flat_stiffness_N_m() : curved_stiffness_N_m(force_N);
-  }
-};
 
 }  // namespace
 
@@ -81,22 +46,6 @@ double simulated_duration_s(const Scenario& scenario) {
 
 double estimated_steps(const Scenario& scenario) {
   return std::ceil(simulated_duration_s(scenario) / scenario.simulation.time_step_s);
-}
-
-double contact_time_s(const Scenario& scenario) {
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  if (!scenario.gripper || product == nullptr) return std::numeric_limits<double>::infinity();
-  const ContactSpring spring{*product, *scenario.gripper};
-  const double mass = scenario.gripper->finger_mass_kg;
-  double force_N = scenario.strategy.grip_force_N;
-  double stiffness = spring.stiffness_N_m(force_N);
-  constexpr int kImpactIterations = 4;  // force and stiffness of a Hertz contact settle to per cents
-  for (int i = 0; i < kImpactIterations; ++i) {
-    force_N = std::max(scenario.strategy.grip_force_N,
-                       scenario.strategy.approach_speed_m_s * std::sqrt(mass * stiffness));
-    stiffness = spring.stiffness_N_m(force_N);
-  }
-  return std::numbers::pi * std::sqrt(mass / stiffness);
 }
 
 double estimated_factor_entries(const ModelSize& size) {

@@ -29,11 +29,6 @@ LaneStepRate measured_lane_step_rate();
 double simulated_duration_s(const Scenario& scenario);
 double estimated_steps(const Scenario& scenario);
 
-/// Half a period of the finger on the springs between it and the product's middle plane: pad layer and product in
-/// series, pi sqrt(m_finger / k). Flat faces: E A / t each. Curved products: Hertz, k = 2 E* sqrt(R d) and the
-/// layer under the contact circle pi R d, at the larger of grip and impact force. Infinite without a gripper.
-double contact_time_s(const Scenario& scenario);
-
 double estimated_factor_entries(const ModelSize& size);
 /// One model: factor, particles and springs, dense compliance of the contact freedoms.
 double estimated_model_bytes(const ModelSize& size);

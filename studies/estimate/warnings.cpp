@@ -1,9 +1,12 @@
 #include "studies/estimate/warnings.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <string_view>
+#include <utility>
+#include <variant>
 
-#include "studies/estimate/contact_steps.hpp"
+#include "core/contact/contact_time.hpp"
+#include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -11,15 +14,39 @@ namespace unbruised::studies {
 namespace {
 
 void warn_about_contact(const Study& study, std::vector<std::string>& warnings) {
-  const ContactSteps fewest = fewest_contact_steps(study);
+  const ContactSteps& fewest = study.fewest_contact_steps();
   if (!(fewest.steps < kStepsPerContact)) return;
   warnings.push_back(
-      joined({"the fingers' contact with the product lasts ", short_number(fewest.steps), " time steps",
-              fewest.where.empty() ? "" : " at ", fewest.where, ", and ", short_number(kStepsPerContact),
-              " are needed to resolve it: peak forces and damage are wrong there, and F_damage may come out too "
-              "high; use "
+      joined({fewest.is_support ? "the product's fall onto the support" : "a finger's contact with the product",
+              " lasts only ", short_number(fewest.steps), " time steps", fewest.where.empty() ? "" : " at ",
+              fewest.where, "; below ", short_number(kStepsPerContact),
+              " peak forces and damage are off, and F_damage may come out too high (a ripe kiwi at 15 steps: by a "
+              "third); use "
               "simulation.time_step_s <= ",
               short_number(fewest.contact_s / kStepsPerContact)}));
+}
+
+bool is_undamped(const LatticeParameters& product) {
+  return product.relaxation_time_s.value_or(product.loss_ratio.value_or(0.0)) == 0.0;
+}
+
+/// What is written as 0 and bounces for ever.
+void warn_about_damping(const Study& study, std::vector<std::string>& warnings) {
+  const Scenario scenario = study.scenario(0);
+  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+  if (product == nullptr) return;
+  std::string what;
+  const auto add = [&](std::string_view words) { what += joined({what.empty() ? "" : ", ", words}); };
+  if (is_undamped(*product)) add("the product (relaxation_time_s or loss_ratio)");
+  if (scenario.gripper && scenario.gripper->pad_relaxation_time_s == 0.0) add("the pads (pad_relaxation_time_s)");
+  if (scenario.cell.support && scenario.cell.support_relaxation_time_s == 0.0) {
+    add("the support (support_relaxation_time_s)");
+  }
+  if (what.empty()) return;
+  warnings.push_back(
+      joined({"without damping: ", what,
+              ": what is bumped goes on bouncing, so products drop and are marked that a real gripper "
+              "would hold; a grip window may come out half as wide"}));
 }
 
 }  // namespace
@@ -27,6 +54,8 @@ void warn_about_contact(const Study& study, std::vector<std::string>& warnings) 
 std::vector<std::string> study_warnings(const Study& study) {
   std::vector<std::string> warnings = study.warnings();
   warn_about_contact(study, warnings);
+  warn_about_damping(study, warnings);
+  for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   return warnings;
 }
 

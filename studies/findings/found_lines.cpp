@@ -84,6 +84,11 @@ std::string check_text(const ResultTable& checks, std::size_t i) {
         joined({", P = ", short_number(probability), " (", short_number(number_in(checks, "probability_low", i)),
                 " to ", short_number(number_in(checks, "probability_high", i)), ")"});
   }
+  const double margin = number_in(checks, "damage_margin", i);
+  if (!std::isnan(margin)) {
+    text += joined({", margin to damage ", percent(margin), " (as found ",
+                    percent(number_in(checks, "damage_margin", 0)), ")"});
+  }
   const bool keeps = number_in(checks, "feasible", i) == 1.0;
   return text + (keeps ? ", every constraint kept"
                        : joined({", BREAKS ", text_in(checks, "binding", i), " by ",

@@ -207,6 +207,9 @@ class SearchTables {
     add_objectives(table, all);
     table.columns.push_back({"objective_change", "1", "relative to as found", std::move(differences)});
     add_verdicts(table, all);
+    table.columns.push_back(column("damage_margin", "1",
+                                   "1 - metric / limit of the nearest damage limit, < 0: damaged", all,
+                                   [](const Candidate& c) { return c.damage_margin; }));
     return table;
   }
 

@@ -16,7 +16,10 @@ bool Candidate::feasible() const {
 }
 
 StrategyJudge::StrategyJudge(const Study& study)
-    : study_(study), sampled_(study.kind() == StudyKind::robust), limits_(study.scenario(0).limits) {
+    : study_(study),
+      sampled_(study.kind() == StudyKind::robust),
+      limits_(study.scenario(0).limits),
+      damage_limits_(active_damage_limits(study.scenario(0))) {
   const SearchSettings& search = study.search();
   objectives_ = study.kind() == StudyKind::pareto ? search.objectives : std::vector<Objective>{search.objective};
   bool has_event = false;
@@ -64,7 +67,18 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
     }
     candidate.probability = proportion(happens, group, study_.sampling().confidence, measure);
   }
+  candidate.damage_margin = damage_margin(results);
   return candidate;
+}
+
+double StrategyJudge::damage_margin(std::span<const ScenarioResult> results) const {
+  double margin = kAbsent;
+  for (const DamageLimit* limit : damage_limits_) {
+    for (const ScenarioResult& result : results) {
+      margin = std::fmin(margin, 1.0 - result.metrics[limit->metric] / *bound_of(*limit, limits_));
+    }
+  }
+  return margin;
 }
 
 void CandidateLog::add(Candidate candidate) {

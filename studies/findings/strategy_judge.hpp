@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/outcome/damage_limits.hpp"
 #include "core/outcome/outcome.hpp"
 #include "studies/config/study.hpp"
 #include "studies/goals/goal.hpp"
@@ -29,6 +30,9 @@ struct Candidate {
   double violation = 0.0;            ///< the largest of them; 0 without constraints
   std::size_t binding = 0;           ///< which one that is
   std::optional<Proportion> probability;  ///< robust: of `StrategyJudge::event`
+  /// 1 - metric / limit of the damage limit that is nearest to being exceeded in any of its scenarios; < 0:
+  /// damaged; NaN: no limit can act.
+  double damage_margin = kAbsent;
 
   [[nodiscard]] bool feasible() const;
 };
@@ -42,6 +46,8 @@ class StrategyJudge {
   /// @param group of each product (ProductSample::group); empty: one scenario
   [[nodiscard]] Candidate judge(std::vector<double> values, std::span<const ScenarioResult> results,
                                 std::span<const std::size_t> group) const;
+  /// The smallest 1 - metric / limit over these scenarios; NaN where no limit can act.
+  [[nodiscard]] double damage_margin(std::span<const ScenarioResult> results) const;
 
   [[nodiscard]] const std::vector<Objective>& objectives() const { return objectives_; }
   /// What each component of the constraints speaks of, e.g. "held: permanent_set_max_m <= limits.permanent_set_m".
@@ -56,6 +62,7 @@ class StrategyJudge {
   bool sampled_;
   std::vector<Objective> objectives_;
   LimitParameters limits_;
+  std::vector<const DamageLimit*> damage_limits_;  ///< those that can act
   std::vector<std::string> component_names_;
   OutcomeEvent event_;
   std::string event_text_ = "held";

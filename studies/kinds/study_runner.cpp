@@ -12,6 +12,7 @@
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/evaluation_broker.hpp"
 #include "studies/execution/periodic_task.hpp"
+#include "studies/findings/check_warnings.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/strategy_judge.hpp"
 #include "studies/kinds/search_study.hpp"
@@ -142,6 +143,7 @@ class StudyRun {
     number_search_rows(rows);
     report_.tables.found = search_tables(judge, found, rows);
     if (!found.interrupted) strategy_ = search_strategy(study_, found);
+    report_.warnings = check_warnings(report_.tables.found);
   }
 
   // window: rounds of evaluations, each answered from the journal where it can be.

@@ -43,6 +43,15 @@ TEST(Warnings, AShortTimeStepIsNotWarnedAbout) {
   EXPECT_FALSE(one_says(warnings_of(kGripped, {"simulation.time_step_s=1e-4"}), "time step"));
 }
 
+TEST(Warnings, AChosenTimeStepIsNotWarnedAbout) { EXPECT_FALSE(one_says(warnings_of(kGripped), "time step")); }
+
+TEST(Warnings, WrittenZerosOfDampingSayWhatTheyDoToTheWindow) {
+  EXPECT_FALSE(one_says(warnings_of(kGripped), "without damping"));
+  EXPECT_TRUE(one_says(warnings_of(kGripped, {"product.relaxation_time_s=0"}), "without damping: the product"));
+  EXPECT_TRUE(one_says(warnings_of(kGripped, {"gripper.pad_relaxation_time_s=0"}), "without damping: the pads"));
+  EXPECT_TRUE(one_says(warnings_of(kGripped, {"cell.support_relaxation_time_s=0"}), "half as wide"));
+}
+
 TEST(Warnings, DoubtsOfReadingTheStudyAreAmongThem) {
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"product.friction=0"}), "product.friction is 0"));
 }

@@ -97,6 +97,8 @@ mass_kg = 0.1
 youngs_modulus_Pa = 1e6
 [gripper]
 use = "grippers/parallel_jaw.toml"
+[simulation]
+time_step_s = 1e-3
 )";
 
 }  // namespace unbruised::studies::testing

@@ -1,0 +1,173 @@
+#include "studies/config/contact_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "core/contact/contact_time.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// All but one drawn value in a thousand lie between these quantiles, at either end.
+constexpr double kRareLow = 1e-3;
+constexpr double kRareHigh = 1.0 - 1e-3;
+
+double steps_of(const Scenario& scenario) { return contact_time_s(scenario) / scenario.simulation.time_step_s; }
+
+std::string leaf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
+
+void add_place(std::string& where, const std::string& key, const std::string& value) {
+  where += (where.empty() ? "" : ", ") + leaf(key) + " = " + value;
+}
+
+/// A key that takes any value between two ends in every scenario.
+struct Side {
+  std::string key;
+  std::array<double, 2> ends;
+};
+
+std::vector<Side> sides_of(const StudyData& data) {
+  std::vector<Side> sides;
+  for (const SearchVariable& v : data.variables) sides.push_back({v.key, {v.from, v.to}});
+  for (const RandomVariable& r : data.randoms) {
+    sides.push_back({r.key, {quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh)}});
+  }
+  if (data.settings.kind == StudyKind::window) {
+    // The answer lies somewhere inside the range; its upper end is often a number nobody expects to reach.
+    const WindowSettings& range = data.settings.window;
+    sides.push_back({"strategy.grip_force_N", {range.from_N, std::sqrt(range.from_N * range.to_N)}});
+  }
+  return sides;
+}
+
+/// Where an axis of the grid has its least and its greatest value; all of them where words or several keys vary.
+std::vector<std::size_t> ends_of_axis(const VaryPlan& plan, std::size_t axis) {
+  const VaryColumn* only = nullptr;
+  bool is_plain = true;
+  for (const VaryColumn& column : plan.columns) {
+    if (column.axis != axis) continue;
+    is_plain = is_plain && only == nullptr && !column.input.is_text;
+    only = &column;
+  }
+  if (only != nullptr && is_plain) {
+    const std::vector<double>& numbers = only->input.numbers;
+    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+    return {static_cast<std::size_t>(least - numbers.begin()), static_cast<std::size_t>(most - numbers.begin())};
+  }
+  std::vector<std::size_t> all(plan.axes[axis].count);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  return all;
+}
+
+/// Scenario ids of the grid's ends.
+std::vector<std::size_t> ends_of_grid(const VaryPlan& plan) {
+  std::vector<std::size_t> ids = {0};
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
+    std::vector<std::size_t> more;
+    for (const std::size_t index : ends_of_axis(plan, axis)) {
+      for (const std::size_t id : ids) more.push_back(id + index * plan.axes[axis].stride);
+    }
+    ids = std::move(more);
+  }
+  return ids;
+}
+
+/// Moves each key to the end with fewer steps; says which it moved.
+ContactSteps fewest_over_sides(Scenario scenario, const std::vector<Side>& sides) {
+  ContactSteps found;
+  for (const Side& side : sides) {
+    const auto at = [&](std::size_t end) {
+      return Study::with_values(scenario, {&side.key, 1}, {&side.ends[end], 1});
+    };
+    const double low = steps_of(at(0));
+    const double high = steps_of(at(1));
+    const std::size_t end = high < low ? 1 : 0;
+    scenario = at(end);
+    if (low != high) add_place(found.where, side.key, three_digits(side.ends[end]));
+  }
+  found.steps = steps_of(scenario);
+  found.contact_s = contact_time_s(scenario);
+  found.is_support = support_contact_time_s(scenario) < finger_contact_time_s(scenario);
+  return found;
+}
+
+/// The varied keys of a grid point that change the steps of its contact.
+std::string place_on_grid(const StudyData& data, std::size_t id) {
+  const VaryPlan& plan = data.plan;
+  const double here = steps_of(data.scenario(id));
+  std::string where;
+  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+    const VaryAxis& axis = plan.axes[plan.columns[c].axis];
+    const std::size_t first = id - plan.index(id, c) * axis.stride;
+    const std::vector<std::size_t> ends = ends_of_axis(plan, plan.columns[c].axis);
+    const bool matters = std::any_of(ends.begin(), ends.end(), [&](std::size_t index) {
+      return steps_of(data.scenario(first + index * axis.stride)) != here;
+    });
+    if (!matters) continue;
+    const InputColumn& input = plan.columns[c].input;
+    const std::size_t index = plan.index(id, c);
+    add_place(where, input.key, input.is_text ? input.texts[index] : three_digits(input.numbers[index]));
+  }
+  return where;
+}
+
+/// The largest number of two digits that is not above a positive one.
+double rounded_down(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", value);
+  double rounded = std::strtod(text.data(), nullptr);
+  if (rounded <= value) return rounded;
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  std::snprintf(text.data(), text.size(), "%.1e", value - digit);
+  rounded = std::strtod(text.data(), nullptr);
+  return rounded;
+}
+
+}  // namespace
+
+ContactSteps fewest_contact_steps(const StudyData& data) {
+  const std::vector<Side> sides = sides_of(data);
+  ContactSteps fewest;
+  const auto look = [&](const Scenario& scenario) {
+    ContactSteps found = fewest_over_sides(scenario, sides);
+    const bool is_fewer = found.steps < fewest.steps;
+    if (is_fewer) fewest = std::move(found);
+    return is_fewer;
+  };
+  std::optional<std::size_t> best;
+  for (const std::size_t id : ends_of_grid(data.plan)) {
+    if (look(data.scenario(id))) best = id;
+  }
+  if (best) {
+    const std::string grid = place_on_grid(data, *best);
+    fewest.where = grid + (grid.empty() || fewest.where.empty() ? "" : ", ") + fewest.where;
+  }
+  for (const StrategyCandidate& candidate : data.candidates) {
+    if (look(candidate.scenario)) add_place(fewest.where, "candidate", candidate.name);
+  }
+  return fewest;
+}
+
+double chosen_time_step_s(const StudyData& data) {
+  const double wanted_s = fewest_contact_steps(data).contact_s / kStepsPerContact;
+  if (!(wanted_s > kLeastChosenStep_s)) return kLeastChosenStep_s;
+  return wanted_s < kLongestChosenStep_s ? rounded_down(wanted_s) : kLongestChosenStep_s;
+}
+
+void choose_time_step(StudyData& data) {
+  const double step_s = chosen_time_step_s(data);
+  for (Scenario& base : data.bases) base.simulation.time_step_s = step_s;
+  for (StrategyCandidate& candidate : data.candidates) candidate.scenario.simulation.time_step_s = step_s;
+  data.is_time_step_chosen = true;
+}
+
+}  // namespace unbruised::studies

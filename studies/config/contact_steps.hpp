@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file
+/// The contact of a study that gets the fewest time steps, anywhere between the ends of what it varies; and the
+/// time step that is chosen where a study gives none.
+
+#include "studies/config/study.hpp"
+#include "studies/config/study_data.hpp"
+
+namespace unbruised::studies {
+
+/// Over every point of the grid, every candidate, and the ends of what is searched, drawn or asked for. A contact
+/// time rises or falls with each key alone, so ends suffice.
+ContactSteps fewest_contact_steps(const StudyData& data);
+
+/// Chosen steps lie between these: a longer one is not worth its coarser trace, a shorter one takes a study longer
+/// than anybody would want without having asked for it.
+inline constexpr double kLeastChosenStep_s = 1e-4;
+inline constexpr double kLongestChosenStep_s = 1e-3;
+
+/// A time step that gives the shortest contact of the study `kStepsPerContact` steps, rounded down to two digits
+/// and between kLeastChosenStep_s and kLongestChosenStep_s; one for the whole study, so that factor groups stay
+/// shared.
+double chosen_time_step_s(const StudyData& data);
+
+/// Writes the chosen step into every scenario of the study.
+void choose_time_step(StudyData& data);
+
+}  // namespace unbruised::studies

@@ -1,0 +1,96 @@
+#include "studies/config/contact_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/contact_time.hpp"
+#include "tests/studies/config/config_testing.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::config_root;
+using testing::gripped_block;
+using testing::search_block;
+using testing::small_network;
+using testing::study_of;
+
+constexpr const char* kSpeeds = R"(
+[[vary]]
+key = "strategy.approach_speed_m_s"
+values = [0.05, 0.4, 0.1]
+)";
+
+std::string kiwi(const std::string& kind, const std::string& more) {
+  return "[study]\nname = \"t\"\nkind = \"" + kind +
+         "\"\n[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\nuse = \"grippers/parallel_jaw.toml\"\n" +
+         more;
+}
+
+double step_of(const Study& study) { return study.scenario(0).simulation.time_step_s; }
+
+TEST(ChosenTimeStep, GivesTheShortestContactOfTheStudyTwentySteps) {
+  const Study study = study_of(kiwi("sweep", kSpeeds));
+  EXPECT_TRUE(study.is_time_step_chosen());
+  double shortest_s = INFINITY;
+  for (std::size_t id = 0; id < study.scenario_count(); ++id) {
+    shortest_s = std::min(shortest_s, contact_time_s(study.scenario(id)));
+    EXPECT_EQ(study.scenario(id).simulation.time_step_s, step_of(study)) << "one step: factor groups stay shared";
+  }
+  EXPECT_LE(step_of(study) * kStepsPerContact, shortest_s);
+  EXPECT_GT(step_of(study) * kStepsPerContact, 0.9 * shortest_s);  // two digits: off by less than a tenth
+  EXPECT_EQ(study.fewest_contact_steps().where, "approach_speed_m_s = 0.4");
+}
+
+TEST(ChosenTimeStep, OfAKiwiMetAtThreeHundredMillimetresPerSecondIsNotTheMillisecondThatMovesItsDamageByAThird) {
+  const Study study = study_of(kiwi("simulate", "[strategy]\napproach_speed_m_s = 0.3\ngrip_force_N = 2.0\n"));
+  EXPECT_LE(step_of(study), 7.8e-4);
+}
+
+TEST(ChosenTimeStep, LooksAtTheEndsOfWhatIsSearchedDrawnAndAskedFor) {
+  const std::string slow = "[strategy]\napproach_speed_m_s = 0.05\n";
+  const double at_base = step_of(study_of(kiwi("simulate", slow)));
+  const std::string stiff =
+      "[[random]]\nkey = \"product.youngs_modulus_Pa\"\ndistribution = \"uniform\"\n"
+      "from = 0.2e6\nto = 2e6\n";
+  EXPECT_LT(step_of(study_of(kiwi("sample", slow + stiff))), at_base);
+  const std::string fast = "[[variable]]\nkey = \"strategy.approach_speed_m_s\"\nfrom = 0.01\nto = 0.5\n";
+  EXPECT_LT(step_of(study_of(kiwi("optimize", fast))), at_base);
+  EXPECT_LT(step_of(study_of(kiwi("window", slow + "[window]\nfrom_N = 0.5\nto_N = 80.0\n"))), at_base);
+}
+
+TEST(ChosenTimeStep, LooksAtEveryCandidate) {
+  const Study study = study_of(search_block("compare") +
+                               "[[candidate]]\nname = \"fast\"\nuse = \"strategies/fast.toml\"\n"
+                               "approach_speed_m_s = 0.5\n[strategy]\ncontact_force_N = 0.2\n");
+  for (const StrategyCandidate& candidate : study.candidates()) {
+    EXPECT_LE(candidate.scenario.simulation.time_step_s * kStepsPerContact, contact_time_s(candidate.scenario));
+  }
+}
+
+TEST(ChosenTimeStep, StandsInTheResolvedConfigAndReadsBackAsGiven) {
+  const Study study = study_of(kiwi("sweep", kSpeeds));
+  const Study again = study_of(study.resolved_toml());
+  EXPECT_EQ(step_of(again), step_of(study));
+  EXPECT_EQ(again.resolved_toml(), study.resolved_toml());
+  EXPECT_FALSE(again.is_time_step_chosen());
+}
+
+TEST(ChosenTimeStep, StaysBetweenATenthOfAMillisecondAndOne) {
+  EXPECT_EQ(step_of(study_of(gripped_block("simulate"), {"gripper.finger_mass_kg=5"})), kLongestChosenStep_s);
+  EXPECT_EQ(step_of(study_of(gripped_block("simulate"), {"gripper.finger_mass_kg=1e-4"})), kLeastChosenStep_s);
+  EXPECT_EQ(step_of(study_of(small_network())), kLongestChosenStep_s) << "nothing hits anything";
+}
+
+TEST(ChosenTimeStep, AGivenOrVariedStepStays) {
+  const Study given = study_of(kiwi("sweep", kSpeeds), {"simulation.time_step_s=2e-3"});
+  EXPECT_FALSE(given.is_time_step_chosen());
+  EXPECT_EQ(step_of(given), 2e-3);
+  const Study varied =
+      study_of(kiwi("sweep", "[[vary]]\nkey = \"simulation.time_step_s\"\nvalues = [1e-3, 2e-3]\n"));
+  EXPECT_EQ(varied.scenario(1).simulation.time_step_s, 2e-3);
+  EXPECT_EQ(varied.fewest_contact_steps().where, "time_step_s = 0.002");
+}
+
+}  // namespace
+}  // namespace unbruised::studies

@@ -52,6 +52,7 @@ class Pages(unittest.TestCase):
         wrong = []
         for place, match in every_quoted(r"([a-z]+)(?:\[\d\])?\.([a-z]\w*)(?:\[\d\])?(\.\w+)?(?:\[\d\])?(?: ?= ?.*)?"):
             table, name, rest = match.groups()
+            name = self.as_in_code(name)
             key = f"{table}.{name}"
             if table not in tables or name in ("toml", "KEY", "cpp", "hpp", "js", "py"):
                 continue
@@ -62,12 +63,12 @@ class Pages(unittest.TestCase):
 
     def test_names_with_underscores_stand_in_the_code(self):
         self.none_wrong(f"{place}: {match.group(0)}" for place, match in every_quoted(r"/?(?:\w+/)*(\w*[a-zA-Z]_\w+)")
-                        if not match.group(1).startswith("_") and self.without_axis(match.group(1)) not in words())
+                        if not match.group(1).startswith("_") and self.as_in_code(match.group(1)) not in words())
 
     @staticmethod
-    def without_axis(name):
-        """Columns of CSV files have the name of a key with an axis in it: position_x_m."""
-        return re.sub(r"_[xyz](?=_m)", "", name)
+    def as_in_code(name):
+        """Columns of CSV files have the name of a key with an axis in it, those of execution errors one with an ending."""
+        return re.sub(r"_[xyz](?=_m)|(_relative)?_error$", "", name) if not name.endswith("balance_error") else name
 
     def test_files_exist_or_are_made_by_the_program(self):
         names, text = code()
@@ -113,7 +114,12 @@ class Pages(unittest.TestCase):
     def test_folders_named_exist(self):
         self.none_wrong(f"{place}: {match.group(0)}" for place, match in
                         every_quoted(r"(?:core|optimizer|studies|report|configs|scripts|tests|benchmarks)(?:/[\w-]+)+")
-                        if not (SOURCE / match.group(0)).exists() and "HARNESS" not in match.group(0))
+                        if "HARNESS" not in match.group(0) and not self.stands(match.group(0)))
+
+    @staticmethod
+    def stands(path):
+        """Is there such a folder, file, or pair of header and source?"""
+        return (SOURCE / path).exists() or (SOURCE / f"{path}.hpp").exists()
 
     def test_folders_of_the_architecture_page_are_those_of_the_tree(self):
         text = (SOURCE / "docs/architecture.md").read_text(encoding="utf-8")

@@ -28,10 +28,6 @@ bool is_better(const ScenarioRow& a, const ScenarioRow& b) {
   const double time_a = a.result.metrics[Metric::cycle_time_s];
   const double time_b = b.result.metrics[Metric::cycle_time_s];
   if (time_a != time_b) return time_a < time_b;
-  const double margin_a = a.result.metrics[Metric::friction_margin_min];
-  const double margin_b = b.result.metrics[Metric::friction_margin_min];
-  if (margin_a != margin_b && !std::isnan(margin_b)) return margin_a > margin_b;
-  if (std::isnan(margin_b) && !std::isnan(margin_a)) return true;
   return a.id < b.id;
 }
 

@@ -31,7 +31,8 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows);
 /// The largest |impulse_balance_error| and the largest energy_balance_error, with their scenarios; empty when
 /// no row has them.
 std::string balance_line(const std::vector<ScenarioRow>& rows);
-/// The held row with the shortest cycle, then the largest friction margin, then the least id; nullptr: none.
+/// The held row with the shortest cycle, then the least id (the largest margin against slip is the hardest grip,
+/// next to damage: no reason to choose it); nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
 std::string best_line(const StudyTables& tables);
 

@@ -2,7 +2,7 @@
 
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
-import { outcomeList } from "./legend.js";
+import { legend, outcomeList } from "./legend.js";
 import { tip, tipLine } from "./scenario.js";
 import { binEdges, extent, quantile } from "./statistics.js";
 import { label, number, OUTCOMES, outcomeLabel, plural, quantity, scaleFor, thousands } from "./words.js";
@@ -163,10 +163,10 @@ export function distributions(study) {
   const chart = figure({
     height: () => (group ? 90 + 44 * group.distinct.length : 340),
     controls,
-    legend: () => (group ? null : outcomeList(OUTCOMES.filter((word) => rows.some((row) => study.scenarios.at("outcome", row) === word)))),
+    legend: (theme) => (group ? legend([[theme.accent, "box: the middle half; whiskers: from 5 % to 95 %", "line"]]) : outcomeList(OUTCOMES.filter((word) => rows.some((row) => study.scenarios.at("outcome", row) === word)))),
     option: (theme) => (group ? boxOption(study, theme, column, group, rows) : histogramOption(study, theme, column, rows)),
     describe: () => `Distribution of ${label(column.name)}. ${quantileText(column, rows)}`,
-    note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${quantileText(column, rows)}${group ? " Boxes: the middle half; whiskers: from 5 % to 95 %." : ""}`,
+    note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${quantileText(column, rows)}`,
   });
   return chart.element;
 }

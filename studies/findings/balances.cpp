@@ -1,0 +1,77 @@
+#include "studies/findings/balances.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "studies/findings/table_text.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+enum class Among { all, held };
+
+/// The row whose metric has the largest size, the first where several have it; nullptr: none has it.
+const ScenarioRow* worst_row(const std::vector<ScenarioRow>& rows, Metric metric, Among among) {
+  const ScenarioRow* worst = nullptr;
+  for (const ScenarioRow& row : rows) {
+    if (among == Among::held && row.result.outcome != Outcome::held) continue;
+    const double size = std::abs(row.result.metrics[metric]);
+    if (std::isnan(size)) continue;
+    if (worst == nullptr || size > std::abs(worst->result.metrics[metric])) worst = &row;
+  }
+  return worst;
+}
+
+std::string signed_number(double value) { return joined({value > 0.0 ? "+" : "", short_number(value)}); }
+
+/// "-0.152 (scenario 7, dropped)"
+std::string error_text(const ScenarioRow& row, Metric metric) {
+  return joined({signed_number(row.result.metrics[metric]), " (scenario ", std::to_string(row.id), ", ",
+                 outcome_word(row.result.outcome), ")"});
+}
+
+std::string worst_text(const std::vector<ScenarioRow>& rows, Metric metric) {
+  const ScenarioRow* worst = worst_row(rows, metric, Among::all);
+  if (worst == nullptr) return {};
+  std::string text =
+      joined({kMetricTable[static_cast<std::size_t>(metric)].name, " ", error_text(*worst, metric)});
+  const ScenarioRow* held = worst_row(rows, metric, Among::held);
+  if (held != nullptr && held != worst) text += joined({", of those held ", error_text(*held, metric)});
+  return text;
+}
+
+}  // namespace
+
+std::string balance_line(const std::vector<ScenarioRow>& rows) {
+  const std::string impulse = worst_text(rows, Metric::impulse_balance_error);
+  const std::string energy = worst_text(rows, Metric::energy_balance_error);
+  if (impulse.empty() && energy.empty()) return {};
+  return joined({"worst balances: ", impulse, impulse.empty() || energy.empty() ? "" : "; ", energy});
+}
+
+std::string balance_doubt(const std::vector<ScenarioRow>& rows) {
+  std::size_t count = 0;
+  for (const ScenarioRow& row : rows) {
+    const bool is_held = row.result.outcome == Outcome::held;
+    count += is_held && std::abs(row.result.metrics[Metric::energy_balance_error]) > kEnergyErrorMost ? 1 : 0;
+  }
+  if (count == 0) return {};
+  const ScenarioRow* worst = worst_row(rows, Metric::energy_balance_error, Among::held);
+  return joined({"warning: in ", with_thousands(count), count == 1 ? " held scenario" : " held scenarios",
+                 " more than ", percent(kEnergyErrorMost),
+                 " of the energy put in is unaccounted for (worst: energy_balance_error ",
+                 error_text(*worst, Metric::energy_balance_error),
+                 "), so forces and damage there are not to be trusted; try a smaller simulation.time_step_s"});
+}
+
+std::vector<std::string> balance_lines(const std::vector<ScenarioRow>& rows) {
+  std::vector<std::string> lines;
+  for (std::string line : {balance_line(rows), balance_doubt(rows)}) {
+    if (!line.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,26 @@
+#pragma once
+
+/// @file
+/// How well force and energy add up in the rows of a study, and which rows are not to be believed.
+
+#include <string>
+#include <vector>
+
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// Largest part of the energy put in that may be unaccounted for in a run whose product was held: with more,
+/// forces and deformations are wrong by an amount that nobody knows.
+inline constexpr double kEnergyErrorMost = 0.05;
+
+/// "worst balances: ..." with the errors of largest size, their signs, scenarios and outcomes, over all rows and
+/// among those held. Empty when no row has a balance.
+std::string balance_line(const std::vector<ScenarioRow>& rows);
+/// Of held rows whose energy error exceeds the bound: how many, the worst, and what it means. Empty: there is
+/// none.
+std::string balance_doubt(const std::vector<ScenarioRow>& rows);
+/// Both, without empty ones.
+std::vector<std::string> balance_lines(const std::vector<ScenarioRow>& rows);
+
+}  // namespace unbruised::studies

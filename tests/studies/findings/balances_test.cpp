@@ -1,0 +1,39 @@
+#include "studies/findings/balances.hpp"
+
+#include <gtest/gtest.h>
+
+namespace unbruised::studies {
+namespace {
+
+ScenarioRow row_of(std::uint64_t id, Outcome outcome, double energy_error, double impulse_error) {
+  ScenarioRow row{.id = id, .result = {}, .inputs = {}};
+  row.result.outcome = outcome;
+  row.result.metrics[Metric::energy_balance_error] = energy_error;
+  row.result.metrics[Metric::impulse_balance_error] = impulse_error;
+  return row;
+}
+
+TEST(Balances, TheWorstIsTheLargestBySizeWithSignScenarioAndOutcome) {
+  // A signed maximum would print the mildest: -0.0005.
+  const std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, -0.0005, -3e-9),
+                                         row_of(1, Outcome::dropped, -0.152, 1e-9),
+                                         row_of(2, Outcome::held, -0.011, 2e-9)};
+  EXPECT_EQ(balance_line(rows),
+            "worst balances: impulse_balance_error -3e-09 (scenario 0, held); energy_balance_error -0.152 "
+            "(scenario 1, dropped), of those held -0.011 (scenario 2, held)");
+  EXPECT_EQ(balance_doubt(rows), "") << "held rows are within the bound";
+  EXPECT_EQ(balance_line({}), "");
+}
+
+TEST(Balances, AHeldRowWithEnergyFromNowhereIsAWarning) {
+  const std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, -0.06, 0.0), row_of(1, Outcome::held, 0.07, 0.0),
+                                         row_of(2, Outcome::held, kEnergyErrorMost, 0.0)};
+  EXPECT_EQ(
+      balance_doubt(rows),
+      "warning: in 2 held scenarios more than 5 % of the energy put in is unaccounted for (worst: "
+      "energy_balance_error +0.07 (scenario 1, held)), so forces and damage there are not to be trusted; try "
+      "a smaller simulation.time_step_s");
+}
+
+}  // namespace
+}  // namespace unbruised::studies

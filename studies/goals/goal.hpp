@@ -5,7 +5,6 @@
 /// peak_finger_force_N", "friction_margin_min >= 0.2", "P(held) >= 0.99".
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +12,8 @@
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "core/scenario/scenario.hpp"
+#include "core/simulation/scenario.hpp"
+#include "studies/goals/event.hpp"
 
 namespace unbruised::studies {
 
@@ -33,19 +33,6 @@ struct Objective {
   std::vector<GoalTerm> terms;
   std::string text;
 };
-
-/// A set of outcomes, e.g. `held` or `not damaged and not dropped`.
-struct OutcomeEvent {
-  std::uint32_t outcomes = 0;  ///< bit k: the outcome of code k belongs to it
-
-  [[nodiscard]] bool contains(Outcome outcome) const {
-    return outcome != Outcome::not_run && ((outcomes >> static_cast<unsigned>(outcome)) & 1U) != 0;
-  }
-  friend bool operator==(const OutcomeEvent&, const OutcomeEvent&) = default;
-};
-OutcomeEvent held_event();
-/// "held"; "not dropped and not damaged": the shorter way to say it.
-std::string event_words(const OutcomeEvent& event);
 
 /// Something that has to hold.
 struct Constraint {
@@ -77,18 +64,23 @@ bool more_is_better(Metric metric);
 /// A metric by its name; else "unknown metric 'x'; did you mean 'y'?".
 Parsed<Metric> parse_metric(std::string_view name);
 
-/// The objective of one scenario; NaN when one of its metrics does not exist.
-double objective_value(const Objective& objective, const ScenarioResult& result);
-/// The objective over products. A mean is taken over the products that have the metric, NaN when they are fewer
-/// than half; in quantile and worst a product without the metric counts as the worst of all.
-double objective_value(const Objective& objective, std::span<const ScenarioResult> results);
+/// The objective of one scenario; NaN when one of its metrics does not exist. A product that does not count has
+/// none, and without its product a cycle has no cycle time, whatever counts.
+/// @param counts kept to the end, and what constraints name beside
+double objective_value(const Objective& objective, const ScenarioResult& result,
+                       const OutcomeEvent& counts = kept_event());
+/// The objective over products. A mean is taken over the products that have the metric (`products_without` says
+/// how many have not), NaN when they are fewer than half; in quantile and worst a product without the metric
+/// counts as the worst of all.
+double objective_value(const Objective& objective, std::span<const ScenarioResult> results,
+                       const OutcomeEvent& counts = kept_event());
+/// Products for which a metric of the objective does not exist.
+std::size_t products_without(const Objective& objective, std::span<const ScenarioResult> results,
+                             const OutcomeEvent& counts = kept_event());
 
 /// How far a constraint is from being broken, without dimension: <= 0 exactly when it is met, always finite.
 /// Metrics: (value - bound) / |bound|, or value - bound where the bound is zero, signed so that more is worse.
-/// `held` has one component per limit, so that a solver sees each of them vary smoothly: metric / limit - 1, slip
-/// / slip limit - 1, and one that is -1 when the cycle ran to its end, else the rank of what ended it (dropped 1,
-/// not grasped 2, out of range 3, diverged 4). Where the run ended before a metric existed its component has that
-/// rank too.
+/// Events have one component per limit (event.hpp), so that a solver sees each of them vary smoothly.
 std::vector<double> violations(const Constraint& constraint, const ScenarioResult& result,
                                const LimitParameters& limits);
 /// As long as `violations`: what each component speaks of.
@@ -101,11 +93,5 @@ double violation(const Constraint& constraint, const ScenarioResult& result, con
 /// frequency is a staircase.
 double violation(const Constraint& constraint, std::span<const ScenarioResult> results,
                  const LimitParameters& limits);
-
-bool event_happens(const OutcomeEvent& event, const ScenarioResult& result);
-/// How far the event is from not happening: its largest violation, kept within [-1, 1].
-double event_measure(const OutcomeEvent& event, const ScenarioResult& result, const LimitParameters& limits);
-/// The part of the results in which the event happens.
-double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> results);
 
 }  // namespace unbruised::studies

@@ -2,7 +2,8 @@
 /// objective  := ['-'] term (('+' | '-') term)*          term := [number '*'] quantity
 /// constraint := event | quantity ('<=' | '>=') number | 'P' '(' event ')' '>=' number
 /// quantity   := metric | statistic '(' metric [',' level] ')'
-/// event      := ['not'] word ('and' ['not'] word)*
+/// event      := all ('or' all)*                          all := ['not'] word ('and' ['not'] word)*
+/// What `not` means stands in event.hpp.
 
 #include <algorithm>
 #include <charconv>
@@ -17,8 +18,6 @@
 
 namespace unbruised::studies {
 namespace {
-
-constexpr std::uint32_t kAllOutcomes = (1U << kOutcomeWords.size()) - 1U;
 
 /// Why a text is no goal.
 struct GoalError {
@@ -79,7 +78,7 @@ class GoalParser {
     if (next_word() == "P") return probability(std::move(goal));
     if (is_event_word(next_word())) {
       goal.event = event();
-      expect_end("'and' and another outcome");
+      expect_end("'and' or 'or' and another outcome");
       if (context_ == GoalContext::sampled) {
         throw GoalError{joined({"say how often: P(", goal.text, ") >= 0.99"})};
       }
@@ -185,15 +184,30 @@ class GoalParser {
   }
 
   OutcomeEvent event() {
-    OutcomeEvent all{kAllOutcomes};
+    OutcomeEvent any;
     do {
-      const bool negated = next_word() == "not";
-      if (negated) word();
-      const std::uint32_t one = 1U << outcome_called(std::string(word()));
-      all.outcomes &= negated ? ~one & kAllOutcomes : one;
+      const OutcomeEvent all = joint_event();
+      if (all.endings == 0) throw GoalError{"no outcome is all of that at once"};
+      any.endings |= all.endings;
+    } while (take_word("or"));
+    return any;
+  }
+
+  OutcomeEvent joint_event() {
+    OutcomeEvent all{(1U << kEndingCount) - 1U};
+    do {
+      all.endings &= one_event().endings;
     } while (take_word("and"));
-    if (all.outcomes == 0) throw GoalError{"no outcome is all of that at once"};
     return all;
+  }
+
+  OutcomeEvent one_event() {
+    const bool negated = next_word() == "not";
+    if (negated) word();
+    const auto outcome = static_cast<Outcome>(outcome_called(std::string(word())));
+    if (!negated) return event_of(outcome);
+    if (outcome != Outcome::held) return event_of_not(outcome);
+    throw GoalError{"'not held' does not say which ends are meant: name them, e.g. 'slipped or dropped'"};
   }
 
   static unsigned outcome_called(const std::string& name) {

@@ -34,9 +34,9 @@ std::string why_not(const Parsed<Goal>& parsed) {
   return why == nullptr ? "it is one" : *why;
 }
 
-std::uint32_t bits(std::initializer_list<Outcome> outcomes) {
+std::uint32_t bits(std::initializer_list<Ending> endings) {
   std::uint32_t all = 0;
-  for (const Outcome outcome : outcomes) all |= 1U << static_cast<unsigned>(outcome);
+  for (const Ending ending : endings) all |= 1U << static_cast<unsigned>(ending);
   return all;
 }
 
@@ -100,16 +100,20 @@ TEST(GoalParser, AMetricIsBoundedFromEitherSide) {
   EXPECT_EQ(constraint("quantile(slip_max_m, 0.9) <= 1e-3", kSampled).term.level, 0.9);
 }
 
-TEST(GoalParser, AnEventIsTheSetOfItsOutcomes) {
-  using enum Outcome;
-  const auto event = [](const char* text) { return constraint(text).event.outcomes; };
+TEST(GoalParser, WordsAreTheirOutcomesAndNotSpeaksOfProductsThatWereKept) {
+  using enum Ending;
+  const auto event = [](const char* text) { return constraint(text).event.endings; };
   EXPECT_EQ(event("held"), bits({held}));
-  EXPECT_EQ(event("slipped"), bits({slipped}));
-  EXPECT_EQ(event("not damaged"), bits({held, slipped, dropped, not_grasped, diverged, out_of_range}));
-  EXPECT_EQ(event("not dropped and not damaged"), bits({held, slipped, not_grasped, diverged, out_of_range}));
-  EXPECT_EQ(event(" not  slipped and not slipped "),
-            bits({held, dropped, damaged, not_grasped, diverged, out_of_range}));
+  EXPECT_EQ(event("slipped"), bits({slipped, slipped_and_damaged}));
+  EXPECT_EQ(event("not damaged"), bits({held, slipped}));
+  EXPECT_EQ(event("not dropped"), bits({held, slipped, damaged, slipped_and_damaged}));
+  EXPECT_EQ(event("not not_grasped"), event("not dropped"));
+  EXPECT_EQ(event("not diverged"), event("not dropped"));
+  EXPECT_EQ(event("not dropped and not damaged"), bits({held, slipped}));
+  EXPECT_EQ(event(" not  slipped and not slipped "), bits({held, damaged}));
   EXPECT_EQ(event("held and not damaged"), bits({held}));
+  EXPECT_EQ(event("held or dropped"), bits({held, dropped}));
+  EXPECT_EQ(event("not damaged or dropped or not_grasped"), bits({held, slipped, dropped, not_grasped}));
   EXPECT_EQ(constraint("held").event, held_event());
   for (const std::string_view word : kOutcomeWords) {
     EXPECT_EQ(constraint(word).kind, Constraint::Kind::outcome) << word;
@@ -128,8 +132,22 @@ TEST(GoalParser, AProbabilityIsBoundedFromBelow) {
 }
 
 TEST(GoalParser, EventWordsSayTheSameAgain) {
-  for (const char* text : {"held", "not damaged", "not dropped and not damaged", "slipped"}) {
+  for (const char* text : {"held", "not damaged", "slipped", "not slipped", "not dropped", "held or dropped",
+                           "not damaged or dropped", "slipped and not damaged", "held or slipped"}) {
     EXPECT_EQ(event_words(constraint(text).event), text);
+  }
+}
+
+TEST(GoalParser, EventWordsReadBackToTheSameEvent) {
+  const std::vector<std::string> parts = {"held",        "slipped",     "dropped",     "damaged",
+                                          "not_grasped", "not damaged", "not slipped", "not dropped"};
+  for (const std::string& a : parts) {
+    for (const std::string& b : parts) {
+      for (const std::string& c : parts) {
+        const OutcomeEvent event = constraint(a + " or " + b + " or " + c).event;
+        EXPECT_EQ(constraint(event_words(event)).event, event) << a << ", " << b << ", " << c;
+      }
+    }
   }
 }
 
@@ -182,9 +200,14 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
            {kSingle, "not blue",
             "unknown outcome 'blue'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
             "out_of_range"},
-           {kSingle, "held or slipped", "expected 'and' and another outcome at 'or slipped'"},
-           {kSingle, "held >= 0.9", "expected 'and' and another outcome at '>= 0.9'"},
-           {kSingle, "held and not held", "no outcome is all of that at once"},
+           {kSingle, "held >= 0.9", "expected 'and' or 'or' and another outcome at '>= 0.9'"},
+           {kSingle, "held or",
+            "unknown outcome ''; known: held, slipped, dropped, damaged, not_grasped, diverged, "
+            "out_of_range"},
+           {kSingle, "held and dropped", "no outcome is all of that at once"},
+           {kSingle, "dropped and not damaged", "no outcome is all of that at once"},
+           {kSingle, "not held",
+            "'not held' does not say which ends are meant: name them, e.g. 'slipped or dropped'"},
            {kSingle, "slip_max_m", "expected '<=' or '>=' at its end"},
            {kSingle, "slip_max_m < 0.1", "expected '<=' or '>=' at '< 0.1'"},
            {kSingle, "slip_max_m = 0.1", "expected '<=' or '>=' at '= 0.1'"},

@@ -9,6 +9,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/locations.hpp"
 #include "studies/estimate/warnings.hpp"
+#include "studies/findings/claims.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
@@ -30,11 +31,13 @@ bool is_there(const fs::path& path) {
 }
 
 RecordedStudy from_summary(ResultsSummary summary, const fs::path& source) {
+  const std::string damage_note = damage_sentence(summary.meta);
   return {.meta = std::move(summary.meta),
           .tables = {.inputs = std::move(summary.inputs),
                      .rows = std::move(summary.rows),
                      .window = std::move(summary.window),
-                     .found = std::move(summary.tables)},
+                     .found = std::move(summary.tables),
+                     .damage_note = damage_note},
           .has_trace = summary.has_trace,
           .source = source,
           .from_journal = false,
@@ -119,6 +122,7 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   recorded.meta = results_meta(*study, study_warnings(*study), ResultsState::unfinished);
   recorded.meta.created_utc.clear();
   recorded.meta.unbruised_version.clear();
+  recorded.tables.damage_note = damage_sentence(recorded.meta);
   recorded.tables.inputs = input_columns(*study);
   recorded.tables.rows = std::move(contents->rows);
   recorded.notes = std::move(contents->notes);

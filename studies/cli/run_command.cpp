@@ -14,6 +14,7 @@
 #include "studies/execution/batch_runner.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/progress.hpp"
+#include "studies/findings/claims.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/results/results_file.hpp"
@@ -215,6 +216,9 @@ int run_one_command(const RunArguments& arguments) {
 
   const std::string inputs = inputs_text(content.inputs, row.inputs);
   print_line(joined({study->name(), ": scenario ", std::to_string(id), inputs.empty() ? "" : " with ", inputs}));
+  if (const std::string_view remark = damage_remark(damage_claim(*scenario)); !remark.empty()) {
+    print_line(std::string(remark));
+  }
   print_metrics(*result);
   compare_with_recorded(*result, recorded);
   print_line(joined({"results: ", file.string()}));

@@ -119,6 +119,34 @@ Rule window_ordered(const Scenario& /*scenario*/, const StudySettings& settings)
                 "must be < window.to_N = " + spelled(settings.window.to_N)};
 }
 
+/// The limits that are set but can never act, "limits.permanent_set_m, limits.plastic_strain".
+std::string idle_limits(const Scenario& s) {
+  std::string never;
+  for (const DamageLimit& limit : kDamageLimits) {
+    if (!bound_of(limit, s.limits) || can_act(limit, s)) continue;
+    never += (never.empty() ? "" : ", ") + std::string(limit.key);
+  }
+  return never;
+}
+
+/// An answer that says "undamaged" where nothing could ever have been damaged is no answer.
+Rule damage_can_show(const Scenario& s, const StudySettings& settings) {
+  const bool is_judged = s.gripper && s.limits.damage == DamageJudging::judged;
+  if (!judges_damage(settings.kind) || !is_judged || !active_damage_limits(s).empty()) return std::nullopt;
+  const std::string idle = idle_limits(s);
+  const std::string ways =
+      idle.empty() ? "give a limit in [limits], e.g. limits.finger_force_N or, with product.yield_stress_Pa, "
+                     "limits.contact_yield_ratio = 1"
+                   : "give product.yield_stress_Pa, or a limit that needs none (limits.finger_force_N, "
+                     "limits.peak_pressure_Pa)";
+  return Broken{
+      "limits.damage", "\"judged\"",
+      (idle.empty() ? std::string("there is no limit of damage, so nothing could ever count as damaged: ")
+                    : idle + " can never act without a yield stress, so nothing could ever count as "
+                             "damaged: ") +
+          ways + ", or write limits.damage = \"not considered\" and get answers about holding alone"};
+}
+
 std::string path_of(const char* list, std::size_t i, const char* key) {
   return "product." + std::string(list) + "[" + std::to_string(i) + "]." + key;
 }
@@ -171,6 +199,14 @@ void check_loads(const NetworkParameters& network, std::vector<Broken>& out) {
   }
 }
 
+/// Everything that decides whether a limit of damage can act.
+std::vector<std::string_view> damage_keys() {
+  std::vector<std::string_view> keys = {"limits.damage", "product.yield_stress_Pa",
+                                        "product.spring[].yield_force_N"};
+  for (const DamageLimit& limit : kDamageLimits) keys.push_back(limit.key);
+  return keys;
+}
+
 }  // namespace
 
 const std::vector<CrossRule>& cross_rules() {
@@ -188,6 +224,7 @@ const std::vector<CrossRule>& cross_rules() {
       {{"simulation.duration_s", "simulation.time_step_s"}, duration_known},
       {{"simulation.trace_interval_s", "simulation.time_step_s"}, trace_interval_long},
       {{"window.from_N", "window.to_N"}, window_ordered},
+      {damage_keys(), damage_can_show},
   };
   return rules;
 }
@@ -207,11 +244,7 @@ std::vector<std::string> doubts(const Scenario& scenario) {
     out.emplace_back("gripper.stroke_m <= cell.approach_gap_m: the fingers never reach the product");
   }
   const auto* p = lattice_of(scenario);
-  std::string never;
-  for (const DamageLimit& limit : kDamageLimits) {
-    if (!bound_of(limit, scenario.limits) || can_act(limit, scenario)) continue;
-    never += (never.empty() ? "" : ", ") + std::string(limit.key);
-  }
+  const std::string never = idle_limits(scenario);
   if (!never.empty()) {
     out.push_back(never + (can_yield(scenario) ? ": never exceeded without a gripper"
                                                : ": never exceeded, the product has no yield stress"));

@@ -458,9 +458,8 @@ class Reader {
     if (settings.kind == StudyKind::sweep && data_.plan.columns.empty()) {
       problems_.add(kind, "study.kind", word, "needs [[vary]] blocks; one run is \"simulate\"");
     }
-    const bool grips =
-        settings.kind == StudyKind::window || settings.kind == StudyKind::compare || is_search(settings.kind);
-    if (grips && !has_gripper_) problems_.add(kind, "study.kind", word, "needs a [gripper]");
+    if (judges_damage(settings.kind) && !has_gripper_)
+      problems_.add(kind, "study.kind", word, "needs a [gripper]");
     if ((is_search(settings.kind) || is_random(settings.kind)) && !data_.plan.columns.empty()) {
       problems_.add(data_.plan.columns.front().origin, "[[vary]]",
                     "goes with \"sweep\" and \"window\"; a study of kind " + word + " has " +
@@ -553,6 +552,10 @@ bool is_search(StudyKind kind) {
 bool is_random(StudyKind kind) {
   return kind == StudyKind::sample || kind == StudyKind::robust || kind == StudyKind::compare ||
          kind == StudyKind::sensitivity;
+}
+
+bool judges_damage(StudyKind kind) {
+  return kind == StudyKind::window || kind == StudyKind::compare || is_search(kind);
 }
 
 std::uint64_t pareto_search_count(std::uint64_t objectives, std::uint64_t points, std::uint64_t starts) {

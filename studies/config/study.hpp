@@ -42,6 +42,8 @@ enum class StudyKind { simulate, sweep, window, sample, optimize, robust, pareto
 bool is_search(StudyKind kind);
 /// Kinds that draw random products: sample, robust, compare, sensitivity.
 bool is_random(StudyKind kind);
+/// Kinds whose answer says that a product stays undamaged: window, optimize, robust, pareto, compare.
+bool judges_damage(StudyKind kind);
 
 /// The word of a kind, as in `study.kind`.
 std::string_view study_kind_word(StudyKind kind);

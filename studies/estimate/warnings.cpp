@@ -7,6 +7,7 @@
 
 #include "core/contact/contact_time.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
+#include "studies/findings/shown_probability.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -56,6 +57,7 @@ std::vector<std::string> study_warnings(const Study& study) {
   warn_about_contact(study, warnings);
   warn_about_damping(study, warnings);
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
+  for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));
   return warnings;
 }
 

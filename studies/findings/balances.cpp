@@ -1,7 +1,6 @@
 #include "studies/findings/balances.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
@@ -59,19 +58,11 @@ std::string balance_doubt(const std::vector<ScenarioRow>& rows) {
   }
   if (count == 0) return {};
   const ScenarioRow* worst = worst_row(rows, Metric::energy_balance_error, Among::held);
-  return joined({"warning: in ", with_thousands(count), count == 1 ? " held scenario" : " held scenarios",
-                 " more than ", percent(kEnergyErrorMost),
+  return joined({"in ", with_thousands(count), count == 1 ? " held scenario" : " held scenarios", " more than ",
+                 percent(kEnergyErrorMost),
                  " of the energy put in is unaccounted for (worst: energy_balance_error ",
                  error_text(*worst, Metric::energy_balance_error),
                  "), so forces and damage there are not to be trusted; try a smaller simulation.time_step_s"});
-}
-
-std::vector<std::string> balance_lines(const std::vector<ScenarioRow>& rows) {
-  std::vector<std::string> lines;
-  for (std::string line : {balance_line(rows), balance_doubt(rows)}) {
-    if (!line.empty()) lines.push_back(std::move(line));
-  }
-  return lines;
 }
 
 }  // namespace unbruised::studies

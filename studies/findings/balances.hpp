@@ -20,7 +20,5 @@ std::string balance_line(const std::vector<ScenarioRow>& rows);
 /// Of held rows whose energy error exceeds the bound: how many, the worst, and what it means. Empty: there is
 /// none.
 std::string balance_doubt(const std::vector<ScenarioRow>& rows);
-/// Both, without empty ones.
-std::vector<std::string> balance_lines(const std::vector<ScenarioRow>& rows);
 
 }  // namespace unbruised::studies

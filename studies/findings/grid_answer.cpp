@@ -51,7 +51,7 @@ ResultTable table_of(const std::vector<ColumnInfo>& keys, const std::vector<Tall
     cycle_time_s.push_back(tally.cycle_time_s);
     is_best.push_back(&tally == best ? 1.0 : 0.0);
   }
-  table.columns.push_back({"held", "1", "combinations held without damage", std::move(held)});
+  table.columns.push_back({"held", "1", "combinations held", std::move(held)});
   table.columns.push_back({"combinations", "1", "of the keys that are not chosen", std::move(count)});
   table.columns.push_back({"cycle_time_s", "s", "longest of those held", std::move(cycle_time_s)});
   table.columns.push_back({"best", "1", "1: shortest cycle of those held in all", std::move(is_best)});

@@ -39,6 +39,8 @@ class Samples {
   [[nodiscard]] std::size_t count() const { return samples_.size(); }
   [[nodiscard]] double force(std::size_t i) const { return samples_[i].grip_force_N; }
   [[nodiscard]] const GripSample& sample(std::size_t i) const { return samples_[i]; }
+  /// Why nothing may be said about damage; empty where it is judged.
+  [[nodiscard]] std::string_view damage_remark() const { return studies::damage_remark(samples_.front().damage); }
   [[nodiscard]] GripState state(std::size_t i) const { return states_[i]; }
   [[nodiscard]] const std::vector<SafeInterval>& intervals() const { return intervals_; }
   [[nodiscard]] double ratio(const SafeInterval& interval) const {
@@ -100,6 +102,7 @@ class WindowInWords {
   }
 
   void upper_end() {
+    if (!samples_.damage_remark().empty()) return note({samples_.damage_remark()});
     const std::size_t last = interval_.last;
     row_.damage_bracket_low_N = samples_.force(last);
     if (last + 1 == samples_.count()) return note({"no damage up to ", short_number(samples_.force(last)), " N"});
@@ -158,6 +161,7 @@ class NoWindowInWords {
   }
 
   void damage_end() {
+    if (!samples_.damage_remark().empty()) return note({samples_.damage_remark()});
     const std::size_t last = samples_.last_unmarked(held_);
     if (last == samples_.count()) return damage_at_least_force();
     row_.damage_bracket_low_N = samples_.force(last);
@@ -271,14 +275,17 @@ CommonWindow common_window(const std::vector<WindowRow>& rows) {
     if (common.hold_row == nullptr || row.hold_bracket_high_N > common.hold_row->hold_bracket_high_N) {
       common.hold_row = &row;
     }
+    if (std::isnan(row.damage_bracket_low_N)) continue;  // not judged
     if (common.damage_row == nullptr || row.damage_bracket_low_N < common.damage_row->damage_bracket_low_N) {
       common.damage_row = &row;
     }
   }
   if (common.hold_row != nullptr) {
     common.hold_force_N = common.hold_row->hold_bracket_high_N;
-    common.damage_force_N = common.damage_row->damage_bracket_low_N;
     common.hold_is_bound = std::isnan(common.hold_row->hold_bracket_low_N);
+  }
+  if (common.damage_row != nullptr) {
+    common.damage_force_N = common.damage_row->damage_bracket_low_N;
     common.damage_is_bound = std::isnan(common.damage_row->damage_bracket_high_N);
     common.exists = common.exists && common.hold_force_N <= common.damage_force_N;
   }

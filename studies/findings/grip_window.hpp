@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/findings/claims.hpp"
 #include "studies/goals/verdict.hpp"
 #include "studies/results/rows.hpp"
 
@@ -19,6 +20,7 @@ struct GripSample {
   Verdict holds = Verdict::unknown;
   Verdict undamaged = Verdict::unknown;
   double peak_finger_force_N = kAbsent;
+  DamageClaim damage = DamageClaim::judged;  ///< the same of all samples of a window
 };
 
 /// What a grip force does, as far as the window is concerned: damage counts where the product is held.
@@ -59,6 +61,7 @@ std::vector<ForceBracket> deciding_brackets(std::vector<GripSample> samples);
 /// reason in the note, where the samples do not enclose it. `intervals` lists all of them. Where there is none,
 /// F_hold is the least force of the first held ones, and F_damage the greatest one below it that leaves the
 /// product unmarked, held or not.
+/// Where damage is not judged the window has a lower end only: the damage columns are NaN, and the note says why.
 /// @param samples any order, forces all different.
 /// @return a row without inputs.
 WindowRow read_grip_window(std::vector<GripSample> samples);
@@ -71,7 +74,7 @@ struct CommonWindow {
   bool hold_is_bound = false;             ///< the least force tried holds already: F_hold lies below
   bool damage_is_bound = false;           ///< the greatest force tried does not damage: F_damage lies above
   const WindowRow* hold_row = nullptr;    ///< the row that sets the lower end
-  const WindowRow* damage_row = nullptr;  ///< the row that sets the upper end
+  const WindowRow* damage_row = nullptr;  ///< the row that sets the upper end; none: damage is judged in no row
 };
 CommonWindow common_window(const std::vector<WindowRow>& rows);
 

@@ -26,7 +26,6 @@ struct Check {
   std::string name;  ///< "as found", "half the time step", "finer mesh", "other products"
   std::string what;  ///< "simulation.time_step_s = 0.0005"; empty: nothing differs
   Candidate candidate;
-  std::string outcome;  ///< of one scenario: its word; of a sample: how many are held
 };
 
 struct SearchFindings {

@@ -6,9 +6,11 @@
 
 #include "optimizer/pareto.hpp"
 #include "studies/findings/found_tables.hpp"
+#include "studies/findings/shown_probability.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -91,13 +93,30 @@ class SearchTables {
         {"binding", "", "the constraint that is nearest to being broken, or most broken", binding});
     table.columns.push_back(column("scenario", "1", "row of its (first) scenario", candidates,
                                    [this](const Candidate& c) { return row_of(c.first_scenario); }));
-    if (study_.kind() != StudyKind::robust) return;
-    table.columns.push_back(column("probability", "1", joined({"estimated P(", judge_.event_text(), ")"}),
-                                   candidates, [](const Candidate& c) { return c.probability->estimate; }));
-    table.columns.push_back(column("probability_low", "1", "lower end of its interval", candidates,
-                                   [](const Candidate& c) { return c.probability->interval.low; }));
-    table.columns.push_back(column("probability_high", "1", "upper end of its interval", candidates,
-                                   [](const Candidate& c) { return c.probability->interval.high; }));
+    if (study_.kind() == StudyKind::robust) add_probabilities(table, candidates);
+  }
+
+  /// Of the first event, and beside it of `held` where that is another one.
+  void add_probabilities(ResultTable& table, const std::vector<const Candidate*>& candidates) const {
+    const auto add = [&](const std::string& name, std::size_t number) {
+      table.columns.push_back(column(name, "1", joined({"estimated P(", judge_.events()[number].text, ")"}),
+                                     candidates,
+                                     [&](const Candidate& c) { return c.probabilities[number].estimate; }));
+      table.columns.push_back(column(joined({name, "_low"}), "1", "lower end of its interval", candidates,
+                                     [&](const Candidate& c) { return c.probabilities[number].interval.low; }));
+      table.columns.push_back(column(joined({name, "_high"}), "1", "upper end of its interval", candidates,
+                                     [&](const Candidate& c) { return c.probabilities[number].interval.high; }));
+    };
+    add("probability", 0);
+    if (judge_.held_number() != 0) add("probability_held", judge_.held_number());
+    table.columns.push_back(column("without_objective", "1", "products for which the objective does not exist",
+                                   candidates, [](const Candidate& c) { return c.without_objective; }));
+  }
+
+  static ResultColumn outcomes(const std::vector<const Candidate*>& candidates) {
+    std::vector<std::string> texts;
+    for (const Candidate* candidate : candidates) texts.push_back(candidate->outcomes);
+    return {"outcomes", "", "how its runs ended", std::move(texts)};
   }
 
   ResultTable searches() const {
@@ -150,10 +169,12 @@ class SearchTables {
     add_verdicts(table, one);
     table.columns.push_back(
         column("search", "1", "number of the search", one, [](const Candidate& c) { return c.place.search; }));
+    table.columns.push_back(outcomes(one));
     table.attributes.emplace_back("objective", judge_.objectives().front().text);
     table.attributes.emplace_back("at_bounds", at_bounds(shown));
+    table.attributes.emplace_back("reason", shown.feasible() ? std::string() : why_infeasible(shown));
     if (study_.kind() == StudyKind::robust) {
-      table.attributes.emplace_back("event", judge_.event_text());
+      table.attributes.emplace_back("event", judge_.events().front().text);
       table.attributes.emplace_back("confidence", study_.sampling().confidence);
       table.attributes.emplace_back("products", static_cast<double>(found_.products->size()));
     }
@@ -174,19 +195,63 @@ class SearchTables {
     return text;
   }
 
-  ResultTable constraints(const Candidate& shown) const {
+  /// Of the least violated strategy: what is in the way, where it is no constraint.
+  [[nodiscard]] std::string why_infeasible(const Candidate& shown) const {
+    if (shown.violation > 0.0) return {};
+    std::string objective;
+    for (std::size_t k = 0; k < shown.objectives.size(); ++k) {
+      if (std::isfinite(shown.objectives[k])) continue;
+      objective += joined({objective.empty() ? "" : " and ", judge_.objectives()[k].text});
+    }
+    const auto keeps_all = [](const Candidate& c) { return c.violation <= 0.0; };
+    const auto keeping = std::count_if(found_.candidates.begin(), found_.candidates.end(), keeps_all);
+    const bool all = static_cast<std::size_t>(keeping) == found_.candidates.size();
+    return joined({objective, " exists for none of the ", with_thousands(static_cast<unsigned long long>(keeping)),
+                   " strategies tried", all ? "" : " that keep every constraint"});
+  }
+
+  /// What the sample shows of each probability constraint; NaN and "" of the others.
+  void add_shown(ResultTable& table, const Candidate& best) const {
+    const std::size_t count = study_.search().constraints.size();
+    std::vector<double> wanted(count, kAbsent), estimate(count, kAbsent), low(count, kAbsent),
+        high(count, kAbsent), is_shown(count, kAbsent);
+    std::vector<std::string> says(count);
+    for (std::size_t k = 0; k < judge_.events().size(); ++k) {
+      const JudgedEvent& judged = judge_.events()[k];
+      if (!judged.constraint) continue;
+      const Proportion& found = best.probabilities[k];
+      const std::size_t i = *judged.constraint;
+      wanted[i] = *judged.wanted;
+      estimate[i] = found.estimate;
+      low[i] = found.interval.low;
+      high[i] = found.interval.high;
+      is_shown[i] = shown(wanted[i], found) == Shown::shown ? 1.0 : 0.0;
+      says[i] = shown_text(wanted[i], found, study_);
+    }
+    table.columns.push_back({"wanted", "1", "least probability asked for", std::move(wanted)});
+    table.columns.push_back({"estimate", "1", "part of the products for which it holds", std::move(estimate)});
+    table.columns.push_back({"low", "1", "lower end of its interval", std::move(low)});
+    table.columns.push_back({"high", "1", "upper end of its interval", std::move(high)});
+    table.columns.push_back({"shown", "1", "1: the whole interval lies at or above what is asked for", is_shown});
+    table.columns.push_back({"says", "", "is it shown, and what would show it", std::move(says)});
+  }
+
+  ResultTable constraints(const Candidate& best) const {
     std::vector<double> slack;
     std::vector<double> active;
-    for (const double part : shown.components) {
+    for (const double part : best.components) {
       slack.push_back(-part);
       active.push_back(part > -kActiveSlack ? 1.0 : 0.0);
     }
-    return {.name = "constraints",
-            .row = "constraint",
-            .columns = {{"text", "", "what has to hold", judge_.component_names()},
-                        {"slack", "1", "distance to the bound at the best strategy, in parts of the bound", slack},
-                        {"active", "1", "1: closer than 2 % of the bound", active}},
-            .attributes = {}};
+    ResultTable table{
+        .name = "constraints",
+        .row = "constraint",
+        .columns = {{"text", "", "what has to hold", judge_.component_names()},
+                    {"slack", "1", "distance to the bound at the best strategy, in parts of the bound", slack},
+                    {"active", "1", "1: closer than 2 % of the bound", active}},
+        .attributes = {}};
+    if (study_.kind() == StudyKind::robust) add_shown(table, best);
+    return table;
   }
 
   ResultTable verification() const {
@@ -199,17 +264,20 @@ class SearchTables {
       all.push_back(&check.candidate);
       names.push_back(check.name);
       changes.push_back(check.what);
-      differences.push_back(check.candidate.objectives.front() / as_found - 1.0);
+      const double now = check.candidate.objectives.front();
+      differences.push_back(as_found == 0.0 ? kAbsent : now / as_found - 1.0);
     }
     ResultTable table{.name = "verification", .row = "check_number", .columns = {}, .attributes = {}};
     table.columns.push_back({"check", "", "what was looked at again", std::move(names)});
     table.columns.push_back({"change", "", "what differs", std::move(changes)});
     add_objectives(table, all);
-    table.columns.push_back({"objective_change", "1", "relative to as found", std::move(differences)});
+    table.columns.push_back(
+        {"objective_change", "1", "relative to as found; NaN where that is zero", std::move(differences)});
     add_verdicts(table, all);
     table.columns.push_back(column("damage_margin", "1",
                                    "1 - metric / limit of the nearest damage limit, < 0: damaged", all,
                                    [](const Candidate& c) { return c.damage_margin; }));
+    table.columns.push_back(outcomes(all));
     return table;
   }
 

@@ -1,12 +1,33 @@
 #include "studies/findings/strategy_judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "optimizer/pareto.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
+namespace {
+
+/// "dropped", or of several runs "held 150, dropped 10".
+std::string outcomes_text(std::span<const ScenarioResult> results) {
+  if (results.size() == 1) return std::string(outcome_word(results.front().outcome));
+  std::array<std::size_t, kOutcomeWords.size()> counts{};
+  for (const ScenarioResult& result : results) {
+    if (result.outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(result.outcome)];
+  }
+  std::string text;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] == 0) continue;
+    text += joined({text.empty() ? "" : ", ", kOutcomeWords[k], " ", with_thousands(counts[k])});
+  }
+  return text;
+}
+
+}  // namespace
 
 bool Candidate::feasible() const {
   // An objective that does not exist cannot be the answer, whatever the constraints say.
@@ -22,19 +43,28 @@ StrategyJudge::StrategyJudge(const Study& study)
       damage_limits_(active_damage_limits(study.scenario(0))) {
   const SearchSettings& search = study.search();
   objectives_ = study.kind() == StudyKind::pareto ? search.objectives : std::vector<Objective>{search.objective};
-  bool has_event = false;
-  for (const Constraint& constraint : search.constraints) {
+  for (std::size_t i = 0; i < search.constraints.size(); ++i) {
+    const Constraint& constraint = search.constraints[i];
+    counts_.endings |= constraint.event.endings;
     if (sampled_) {
       component_names_.push_back(constraint.text);
-      if (constraint.kind == Constraint::Kind::probability && !std::exchange(has_event, true)) {
-        event_ = constraint.event;
-        event_text_ = event_words(constraint.event);
-      }
+      add_event(constraint, i);
     } else {
       for (std::string& name : violation_names(constraint, limits_)) component_names_.push_back(std::move(name));
     }
   }
-  if (!has_event) event_ = held_event();
+  if (sampled_ && held_number() == events_.size()) events_.push_back({held_event(), "held", {}, {}});
+}
+
+void StrategyJudge::add_event(const Constraint& constraint, std::size_t number) {
+  if (constraint.kind != Constraint::Kind::probability) return;
+  events_.push_back({constraint.event, event_words(constraint.event), constraint.bound, number});
+}
+
+std::size_t StrategyJudge::held_number() const {
+  const auto held = std::find_if(events_.begin(), events_.end(),
+                                 [](const JudgedEvent& judged) { return judged.event == held_event(); });
+  return static_cast<std::size_t>(held - events_.begin());
 }
 
 Candidate StrategyJudge::judge(std::vector<double> values, std::span<const ScenarioResult> results,
@@ -42,8 +72,9 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
   Candidate candidate;
   candidate.values = std::move(values);
   for (const Objective& objective : objectives_) {
-    candidate.objectives.push_back(sampled_ ? objective_value(objective, results)
-                                            : objective_value(objective, results.front()));
+    candidate.objectives.push_back(sampled_ ? objective_value(objective, results, counts_)
+                                            : objective_value(objective, results.front(), counts_));
+    if (sampled_) candidate.without_objective = products_without(objective, results, counts_);
   }
   for (const Constraint& constraint : study_.search().constraints) {
     if (sampled_) {
@@ -58,17 +89,23 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
     candidate.violation = *largest;
     candidate.binding = static_cast<std::size_t>(largest - candidate.components.begin());
   }
-  if (sampled_) {
+  candidate.outcomes = outcomes_text(results);
+  candidate.damage_margin = damage_margin(results);
+  if (sampled_) judge_events(candidate, results, group);
+  return candidate;
+}
+
+void StrategyJudge::judge_events(Candidate& candidate, std::span<const ScenarioResult> results,
+                                 std::span<const std::size_t> group) const {
+  for (const JudgedEvent& judged : events_) {
     std::vector<bool> happens;
     std::vector<double> measure;
     for (const ScenarioResult& result : results) {
-      happens.push_back(event_happens(event_, result));
-      measure.push_back(event_measure(event_, result, limits_));
+      happens.push_back(event_happens(judged.event, result, limits_));
+      measure.push_back(event_measure(judged.event, result, limits_));
     }
-    candidate.probability = proportion(happens, group, study_.sampling().confidence, measure);
+    candidate.probabilities.push_back(proportion(happens, group, study_.sampling().confidence, measure));
   }
-  candidate.damage_margin = damage_margin(results);
-  return candidate;
 }
 
 double StrategyJudge::damage_margin(std::span<const ScenarioResult> results) const {

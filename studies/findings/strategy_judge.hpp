@@ -29,12 +29,22 @@ struct Candidate {
   std::vector<double> components;    ///< of all constraints; met when <= 0
   double violation = 0.0;            ///< the largest of them; 0 without constraints
   std::size_t binding = 0;           ///< which one that is
-  std::optional<Proportion> probability;  ///< robust: of `StrategyJudge::event`
   /// 1 - metric / limit of the damage limit that is nearest to being exceeded in any of its scenarios; < 0:
   /// damaged; NaN: no limit can act.
   double damage_margin = kAbsent;
+  std::vector<Proportion> probabilities;  ///< robust: of `StrategyJudge::events`; else none
+  std::size_t without_objective = 0;      ///< robust: products for which a metric of an objective does not exist
+  std::string outcomes;                   ///< "dropped"; of products "held 150, dropped 10"
 
   [[nodiscard]] bool feasible() const;
+};
+
+/// An event whose probability a robust study reports.
+struct JudgedEvent {
+  OutcomeEvent event;
+  std::string text;
+  std::optional<double> wanted;           ///< P(event) >= wanted
+  std::optional<std::size_t> constraint;  ///< number of that constraint
 };
 
 /// Judges by the objectives and constraints of one study; immutable.
@@ -53,19 +63,24 @@ class StrategyJudge {
   /// What each component of the constraints speaks of, e.g. "held: permanent_set_max_m <= limits.permanent_set_m".
   [[nodiscard]] const std::vector<std::string>& component_names() const { return component_names_; }
   [[nodiscard]] const Study& study() const { return study_; }
-  /// The event whose probability a robust study reports: of its first probability constraint, else `held`.
-  [[nodiscard]] const OutcomeEvent& event() const { return event_; }
-  [[nodiscard]] const std::string& event_text() const { return event_text_; }
+  /// Of a robust study: those of its probability constraints, and `held` where it is not among them.
+  [[nodiscard]] const std::vector<JudgedEvent>& events() const { return events_; }
+  /// The number of `held` among the events.
+  [[nodiscard]] std::size_t held_number() const;
 
  private:
+  void add_event(const Constraint& constraint, std::size_t number);
+  void judge_events(Candidate& candidate, std::span<const ScenarioResult> results,
+                    std::span<const std::size_t> group) const;
+
   Study study_;
   bool sampled_;
   std::vector<Objective> objectives_;
   LimitParameters limits_;
   std::vector<const DamageLimit*> damage_limits_;  ///< those that can act
   std::vector<std::string> component_names_;
-  OutcomeEvent event_;
-  std::string event_text_ = "held";
+  std::vector<JudgedEvent> events_;
+  OutcomeEvent counts_ = kept_event();  ///< products that have an objective
 };
 
 /// Candidates as they come, from any thread.

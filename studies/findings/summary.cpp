@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "studies/findings/balances.hpp"
+#include "studies/findings/claims.hpp"
 #include "studies/findings/found_lines.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
@@ -88,30 +90,6 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows) {
   return joined({"outcomes: ", text.empty() ? "none" : text});
 }
 
-std::string balance_line(const std::vector<ScenarioRow>& rows) {
-  const ScenarioRow* impulse = nullptr;
-  const ScenarioRow* energy = nullptr;
-  const auto impulse_of = [](const ScenarioRow& row) {
-    return std::abs(row.result.metrics[Metric::impulse_balance_error]);
-  };
-  const auto energy_of = [](const ScenarioRow& row) { return row.result.metrics[Metric::energy_balance_error]; };
-  for (const ScenarioRow& row : rows) {
-    if (!std::isnan(impulse_of(row)) && (impulse == nullptr || impulse_of(row) > impulse_of(*impulse)))
-      impulse = &row;
-    if (!std::isnan(energy_of(row)) && (energy == nullptr || energy_of(row) > energy_of(*energy))) energy = &row;
-  }
-  std::string text;
-  if (impulse != nullptr) {
-    text += joined({"|impulse_balance_error| <= ", short_number(impulse_of(*impulse)), " (scenario ",
-                    std::to_string(impulse->id), ")"});
-  }
-  if (energy != nullptr) {
-    text += joined({text.empty() ? "" : ", ", "energy_balance_error <= ", short_number(energy_of(*energy)),
-                    " (scenario ", std::to_string(energy->id), ")"});
-  }
-  return text.empty() ? text : joined({"worst balances: ", text});
-}
-
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
   const ScenarioRow* best = nullptr;
   for (const ScenarioRow& row : rows) {
@@ -123,7 +101,7 @@ const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
 
 std::string best_line(const StudyTables& tables) {
   const ScenarioRow* best = best_row(tables.rows);
-  if (best == nullptr) return "best: none; no scenario was held without damage";
+  if (best == nullptr) return joined({"best: none; no scenario was ", held_words(tables.damage_note)});
   const Metrics& metrics = best->result.metrics;
   const std::string inputs = inputs_text(tables.inputs, best->inputs);
   std::string text = joined({"best: scenario ", std::to_string(best->id),
@@ -138,6 +116,7 @@ std::string best_line(const StudyTables& tables) {
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind) {
   const std::size_t most = study_kind == "sweep" ? kCombinationLinesOfSweep : kCombinationLinesOfSearch;
   std::vector<std::string> lines = {outcome_line(tables.rows)};
+  if (!tables.damage_note.empty()) lines.push_back(tables.damage_note);
   if (std::string balances = balance_line(tables.rows); !balances.empty()) lines.push_back(std::move(balances));
   if (tables.window) {
     const ResultTable* set_points = find_table(tables.found, "set_points");
@@ -146,7 +125,8 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   const bool has_cycles = std::any_of(tables.rows.begin(), tables.rows.end(), [](const ScenarioRow& row) {
     return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
   });
-  for (std::string& line : found_lines(tables.found)) lines.push_back(std::move(line));
+  for (std::string& line : found_lines(tables.found, held_words(tables.damage_note)))
+    lines.push_back(std::move(line));
   if (!tables.found.empty()) return lines;
   if (study_kind == "simulate") {
     if (has_cycles) lines.push_back(best_line(tables));

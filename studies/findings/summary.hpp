@@ -19,6 +19,7 @@ struct StudyTables {
   std::vector<ScenarioRow> rows;  ///< by id; those not run yet may be there as not_run
   std::optional<WindowTable> window;
   std::vector<ResultTable> found;  ///< what the study kind found beside (docs/results.md)
+  std::string damage_note{};       ///< why nothing may be said about damage (claims.hpp); empty: it is judged
 };
 
 /// The last part of a dotted key: "grip_force_N".
@@ -28,9 +29,6 @@ std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vecto
 
 /// "outcomes: held 512, slipped 300"
 std::string outcome_line(const std::vector<ScenarioRow>& rows);
-/// The largest |impulse_balance_error| and the largest energy_balance_error, with their scenarios; empty when
-/// no row has them.
-std::string balance_line(const std::vector<ScenarioRow>& rows);
 /// The held row with the shortest cycle, then the least id (the largest margin against slip is the hardest grip,
 /// next to damage: no reason to choose it); nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);

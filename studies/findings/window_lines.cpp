@@ -36,6 +36,10 @@ std::string percent_text(double ratio) { return joined({short_number(100.0 * rat
 /// "[1.12, 2.31] N, margin 106 % (F_hold in ..., F_damage in ...)", or the note that says why there is none.
 std::string window_text(const WindowRow& row) {
   if (!row.exists) return row.note;
+  if (std::isnan(row.damage_bracket_low_N)) {  // damage is not judged: the note says so
+    return joined({"held from ", short_number(row.hold_bracket_high_N), " N on (F_hold ", hold_bracket_text(row),
+                   "); ", row.note});
+  }
   std::string text = ends_text(row.hold_bracket_high_N, std::isnan(row.hold_bracket_low_N),
                                row.damage_bracket_low_N, std::isnan(row.damage_bracket_high_N));
   if (!std::isnan(row.margin)) text += joined({", margin ", percent_text(row.margin)});

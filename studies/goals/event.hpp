@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 
 namespace unbruised::studies {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "core/simulation/scenario.hpp"
+#include "core/scenario/scenario.hpp"
 #include "studies/goals/event.hpp"
 
 namespace unbruised::studies {

@@ -285,7 +285,7 @@ class SearchStudy {
     const std::size_t number = std::max<std::size_t>(1, found_.searches.size());
     const auto candidates = ask({number, generation, 0}, points, products, change);
     if (!candidates) return false;
-    Check done{.name = name, .what = {}, .candidate = candidates->front(), .outcome = {}};
+    Check done{.name = name, .what = {}, .candidate = candidates->front()};
     if (change) done.what = joined({change->key, " = ", short_number(change->value)});
     found_.checks.push_back(std::move(done));
     return true;

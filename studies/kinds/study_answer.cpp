@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "studies/findings/claims.hpp"
 #include "studies/findings/key_columns.hpp"
 #include "studies/findings/strategy_judge.hpp"
 #include "studies/findings/summary.hpp"
@@ -52,6 +53,7 @@ std::optional<AnsweredStrategy> window_strategy(const Study& study, const StudyW
   say(strategy, over_sentence(answer.over));
   strategy.keys.push_back({kGripForceKey, "N", "grip force to set"});
   strategy.values.emplace_back(force_N);
+  say(strategy, damage_sentence(damage_claim(study)));
   return strategy;
 }
 
@@ -62,6 +64,7 @@ std::optional<AnsweredStrategy> grid_strategy(const Study& study, const GridAnsw
   strategy.keys = answer.keys;
   strategy.values = answer.best_values;
   say(strategy, with_text(answer.keys, answer.best_values));
+  say(strategy, damage_sentence(damage_claim(study)));
   return strategy;
 }
 
@@ -79,6 +82,7 @@ std::optional<AnsweredStrategy> search_strategy(const Study& study, const Search
   strategy.scenario = study.scenario_with(keys, best->values);
   say(strategy, study.kind() == StudyKind::pareto ? "the knee of the front" : "the best feasible strategy");
   say(strategy, with_text(strategy.keys, strategy.values));
+  say(strategy, damage_sentence(damage_claim(study)));
   return strategy;
 }
 

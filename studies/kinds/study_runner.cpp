@@ -12,7 +12,9 @@
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/evaluation_broker.hpp"
 #include "studies/execution/periodic_task.hpp"
+#include "studies/findings/balances.hpp"
 #include "studies/findings/check_warnings.hpp"
+#include "studies/findings/claims.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/strategy_judge.hpp"
 #include "studies/kinds/search_study.hpp"
@@ -263,15 +265,24 @@ class StudyRun {
     return run_.write_strategy(toml);
   }
 
+  /// What the rows say against the answer.
+  void doubt_rows() {
+    if (std::string doubt = balance_doubt(run_.rows()); !doubt.empty())
+      report_.warnings.push_back(std::move(doubt));
+  }
+
   MaybeError write_results() {
+    doubt_rows();
     if (auto error = write_strategy()) return error;
     ResultsContent content = unfinished_content(study_, run_, all_warnings());
     content.meta.complete = !report_.interrupted;
+    const std::string damage_note = content.meta.damage_note;
     content.tables = report_.tables.found;
     content.window = report_.tables.window ? &*report_.tables.window : nullptr;
     content.trace = has_trace_ ? &trace_ : nullptr;
     if (auto error = run_.finish(std::move(content))) return error;
     report_.tables.inputs = input_columns(study_);
+    report_.tables.damage_note = damage_note;
     report_.tables.rows = run_.rows();
     if (is_search(study_.kind())) number_search_rows(report_.tables.rows);
     return {};
@@ -338,6 +349,7 @@ ResultsMeta results_meta(const Study& study, std::vector<std::string> warnings, 
   meta.compiler = compiler_and_libraries();
   meta.complete = state == ResultsState::complete;
   meta.warnings = std::move(warnings);
+  set_damage(meta, study);
   return meta;
 }
 

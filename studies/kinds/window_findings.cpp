@@ -27,11 +27,12 @@ std::vector<T> without(std::vector<T> values, std::size_t place) {
 
 }  // namespace
 
-GripSample grip_sample(const ScenarioResult& result, const LimitParameters& limits, double grip_force_N) {
+GripSample grip_sample(const ScenarioResult& result, const Scenario& scenario, double grip_force_N) {
   return {.grip_force_N = grip_force_N,
-          .holds = holds(result.metrics, result.outcome, limits),
-          .undamaged = undamaged(result.metrics, result.outcome, limits),
-          .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N]};
+          .holds = holds(result.metrics, result.outcome, scenario.limits),
+          .undamaged = undamaged(result.metrics, result.outcome, scenario.limits),
+          .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N],
+          .damage = damage_claim(scenario)};
 }
 
 Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N, StepSize step) {
@@ -85,7 +86,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
       if (i != *force_column) others.push_back(study.input_index(row.id, i));
     }
     const double force_N = study.input_number(row.id, *force_column);
-    samples[others].push_back(grip_sample(row.result, study.scenario(row.id).limits, force_N));
+    samples[others].push_back(grip_sample(row.result, study.scenario(row.id), force_N));
     a_point_of.try_emplace(std::move(others), row.id);
   }
   StudyWindow window;

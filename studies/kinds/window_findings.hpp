@@ -25,7 +25,7 @@ struct StudyWindow {
   std::vector<std::size_t> points;
 };
 
-GripSample grip_sample(const ScenarioResult& result, const LimitParameters& limits, double grip_force_N);
+GripSample grip_sample(const ScenarioResult& result, const Scenario& scenario, double grip_force_N);
 
 /// The scenario of a window study at a point of its grid, with this grip force; `contact_force_N` never exceeds
 /// it.

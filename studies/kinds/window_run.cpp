@@ -87,8 +87,8 @@ class WindowStudy {
                                                    const std::vector<ScenarioRow>& rows) const {
     std::vector<GripSample> samples;
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      const LimitParameters limits = study_.scenario(requests[i].combination).limits;
-      samples.push_back(grip_sample(rows[i].result, limits, requests[i].grip_force_N));
+      const Scenario scenario = study_.scenario(requests[i].combination);
+      samples.push_back(grip_sample(rows[i].result, scenario, requests[i].grip_force_N));
     }
     return samples;
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/outcome/outcome.hpp"
+#include "studies/findings/claims.hpp"
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/report/packed_columns.hpp"
@@ -179,6 +180,8 @@ json study_json(const ResultsContent& content, const ReportContext& context) {
   return {{"name", meta.study_name},
           {"kind", meta.study_kind},
           {"complete", meta.complete},
+          {"damage", meta.damage.empty() ? json(nullptr) : json(meta.damage)},
+          {"damage_note", damage_sentence(meta)},
           {"created_utc", meta.created_utc},
           {"unbruised_version", meta.unbruised_version},
           {"compiler", meta.compiler},

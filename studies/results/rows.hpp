@@ -118,6 +118,9 @@ struct ResultsMeta {
   bool complete = true;         ///< false: interrupted; some rows are not_run
   /// Sentences that belong to the answer: what was not looked at, what it may be wrong by.
   std::vector<std::string> warnings{};
+  /// May the answer speak of damage: "judged", "not considered" or "not looked at"; empty: an older file.
+  std::string damage{};
+  std::string damage_note{};  ///< the same as a sentence; empty where damage is judged in every scenario
 };
 
 /// Everything that goes into one results.h5 (or scenario_<id>.h5). Rows are sorted by id when written.

@@ -210,8 +210,9 @@ void pass(Way& way, ColumnInfo& column) {
 
 template <class Way>
 void pass(Way& way, ResultsMeta& meta) {
-  for (std::string* text : {&meta.unbruised_version, &meta.config_toml, &meta.config_sha256, &meta.study_name,
-                            &meta.study_kind, &meta.created_utc, &meta.instruction_set, &meta.compiler}) {
+  for (std::string* text :
+       {&meta.unbruised_version, &meta.config_toml, &meta.config_sha256, &meta.study_name, &meta.study_kind,
+        &meta.created_utc, &meta.instruction_set, &meta.compiler, &meta.damage, &meta.damage_note}) {
     way.bytes(*text);
   }
   way.plain(meta.complete);

@@ -32,10 +32,17 @@ inline Study study_of(const std::string& text, const std::vector<std::string>& s
   return std::get<Study>(std::move(result));
 }
 
+/// A limit of damage for the kinds that judge damage (two lines); nothing for others.
+inline std::string damage_limit(const std::string& kind) {
+  const bool judges =
+      kind == "window" || kind == "optimize" || kind == "robust" || kind == "pareto" || kind == "compare";
+  return judges ? "[limits]\nfinger_force_N = 50.0\n" : "";
+}
+
 /// A lattice product, written out, in a gripper of default parameters.
 inline std::string gripped_block(const std::string& kind) {
-  return "[study]\nname = \"test\"\nkind = \"" + kind +
-         "\"\n[product]\nshape = \"box\"\nsize_m = [0.05, 0.06, 0.07]\nmass_kg = 0.1\nyoungs_modulus_Pa = 1e6\n"
+  return "[study]\nname = \"test\"\nkind = \"" + kind + "\"\n" + damage_limit(kind) +
+         "[product]\nshape = \"box\"\nsize_m = [0.05, 0.06, 0.07]\nmass_kg = 0.1\nyoungs_modulus_Pa = 1e6\n"
          "[gripper]\n";
 }
 

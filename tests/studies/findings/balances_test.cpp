@@ -30,7 +30,7 @@ TEST(Balances, AHeldRowWithEnergyFromNowhereIsAWarning) {
                                          row_of(2, Outcome::held, kEnergyErrorMost, 0.0)};
   EXPECT_EQ(
       balance_doubt(rows),
-      "warning: in 2 held scenarios more than 5 % of the energy put in is unaccounted for (worst: "
+      "in 2 held scenarios more than 5 % of the energy put in is unaccounted for (worst: "
       "energy_balance_error +0.07 (scenario 1, held)), so forces and damage there are not to be trusted; try "
       "a smaller simulation.time_step_s");
 }

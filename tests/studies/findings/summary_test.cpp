@@ -1,8 +1,11 @@
 #include "studies/findings/summary.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "studies/execution/progress.hpp"
+#include "studies/findings/grip_window.hpp"
 #include "studies/findings/window_lines.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -37,16 +40,29 @@ TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
   EXPECT_EQ(summary_lines(tables, "robust").back(), "answer: none yet; a study of kind robust has it at its end");
 }
 
-TEST(Summary, NamesTheWorstBalancesAndTheirScenarios) {
-  std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, 1, 1), row_of(1, Outcome::held, 1, 1)};
-  rows[0].result.metrics[Metric::impulse_balance_error] = -3e-9;
-  rows[1].result.metrics[Metric::impulse_balance_error] = 1e-9;
-  rows[1].result.metrics[Metric::energy_balance_error] = -2e-5;
-  EXPECT_EQ(
-      balance_line(rows),
-      "worst balances: |impulse_balance_error| <= 3e-09 (scenario 0), energy_balance_error <= -2e-05 (scenario "
-      "1)");
-  EXPECT_EQ(balance_line({}), "");
+TEST(Summary, SaysThatNobodyLookedAtDamageBeforeAnythingElseIsClaimed) {
+  StudyTables tables;
+  tables.rows = {row_of(0, Outcome::slipped, 1.0, 9.0)};
+  tables.damage_note = "damage was not looked at: no limit of damage can act";
+  const std::vector<std::string> lines = summary_lines(tables, "simulate");
+  EXPECT_EQ(lines.at(1), tables.damage_note);
+  EXPECT_EQ(lines.back(), "best: none; no scenario was held");
+}
+
+TEST(Summary, AWindowWithoutAJudgementOfDamageHasNoUpperEnd) {
+  std::vector<GripSample> samples;
+  for (const double force_N : {1.0, 2.0, 4.0}) {
+    samples.push_back({.grip_force_N = force_N,
+                       .holds = force_N < 2.0 ? Verdict::no : Verdict::yes,
+                       .undamaged = Verdict::yes,
+                       .damage = DamageClaim::not_considered});
+  }
+  WindowTable window;
+  window.rows = {read_grip_window(samples)};
+  EXPECT_TRUE(window.rows[0].exists);
+  EXPECT_TRUE(std::isnan(window.rows[0].damage_bracket_low_N)) << "4 N are not known to do no damage";
+  EXPECT_EQ(window_lines(window, nullptr, 10).at(0),
+            "grip window: held from 2 N on (F_hold in (1, 2]); damage was not considered");
 }
 
 TEST(Summary, SaysPlainlyWhereThereIsNoWindow) {

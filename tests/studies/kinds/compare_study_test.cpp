@@ -2,6 +2,7 @@
 /// compare, sensitivity and sample over formulas: no difference where there is none, a planted one found, known
 /// indices.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -43,6 +44,8 @@ TEST(CompareStudy, ShowsNoDifferenceOfAStrategyFromItself) {
   EXPECT_EQ(number_in(comparison, "ties", 0), 40.0);
   EXPECT_EQ(number_in(comparison, "mean_difference", 0), 0.0);
   EXPECT_EQ(text_attribute(comparison, "verdict"), "a and b: no difference shown");
+  EXPECT_EQ(text_attribute(comparison, "headline"),
+            "no winner: no strategy is shown to be better than the other, holding first, then cycle_time_s");
 }
 
 TEST(CompareStudy, FindsAPlantedDifferenceOfFivePercent) {
@@ -51,8 +54,12 @@ TEST(CompareStudy, FindsAPlantedDifferenceOfFivePercent) {
   EXPECT_EQ(number_in(comparison, "losses", 0), 40.0);
   EXPECT_NEAR(number_in(comparison, "mean_difference", 0), -0.05, 0.002);  // 5 % of a mean of one
   EXPECT_LT(number_in(comparison, "high", 0), 0.0);
-  EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("b needs less cycle_time_s than a"))
+  EXPECT_TRUE(text_attribute(comparison, "verdict")
+                  .starts_with("held equally often (a 40 of 40, b 40 of 40); b needs less cycle_time_s than a: by "
+                               "0.05 s or 5 % (95 % interval "))
       << text_attribute(comparison, "verdict");
+  EXPECT_EQ(text_attribute(comparison, "headline"), "winner: b, held on 40 of 40 products");
+  EXPECT_EQ(text_attribute(comparison, "winner"), "b");
 }
 
 TEST(CompareStudy, ComparesOnTheSameProductsSoThatAnUnpairedSpreadDoesNotHideTheDifference) {
@@ -77,6 +84,64 @@ TEST(CompareStudy, AProductThatIsNotHeldLoses) {
   EXPECT_TRUE(text_attribute(comparison, "verdict").starts_with("a is held more often"))
       << text_attribute(comparison, "verdict");
   EXPECT_EQ(number_in(table_of(report, "candidates"), "dropped", 1), 20.0);
+}
+
+/// The faster b damages the products of the highest friction.
+FormulaSimulator quick_and_damaging(double damaged_from_friction) {
+  return FormulaSimulator([=](const Scenario& s) {
+    ScenarioResult result = noisy_time(s);
+    const double friction = std::get<LatticeParameters>(s.product).friction;
+    result.metrics[Metric::peak_finger_force_N] = s.strategy.grip_force_N;
+    if (s.strategy.grip_force_N == 2.1 && friction > damaged_from_friction) result.outcome = Outcome::damaged;
+    return result;
+  });
+}
+
+const std::vector<std::string> kJudged = {"limits.damage=judged", "limits.finger_force_N=50.0"};
+
+TEST(CompareStudy, HoldingWithoutDamageComesBeforeBeingFaster) {
+  // b damages half of the products: the interval of the difference lies far from zero.
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 40), kJudged), quick_and_damaging(0.5));
+  const ResultTable& comparison = table_of(report, "comparison");
+  EXPECT_EQ(text_attribute(comparison, "winner"), "a");
+  EXPECT_EQ(text_attribute(comparison, "headline"), "winner: a, held without damage on 40 of 40 products");
+  EXPECT_TRUE(
+      text_attribute(comparison, "verdict")
+          .starts_with("a is held without damage more often than b: a 40 of 40, b 20 of 40; on 50 % more of "
+                       "the products (95 % interval "))
+      << text_attribute(comparison, "verdict");
+  EXPECT_NE(text_attribute(comparison, "verdict").find("; but b needs less cycle_time_s than a"),
+            std::string::npos)
+      << text_attribute(comparison, "verdict");
+  EXPECT_NEAR(number_in(comparison, "held_difference", 0), -0.5, 1e-12);
+  EXPECT_LT(number_in(comparison, "held_high", 0), 0.0);
+}
+
+TEST(CompareStudy, AFasterStrategyDoesNotWinWhileItDamagesMoreThanTheOther) {
+  // Two or three of 40 damaged: not shown to be more than none, and yet no reason to praise b.
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 40), kJudged), quick_and_damaging(0.578));
+  const ResultTable& comparison = table_of(report, "comparison");
+  ASSERT_GT(number_in(table_of(report, "candidates"), "damaged", 1), 0.0);
+  ASSERT_EQ(number_in(comparison, "held_high", 0) >= 0.0, true) << "else it is shown, and another test";
+  EXPECT_EQ(text_attribute(comparison, "winner"), "");
+  EXPECT_TRUE(text_attribute(comparison, "headline").starts_with("no winner"))
+      << text_attribute(comparison, "headline");
+  EXPECT_TRUE(
+      text_attribute(comparison, "verdict").starts_with("held without damage: no difference shown (a 40 of 40"))
+      << text_attribute(comparison, "verdict");
+}
+
+TEST(CompareStudy, ShowsWhatTheCandidatesAre) {
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 8)), FormulaSimulator(noisy_time));
+  const ResultTable& candidates = table_of(report, "candidates");
+  EXPECT_EQ(number_in(candidates, "strategy.grip_force_N", 0), 2.0);
+  EXPECT_EQ(number_in(candidates, "strategy.grip_force_N", 1), 2.1);
+  EXPECT_EQ(keys_text(candidates, 1), "grip_force_N = 2.1") << "settings that all share are not repeated";
+  EXPECT_EQ(number_in(candidates, "products_cycle_time_s", 0), 8.0);
+  const std::vector<std::string> lines = summary_lines(report.tables, "compare");
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.starts_with("b (grip_force_N = 2.1): P(held) = 1");
+  }));
 }
 
 /// Ishigami's function of three keys that are uniform on (-pi, pi) after a shift.

@@ -86,7 +86,7 @@ inline const ResultTable& table_of(const StudyReport& report, const std::string&
   return *table;
 }
 
-/// A small lattice product between two fingers, for studies whose simulator is a formula.
+/// A small lattice product between two fingers, for studies whose simulator is a formula that damages nothing.
 inline const std::string kFormulaCell = R"(
 [product]
 kind = "lattice"
@@ -97,6 +97,8 @@ mass_kg = 0.1
 youngs_modulus_Pa = 1e6
 [gripper]
 use = "grippers/parallel_jaw.toml"
+[limits]
+damage = "not considered"
 [simulation]
 time_step_s = 1e-3
 )";

@@ -1,0 +1,28 @@
+#pragma once
+
+/// @file
+/// The parts of `found_lines`, and what they share.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// "0.98 (95 % interval 0.91 to 1)"
+std::string interval_text(double estimate, double low, double high, double confidence);
+/// " (scenario 12)"; empty where the row names none.
+std::string scenario_text(const ResultTable& table, std::size_t row);
+/// " with grip_force_N = 2.1", or that the strategy is as written.
+std::string at_keys(const ResultTable& table, std::size_t row);
+
+/// optimize, robust: the best strategy and what is known of it.
+void add_best_lines(const std::vector<ResultTable>& tables, std::vector<std::string>& lines);
+/// Kinds that search: the checks of the answer, then how the searches went.
+void add_check_lines(const std::vector<ResultTable>& tables, std::vector<std::string>& lines);
+/// compare: the winner, the candidates, the pairs.
+void add_compare_lines(const std::vector<ResultTable>& tables, std::vector<std::string>& lines);
+
+}  // namespace unbruised::studies

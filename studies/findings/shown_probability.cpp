@@ -1,0 +1,118 @@
+#include "studies/findings/shown_probability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "studies/findings/table_text.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// More products than this are no advice.
+constexpr double kProductsMost = 1e6;
+
+/// Independent products at which Wilson's interval of `estimate` begins at `wanted`: its ends are the p with
+/// |estimate - p| = z sqrt(p (1 - p) / n), and `trials_to_show` is the case of the estimate one.
+double independent_products(double wanted, double estimate, double confidence) {
+  const auto of_one = static_cast<double>(trials_to_show(wanted, confidence));
+  const double part = (1.0 - wanted) / (estimate - wanted);
+  return of_one * part * part;
+}
+
+std::string settings_text(const NeededSample& needed, bool is_grouped) {
+  return joined({"sampling.count = ", with_thousands(needed.products),
+                 is_grouped ? joined({" with sampling.factor_groups = ", with_thousands(needed.factor_groups)})
+                            : std::string()});
+}
+
+std::string doubt_about(const JudgedEvent& judged, const Study& study) {
+  const SamplingSettings& sampling = study.sampling();
+  const double wanted = *judged.wanted;
+  const std::string rule = joined({"P(", judged.text, ") >= ", short_number(wanted)});
+  if (wanted >= 1.0) {
+    return joined({rule,
+                   " can be shown by no number of products: an interval never begins at 100 %; write e.g. "
+                   "0.99"});
+  }
+  const std::size_t needed = trials_to_show(wanted, sampling.confidence);
+  const auto count = static_cast<double>(sampling.count);
+  const bool is_grouped = has_shared_groups(study);
+  const std::string each = is_grouped ? " with sampling.factor_groups = 0" : "";
+  if (sampling.count < needed) {
+    const double low = wilson_interval(count, count, sampling.confidence).low;
+    return joined({rule, " cannot be shown by ", with_thousands(sampling.count),
+                   " products: even if it holds for all of them the ", percent(sampling.confidence),
+                   " interval begins at ", percent(low), "; sampling.count = ", with_thousands(needed), each,
+                   " could show it"});
+  }
+  if (!is_grouped || sampling.factor_groups >= needed) return {};
+  return joined(
+      {rule, " may stay unshown: the products share ", with_thousands(sampling.factor_groups),
+       " factor groups, and where those of a group behave alike they count as that many products, not as ",
+       with_thousands(sampling.count), "; sampling.factor_groups = 0 makes each its own"});
+}
+
+}  // namespace
+
+Shown shown(double wanted, const Proportion& found) {
+  if (!(found.estimate >= wanted)) return Shown::broken;
+  return found.interval.low >= wanted ? Shown::shown : Shown::met_by_the_estimate;
+}
+
+std::optional<NeededSample> needed_sample(double wanted, const Proportion& found, const SamplingSettings& sampling,
+                                          bool is_grouped) {
+  if (shown(wanted, found) != Shown::met_by_the_estimate || found.estimate <= wanted) return std::nullopt;
+  const double independent = independent_products(wanted, found.estimate, sampling.confidence);
+  if (!is_grouped) {
+    if (independent > kProductsMost) return std::nullopt;
+    return NeededSample{static_cast<std::size_t>(std::ceil(independent)), 0};
+  }
+  // Groups of the same size, more of them: then products stay as alike as they were found to be.
+  const double more = independent / found.effective_size;
+  const double products = std::ceil(more * static_cast<double>(sampling.count));
+  if (products > kProductsMost) return std::nullopt;
+  const double groups = std::ceil(more * static_cast<double>(sampling.factor_groups));
+  return NeededSample{static_cast<std::size_t>(products), static_cast<std::size_t>(std::min(groups, products))};
+}
+
+bool has_shared_groups(const Study& study) {
+  const bool changes_factor = std::any_of(study.randoms().begin(), study.randoms().end(),
+                                          [](const RandomVariable& random) { return random.changes_factor; });
+  const SamplingSettings& sampling = study.sampling();
+  return changes_factor && sampling.factor_groups > 0 && sampling.factor_groups < sampling.count;
+}
+
+std::string shown_text(double wanted, const Proportion& found, const Study& study) {
+  switch (shown(wanted, found)) {
+    case Shown::broken:
+      return {};
+    case Shown::shown:
+      return "shown by the interval";
+    case Shown::met_by_the_estimate:
+      break;
+  }
+  const bool is_grouped = has_shared_groups(study);
+  const std::string met =
+      joined({"met by the estimate only, not shown: the interval begins at ", percent(found.interval.low)});
+  if (const auto needed = needed_sample(wanted, found, study.sampling(), is_grouped)) {
+    return joined({met, "; ", settings_text(*needed, is_grouped), " would show it if products stay as they are"});
+  }
+  return joined(
+      {met, "; the estimate lies too near to ", percent(wanted), " for any number of products to show it"});
+}
+
+std::vector<std::string> probability_doubts(const Study& study) {
+  std::vector<std::string> doubts;
+  if (study.kind() != StudyKind::robust) return doubts;
+  const StrategyJudge judge(study);
+  for (const JudgedEvent& judged : judge.events()) {
+    if (!judged.wanted) continue;
+    if (std::string doubt = doubt_about(judged, study); !doubt.empty()) doubts.push_back(std::move(doubt));
+  }
+  return doubts;
+}
+
+}  // namespace unbruised::studies

@@ -267,8 +267,9 @@ class StudyRun {
 
   /// What the rows say against the answer.
   void doubt_rows() {
-    if (std::string doubt = balance_doubt(run_.rows()); !doubt.empty())
-      report_.warnings.push_back(std::move(doubt));
+    std::vector<ScenarioRow> rows = run_.rows();
+    if (is_search(study_.kind())) number_search_rows(rows);
+    if (std::string doubt = balance_doubt(rows); !doubt.empty()) report_.warnings.push_back(std::move(doubt));
   }
 
   MaybeError write_results() {

@@ -20,7 +20,8 @@ std::optional<std::string> broken_constraint(const ResultTable& checks, std::siz
   if (number_in(checks, "feasible", row) == 1.0) return std::nullopt;
   if (!(number_in(checks, "violation", row) > 0.0)) {
     return joined({"the best strategy does not stand a check: with ", check_name(checks, row),
-                   " its objective does not exist (", text_in(checks, "outcomes", row), "); do not use it as it is"});
+                   " its objective does not exist (", text_in(checks, "outcomes", row),
+                   "); do not use it as it is"});
   }
   return joined({"the best strategy does not stand a check: with ", check_name(checks, row), " it breaks ",
                  text_in(checks, "binding", row), " by ", percent(number_in(checks, "violation", row)),

@@ -96,8 +96,8 @@ void measure_lattice_patch(const Model& model, const Scenario& scenario, const T
   const double layer = scenario.gripper->pad_modulus_Pa / scenario.gripper->pad_thickness_m;
   const double way = last(trace, "finger_way_m", 2, 0);
   grip.final_force_N = last(trace, "finger_force_N", 6, 0);
-  grip.approach_m = 0.5 * (way + last(trace, "finger_way_m", 2, 1)) - scenario.cell.approach_gap_m;
-  const double pad = contact.pole_m[0] - scenario.cell.approach_gap_m + way;
+  grip.approach_m = 0.5 * (way + last(trace, "finger_way_m", 2, 1)) - approach_gap_m(scenario);
+  const double pad = contact.pole_m[0] - approach_gap_m(scenario) + way;
   const double* u = trace.displacement_m.data() + trace.displacement_m.size() - 3 * model.particle_count();
   double sum = 0, y = 0, z = 0, yy = 0, zz = 0, yz = 0;
   for (const ContactCandidate& c : contact.candidate) {

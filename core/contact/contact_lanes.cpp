@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/lanes/lane_matrix.hpp"
+#include "core/scenario/opening.hpp"
 
 namespace unbruised {
 namespace {
@@ -96,7 +97,7 @@ void ContactLanes::load(int lane, const Scenario& scenario, const std::array<dou
     const GripperParameters& gripper = *scenario.gripper;
     stiffness_[pad].set(lane, gripper.pad_modulus_Pa / gripper.pad_thickness_m);
     relaxation_[pad].set(lane, gripper.pad_relaxation_time_s);
-    rest_place_[pad].set(lane, model_.pole_m[pad] - kClosing[pad] * cell.approach_gap_m);
+    rest_place_[pad].set(lane, model_.pole_m[pad] - kClosing[pad] * approach_gap_m(scenario));
     pad_size_[0].set(lane, gripper.pad_size_m[0]);
     pad_size_[1].set(lane, gripper.pad_size_m[1]);
   }

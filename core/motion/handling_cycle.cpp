@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scenario/opening.hpp"
+
 namespace unbruised {
 
 HandlingCycle::HandlingCycle(const Scenario& scenario) : scenario_(scenario) {
@@ -41,7 +43,7 @@ void HandlingCycle::schedule(double ramp_start_s) {
   transfer_end_s_ = hold_end_s_ + transfer_.duration_s();
   lower_end_s_ = transfer_end_s_ + lower_.duration_s();
   release_start_s_ = lower_end_s_ + s.place_settle_s;
-  release_end_s_ = release_start_s_ + scenario_.cell.approach_gap_m / s.release_speed_m_s;
+  release_end_s_ = release_start_s_ + approach_gap_m(scenario_) / s.release_speed_m_s;
   end_s_ = release_end_s_ + s.recover_s;
   if (scenario_.simulation.duration_s) end_s_ = std::min(end_s_, *scenario_.simulation.duration_s);
 }

@@ -2,7 +2,8 @@
 
 /// @file
 /// One fully specified run: product + gripper + cell + strategy + limits + numerics. Plain data in SI;
-/// the inequality a value takes part in stands above it (checked by `validate` and by the config reader).
+/// the inequality a value takes part in stands above it. What is checked: ranges in number_fields.cpp, rules
+/// between values in rules.hpp, for `validate` and the config reader alike.
 
 #include <array>
 #include <optional>
@@ -23,7 +24,8 @@ struct LatticeParameters {
   std::array<double, 3> size_m{0.05, 0.05, 0.05};
   /// Axis of a cylinder.
   Axis axis = Axis::z;
-  /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two.
+  /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two, whose
+  /// sides may differ by 22 %.
   double cell_size_m = 0.005;
   /// > 0. Exactly one of mass_kg and density_kg_m3 is given.
   std::optional<double> mass_kg;
@@ -66,7 +68,7 @@ struct NetworkSpring {
   double damping_N_s_m = 0.0;
   /// > 0; default: the distance of the particles, so that the spring starts without force.
   std::optional<double> rest_length_m;
-  /// > 0; |force| at first yield. None: the spring stays elastic.
+  /// > 0, needs stiffness_N_m > 0; |force| at first yield. None: the spring stays elastic.
   std::optional<double> yield_force_N;
   /// >= 0; yield force grows by hardening_ratio x stiffness x plastic elongation.
   double hardening_ratio = 0.0;
@@ -99,7 +101,7 @@ enum class FingerCoupling {
 struct GripperParameters {
   /// > 0, each finger
   double finger_mass_kg = 0.1;
-  /// > 0; how far each finger can travel inwards from its starting place.
+  /// > 0, > the way to the product; how far each finger can travel inwards from its starting place.
   double stroke_m = 0.04;
   /// > 0; extents of a pad along y and z.
   std::array<double, 2> pad_size_m{0.03, 0.03};
@@ -122,9 +124,10 @@ struct GripperParameters {
   double min_force_N = 0.0;
   /// >= 0, < 1; the force that acts lies within +-force_accuracy x the force that is set.
   double force_accuracy = 0.0;
-  /// >= 0; forces that can be set are multiples of it; 0: any force
+  /// >= 0, <= max_force_N; forces that can be set are multiples of it; 0: any force
   double force_step_N = 0.0;
-  /// > 0; distance of the pad faces when the gripper is open; none: as wide as the approach needs
+  /// > 0, > the product's extent along x; distance of the pad faces when the gripper is open; none: as wide as the
+  /// approach needs
   std::optional<double> opening_m;
 };
 
@@ -141,8 +144,9 @@ struct CellParameters {
   double support_thickness_m = 0.005;
   /// >= 0
   double support_relaxation_time_s = 0.0;
-  /// > 0; from each pad face to the nearest point of the undeformed product at the start
-  double approach_gap_m = 0.005;
+  /// > 0; from each pad face to the nearest point of the undeformed product at the start. None: what the gripper's
+  /// opening leaves (opening.hpp); given with an opening it must agree with it.
+  std::optional<double> approach_gap_m;
   /// Height of the pad centres above the product's centre.
   double grip_height_m = 0.0;
   /// Offset of the pad centres from the product's centre along y.
@@ -151,7 +155,7 @@ struct CellParameters {
   double lift_height_m = 0.1;
   /// Horizontal way (x along the grip axis, y across it).
   std::array<double, 2> transfer_m{0.0, 0.3};
-  /// < lift_height_m when there is a lift; height of the target plane above the support
+  /// < lift_height_m when there is a lift, else <= 0; height of the target plane above the support
   double place_height_m = 0.0;
 };
 
@@ -180,7 +184,7 @@ struct StrategyParameters {
   double speed_m_s = 1.0;
   /// >= 0; rest after the lift
   double hold_s = 0.0;
-  /// >= 0; height above the target plane at which the fingers open
+  /// >= 0, <= lift_height_m - place_height_m; height above the target plane at which the fingers open
   double release_height_m = 0.0;
   /// >= 0; rest after lowering before the fingers open
   double place_settle_s = 0.05;
@@ -214,7 +218,7 @@ enum class InitialAcceleration { consistent, zero };
 struct SimulationParameters {
   /// > 0
   double time_step_s = 1e-3;
-  /// >= 1.37: below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable
+  /// >= 1.37, <= 3: below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable
   double theta = 1.4;
   /// > 0; required where no gripper fixes the end of the run
   std::optional<double> duration_s;

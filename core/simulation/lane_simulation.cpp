@@ -16,6 +16,7 @@
 #include "core/product/cell_plasticity.hpp"
 #include "core/product/rigid_motion.hpp"
 #include "core/product/spring_plasticity.hpp"
+#include "core/scenario/opening.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
@@ -530,7 +531,7 @@ StepObservation LaneSimulation::Impl::observation(int lane, double time_s) const
   }
   now_seen.patch_pressure_Pa = contact.patch_pressure()[lane];
   const double closing = fingers.way(0)[lane] + fingers.way(1)[lane];
-  now_seen.compression_m = closing - 2.0 * r.scenario.cell.approach_gap_m;
+  now_seen.compression_m = closing - 2.0 * approach_gap_m(r.scenario);
   now_seen.end_of_stroke = std::max(fingers.way(0)[lane], fingers.way(1)[lane]) >= r.scenario.gripper->stroke_m;
   return now_seen;
 }

@@ -12,6 +12,7 @@
 
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
+#include "core/scenario/rules.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -22,15 +23,6 @@ int lane_count();
 /// Everything that fixes the factored matrix, as bytes that compare equal exactly when the factor can be
 /// shared: geometry, mass, stiffness, damping, time step, theta.
 std::string factor_key(const Scenario& scenario);
-
-/// A rule of `Scenario` that does not hold: which field (dotted, e.g. "product.size_m[0]"), and the rule.
-struct Violation {
-  std::string field;
-  std::string rule;
-};
-
-/// All rules of scenario.hpp that `scenario` breaks; empty: it can be run.
-std::vector<Violation> validate(const Scenario& scenario);
 
 /// What a model will cost, known without factoring it.
 struct ModelSize {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "core/scenario/opening.hpp"
 #include "studies/config/usual_damping.hpp"
 
 namespace unbruised::studies {
@@ -216,6 +217,14 @@ struct Assembler {
     }
   }
 
+  /// Where no opening says how far the pads stand away, the resolved config says the usual way.
+  void settle_approach_gap() {
+    Scenario& scenario = out.scenario;
+    const bool follows = scenario.gripper && (scenario.gripper->opening_m || varied("gripper.opening_m"));
+    if (!scenario.gripper || follows || scenario.cell.approach_gap_m || varied("cell.approach_gap_m")) return;
+    scenario.cell.approach_gap_m = kUsualApproachGap_m;
+  }
+
   void require(const std::string& path) {
     if (!out.given.contains(path) && !varied(path)) problems.add(out.origin_of(path), path, "missing");
   }
@@ -278,6 +287,7 @@ Assembly assemble(const AssemblyInput& input, Problems& problems) {
   assembler.prepare();
   for (const LayeredEntry& item : assembler.entries) assembler.apply(item);
   assembler.give_damping();
+  assembler.settle_approach_gap();
   assembler.report_unused();
   if (input.is_complete) assembler.report_missing();
   return std::move(assembler.out);

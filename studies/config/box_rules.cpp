@@ -1,12 +1,13 @@
+#include "studies/config/box_rules.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
-#include "core/simulation/simulation.hpp"
 #include "studies/config/execution_error.hpp"
 #include "studies/config/rules.hpp"
 #include "studies/config/search_parts.hpp"
-#include "studies/config/searching.hpp"
 #include "studies/statistics/distribution.hpp"
 
 namespace unbruised::studies {
@@ -14,14 +15,89 @@ namespace {
 
 /// A rule that sees more keys than this is checked at two corners only.
 constexpr std::size_t kCornerKeysMost = 10;
+/// Places inside the box where each rule is looked at beside its corners.
+constexpr std::size_t kPlacesInside = 256;
 
-/// A key of the box with its two ends.
-struct BoxSide {
-  std::string key;
-  double low;
-  double high;
-  Origin origin;
-};
+void report(const Violations& all, const Origin& origin, const std::string& where, Problems& problems) {
+  for (const Violation& broken : all) {
+    if (broken.value.empty()) {
+      problems.add(origin, broken.field, broken.rule + where);
+    } else {
+      problems.add(origin, broken.field, broken.value, broken.rule + where);
+    }
+  }
+}
+
+/// Reports the candidates that break a rule.
+void check_candidates(const StudyRule& rule, const StudyData& data, const ReadBlocks& read, Problems& problems) {
+  for (std::size_t i = 0; i < data.candidates.size(); ++i) {
+    Violations broken;
+    rule.check(data.candidates[i].scenario, data.settings, broken);
+    report(broken, read.blocks.candidate[i].origin, " (candidate " + toml_string(data.candidates[i].name) + ")",
+           problems);
+  }
+}
+
+/// Places in the box of the sides, as parts of each from its low to its high end.
+using BoxPlaces = std::vector<std::vector<double>>;
+
+BoxPlaces corners_of(std::size_t sides) {
+  const bool all = sides <= kCornerKeysMost;
+  const std::size_t count = all ? std::size_t{1} << sides : 2;
+  BoxPlaces places(count, std::vector<double>(sides, 0.0));
+  for (std::size_t corner = 0; corner < count; ++corner) {
+    for (std::size_t k = 0; k < sides; ++k)
+      places[corner][k] = (all ? (corner >> k) & 1U : corner) != 0 ? 1.0 : 0.0;
+  }
+  return places;
+}
+
+/// Places inside, spread evenly: the additive recurrence of the square roots of primes (Weyl).
+BoxPlaces inside_of(std::size_t sides) {
+  constexpr std::array<double, 10> kPrimes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+  BoxPlaces places(kPlacesInside, std::vector<double>(sides, 0.5));
+  for (std::size_t i = 0; i < kPlacesInside; ++i) {
+    for (std::size_t k = 0; k < sides; ++k) {
+      const double walked = static_cast<double>(i + 1) * std::sqrt(kPrimes[k % kPrimes.size()]);
+      places[i][k] = walked - std::floor(walked);
+    }
+  }
+  return places;
+}
+
+/// Reports the rule at the first of the places where it is broken.
+void check_places(const StudyRule& rule, const BoxPlaces& places, const std::vector<BoxSide>& sides,
+                  const Scenario& base, const StudySettings& settings, Problems& problems) {
+  std::vector<std::string> keys;
+  for (const BoxSide& side : sides) keys.push_back(side.key);
+  for (const std::vector<double>& place : places) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      values.push_back(place[k] == 1.0 ? sides[k].high : sides[k].low + place[k] * (sides[k].high - sides[k].low));
+    }
+    Violations broken;
+    rule.check(Study::with_values(base, keys, values), settings, broken);
+    if (broken.empty()) continue;
+    std::string where;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      where += (where.empty() ? "" : ", ") + keys[k] + " = " + rounded(values[k]);
+    }
+    report(broken, sides.front().origin, " (reached at " + where + ")", problems);
+    return;
+  }
+}
+
+/// Reports the rule at a corner of the sides, else inside: the cells of a lattice can be good at both ends of a
+/// size and bad between them.
+void check_sides(const StudyRule& rule, const std::vector<BoxSide>& sides, const Scenario& base,
+                 const StudySettings& settings, Problems& problems) {
+  const std::size_t before = problems.count();
+  check_places(rule, corners_of(sides.size()), sides, base, settings, problems);
+  if (problems.count() > before || !std::holds_alternative<LatticeParameters>(base.product)) return;
+  check_places(rule, inside_of(sides.size()), sides, base, settings, problems);
+}
+
+}  // namespace
 
 std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   std::vector<BoxSide> sides;
@@ -38,78 +114,19 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   return sides;
 }
 
-void report(const Broken& broken, const Origin& origin, const std::string& where, Problems& problems) {
-  if (broken.value.empty()) {
-    problems.add(origin, broken.key, broken.rule + where);
-  } else {
-    problems.add(origin, broken.key, broken.value, broken.rule + where);
-  }
-}
-
-/// Reports the first broken rule between the values of a network with each key at either end.
-void check_network_ends(const std::vector<BoxSide>& sides, const Scenario& base, Problems& problems) {
-  if (!std::holds_alternative<NetworkParameters>(base.product)) return;
-  for (const BoxSide& side : sides) {
-    const std::array<std::string, 1> key = {side.key};
-    for (const double end : {side.low, side.high}) {
-      const std::array<double, 1> value = {end};
-      const Scenario scenario = Study::with_values(base, key, value);
-      const auto broken = broken_network_rules(std::get<NetworkParameters>(scenario.product));
-      if (broken.empty()) continue;
-      report(broken.front(), side.origin, " (reached at " + side.key + " = " + rounded(end) + ")", problems);
-      break;
-    }
-  }
-}
-
-/// Reports the candidates that break a rule.
-void check_candidates(const CrossRule& rule, const StudyData& data, const ReadBlocks& read, Problems& problems) {
-  for (std::size_t i = 0; i < data.candidates.size(); ++i) {
-    const auto broken = rule.broken(data.candidates[i].scenario, data.settings);
-    if (!broken) continue;
-    report(*broken, read.blocks.candidate[i].origin, " (candidate " + toml_string(data.candidates[i].name) + ")",
-           problems);
-  }
-}
-
-/// Reports the rule at the first corner of the sides where it is broken.
-void check_corners(const CrossRule& rule, const std::vector<BoxSide>& sides, const Scenario& base,
-                   const StudySettings& settings, Problems& problems) {
-  const bool all = sides.size() <= kCornerKeysMost;
-  const std::size_t corners = all ? std::size_t{1} << sides.size() : 2;
-  std::vector<std::string> keys;
-  for (const BoxSide& side : sides) keys.push_back(side.key);
-  for (std::size_t corner = 0; corner < corners; ++corner) {
-    std::vector<double> values;
-    std::string where;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const bool high = all ? ((corner >> k) & 1U) != 0 : corner != 0;
-      values.push_back(high ? sides[k].high : sides[k].low);
-      where += (where.empty() ? "" : ", ") + keys[k] + " = " + rounded(values.back());
-    }
-    const auto broken = rule.broken(Study::with_values(base, keys, values), settings);
-    if (!broken) continue;
-    report(*broken, sides.front().origin, " (reached at " + where + ")", problems);
-    return;
-  }
-}
-
-}  // namespace
-
 void check_box_rules(const StudyData& data, const ReadBlocks& read, Problems& problems) {
   const std::vector<BoxSide> all = box_sides(data, read);
-  check_network_ends(all, data.bases.front(), problems);
-  for (const CrossRule& rule : cross_rules()) {
+  for (const StudyRule& rule : study_rules()) {
     check_candidates(rule, data, read, problems);
     std::vector<BoxSide> seen;
     std::copy_if(all.begin(), all.end(), std::back_inserter(seen), [&](const BoxSide& side) {
       const std::string_view path = find_key(key_behind(side.key)).spec->path;
-      return std::find(rule.keys.begin(), rule.keys.end(), path) != rule.keys.end();
+      return std::find(rule.fields.begin(), rule.fields.end(), path) != rule.fields.end();
     });
     if (seen.empty()) continue;
-    check_corners(rule, seen, data.bases.front(), data.settings, problems);
+    check_sides(rule, seen, data.bases.front(), data.settings, problems);
     for (const StrategyCandidate& candidate : data.candidates) {
-      check_corners(rule, seen, candidate.scenario, data.settings, problems);
+      check_sides(rule, seen, candidate.scenario, data.settings, problems);
     }
   }
 }

@@ -245,20 +245,12 @@ Value text_value(std::string text) {
   return value;
 }
 
-std::string spelled(double number) {
-  if (std::isnan(number)) return "nan";
-  if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
-  std::array<char, 40> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  std::string text(buffer.data(), end);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  // "1e+06" and "1e-04" as people write them: "1e6", "1e-4".
-  if (const std::size_t e = text.find('e'); e != std::string::npos) {
-    if (text[e + 1] == '+') text.erase(e + 1, 1);
-    const std::size_t digits = text[e + 1] == '-' ? e + 2 : e + 1;
-    while (text[digits] == '0' && digits + 1 < text.size()) text.erase(digits, 1);
-  }
-  return text;
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  constexpr int kDigits = 6;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
 }
 
 std::string toml_string(std::string_view text) {

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/scenario/words.hpp"
+
 namespace unbruised::studies {
 
 /// Where a value was written. Without a file: on the command line.
@@ -38,8 +40,9 @@ struct Value {
 Value number_value(double number);
 Value text_value(std::string text);
 
-/// A number in its shortest spelling that reads back to the same bits, as a TOML float.
-std::string spelled(double number);
+using unbruised::spelled;
+/// Six digits, where the bits do not count.
+std::string rounded(double value);
 /// A string in TOML's basic quotes.
 std::string toml_string(std::string_view text);
 /// A value as TOML.

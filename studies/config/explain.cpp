@@ -2,6 +2,7 @@
 #include <map>
 #include <system_error>
 
+#include "core/scenario/plausible.hpp"
 #include "studies/config/library.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/config/usual_damping.hpp"
@@ -90,7 +91,7 @@ std::string unit_words(const KeySpec& spec) {
 
 std::string rule_words(const KeySpec& spec) {
   const std::string range = spec.range.text();
-  return range + (range.empty() || spec.note.empty() ? "" : "; ") + std::string(spec.note);
+  return range + (range.empty() || spec.note.empty() ? "" : "; ") + spec.note;
 }
 
 std::string_view where_used(Use use) {
@@ -141,6 +142,9 @@ std::string explanation(const KeySpec& spec) {
   if (const std::string unit = unit_words(spec); !unit.empty()) out += " in " + unit;
   out += "\n  default: " + default_words(spec) + "\n";
   if (const std::string rule = rule_words(spec); !rule.empty()) out += "  rule: " + rule + "\n";
+  for (const PlausibleRow& row : plausible_rows()) {
+    if (row.fields.front() == spec.path && !row.is_derived()) out += "  plausible: " + row.range_text() + "\n";
+  }
   if (const auto where = where_used(spec.use); !where.empty()) out += "  used by: " + std::string(where) + "\n";
   return out;
 }
@@ -218,6 +222,16 @@ std::string reference_markdown() {
            " | " + markdown_cell(default_words(spec)) + " | " + markdown_cell(rule_words(spec)) + " | " +
            markdown_cell(std::string(spec.meaning) + (where.empty() ? "" : " For " + std::string(where) + ".")) +
            " |\n";
+  }
+  return out;
+}
+
+std::string plausible_markdown() {
+  std::string out = "| quantity | from | plausible | unit | source |\n|---|---|---|---|---|\n";
+  for (const PlausibleRow& row : plausible_rows()) {
+    const std::string key = "`" + std::string(row.fields.front()) + "`" + (row.is_derived() ? " and others" : "");
+    out += "| " + std::string(row.quantity) + " | " + key + " | " + row.range_text() + " | " +
+           markdown_cell(std::string(row.unit)) + " | " + std::string(row.source) + " |\n";
   }
   return out;
 }

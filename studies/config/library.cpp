@@ -76,6 +76,12 @@ CsvColumn csv_column(std::string_view list, const std::string& name) {
   return {};
 }
 
+/// Spreadsheets begin "CSV UTF-8" with the bytes EF BB BF.
+std::string_view without_byte_order_mark(std::string_view content) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return content.starts_with(kMark) ? content.substr(kMark.size()) : content;
+}
+
 /// "yz" as ["y", "z"].
 Value axes_value(const std::string& cell) {
   Value axes;
@@ -87,7 +93,10 @@ Value axes_value(const std::string& cell) {
 Value cell_value(const KeySpec& spec, const std::string& cell) {
   if (spec.type == KeyType::axes) return axes_value(cell);
   double number = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  // Spreadsheets may write "+0"; from_chars takes no plus.
+  const bool has_plus = cell.size() > 1 && cell[0] == '+' && cell[1] != '-' && cell[1] != '+';
+  const char* begin = cell.data() + (has_plus ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), number);
   if (error != std::errc() || end != cell.data() + cell.size()) return text_value(cell);
   return number_value(number);
 }
@@ -187,7 +196,7 @@ std::vector<Entry> csv_entries(std::string_view list, std::string_view content,
                                const std::shared_ptr<const std::string>& file, int rank, Problems& problems) {
   std::vector<Entry> out;
   std::vector<CsvColumn> columns;
-  std::string_view rest = content;
+  std::string_view rest = without_byte_order_mark(content);
   int row = 0;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');

@@ -1,37 +1,26 @@
 #pragma once
 
 /// @file
-/// Rules between several values of one scenario.
+/// The rules that the scenarios of a study keep: those of core/scenario/rules.hpp, and those between a study's own
+/// settings.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/scenario/rules.hpp"
 #include "studies/config/schema.hpp"
 
 namespace unbruised::studies {
 
-/// A rule that does not hold: the key to blame, its value as text (may be empty), and the rule.
-struct Broken {
-  std::string key;
-  std::string value;
-  std::string rule;
-};
-
 /// A rule and the keys it looks at; a scenario needs checking only if it differs in one of them.
-struct CrossRule {
-  std::vector<std::string_view> keys;  ///< patterns; a varied element counts as its array
-  std::optional<Broken> (*broken)(const Scenario&, const StudySettings&);
+struct StudyRule {
+  std::vector<std::string_view> fields;  ///< patterns; a varied element counts as its array
+  std::function<void(const Scenario&, const StudySettings&, Violations&)> check;
 };
 
-const std::vector<CrossRule>& cross_rules();
-
-/// All broken rules of a network's lists.
-std::vector<Broken> broken_network_rules(const NetworkParameters& network);
-
-/// Allowed, but probably not meant.
-std::vector<std::string> doubts(const Scenario& scenario);
+/// All of them. Of a window study the rules about the grip force are checked at both ends of the window.
+const std::vector<StudyRule>& study_rules();
 
 }  // namespace unbruised::studies

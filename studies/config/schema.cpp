@@ -128,21 +128,6 @@ std::string spelled_vector(const std::array<double, 3>& v) {
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  return (min_open ? value > min : value >= min) && (max_open ? value < max : value <= max);
-}
-
-std::string Range::text() const {
-  const auto plain = [](double x) {
-    const std::string text = spelled(x);
-    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
-  };
-  std::string out;
-  if (std::isfinite(min)) out += (min_open ? "> " : ">= ") + plain(min);
-  if (std::isfinite(max)) out += (out.empty() ? "" : ", ") + std::string(max_open ? "< " : "<= ") + plain(max);
-  return out;
-}
-
 const std::vector<std::string>& key_patterns() {
   static const std::vector<std::string> patterns = [] {
     std::vector<std::string> all;

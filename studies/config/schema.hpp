@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/scenario/range.hpp"
 #include "core/scenario/scenario.hpp"
 #include "studies/config/document.hpp"
 #include "studies/config/study.hpp"
@@ -180,27 +181,17 @@ enum class Use {
   sensitivity,
 };
 
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  bool min_open = false;
-  double max = std::numeric_limits<double>::infinity();
-  bool max_open = false;
-
-  [[nodiscard]] bool contains(double value) const;
-  [[nodiscard]] std::string text() const;  ///< "> 0", ">= 0, < 0.5"; empty: any
-};
-
 /// A row of the key table.
 struct KeySpec {
   std::string_view path;  ///< dotted; [] stands for an index
   KeyType type = KeyType::number;
   std::string_view meaning;  ///< one sentence
-  Range range = {};
-  int size = 0;  ///< elements of `numbers` and `integers`
+  Range range = {};          ///< of a scenario's number: core's, filled in by key_table()
+  int size = 0;              ///< elements of `numbers` and `integers`
   std::vector<std::string_view> choices = {};
   Use use = Use::always;
   bool required = false;
-  std::string_view note = {};  ///< a rule between keys, or what an absent key means
+  std::string note = {};  ///< what an absent key means; the rules of core about the key follow by themselves
   /// What stands where the key is not given, for those whose default depends on other keys; empty: the field's
   /// value.
   std::string_view default_words = {};

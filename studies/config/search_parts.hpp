@@ -33,7 +33,4 @@ std::optional<Distribution> distribution_of(const RandomBlock& block, std::size_
 /// Goals and settings of [search], [compare] and [sensitivity].
 void add_goals(const SearchInput& input);
 
-/// A number as problems show it: six digits.
-std::string rounded(double value);
-
 }  // namespace unbruised::studies

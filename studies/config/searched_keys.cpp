@@ -260,14 +260,6 @@ class SearchedKeys {
 
 }  // namespace
 
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  constexpr int kDigits = 6;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kDigits);
-  return {text.data(), end.ptr};
-}
-
 void add_searched_keys(const SearchInput& input) {
   SearchedKeys keys(input);
   keys.add_variables();

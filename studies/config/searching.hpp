@@ -40,8 +40,4 @@ ReadBlocks read_blocks(const std::vector<Entry>& entries, const std::vector<Entr
 /// `data.settings` are there; random keys that the base does not have get their median.
 void complete_search(StudyData& data, const ReadBlocks& read, const Assembly& base, Problems& problems);
 
-/// Checks the rules between several values wherever variables and random keys may go: at the corners of the box
-/// that each rule sees.
-void check_box_rules(const StudyData& data, const ReadBlocks& read, Problems& problems);
-
 }  // namespace unbruised::studies

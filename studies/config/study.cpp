@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "studies/config/assemble.hpp"
+#include "studies/config/box_rules.hpp"
 #include "studies/config/contact_steps.hpp"
+#include "studies/config/doubts.hpp"
 #include "studies/config/execution_error.hpp"
 #include "studies/config/library.hpp"
 #include "studies/config/problems.hpp"
@@ -364,12 +366,12 @@ class Reader {
     return ids;
   }
 
-  void report(const Broken& broken, std::size_t id, const std::vector<std::string_view>& keys, bool varied) {
+  void report(const Violation& broken, std::size_t id, const std::vector<std::string_view>& keys, bool varied) {
     const Assembly& assembly = assembly_of(id);
-    Origin origin = assembly.origin_of(broken.key);
+    Origin origin = assembly.origin_of(broken.field);
     // The blamed key may be a default; then point at the key of the rule that was written.
     for (const std::string_view key : keys) {
-      if (assembly.given.contains(broken.key)) break;
+      if (assembly.given.contains(broken.field)) break;
       if (const auto found = assembly.given.find(std::string(key)); found != assembly.given.end()) {
         origin = found->second;
       }
@@ -381,9 +383,9 @@ class Reader {
     }
     const std::string rule = broken.rule + (varied ? " (scenario " + std::to_string(id) + ")" : "");
     if (broken.value.empty()) {
-      problems_.add(origin, broken.key, rule);
+      problems_.add(origin, broken.field, rule);
     } else {
-      problems_.add(origin, broken.key, broken.value, rule);
+      problems_.add(origin, broken.field, broken.value, rule);
     }
   }
 
@@ -393,55 +395,41 @@ class Reader {
 
   void check_rules() {
     check_study();
-    for (const CrossRule& rule : cross_rules()) {
+    check_product_kinds();
+    for (const StudyRule& rule : study_rules()) {
       if (is_left_to_box(rule)) continue;
       std::set<std::size_t> axes;
       for (const VaryColumn& column : data_.plan.columns) {
-        if (column.is_use() || matches(column, rule.keys)) axes.insert(column.axis);
+        if (column.is_use() || matches(column, rule.fields)) axes.insert(column.axis);
       }
       for (const std::size_t id : scenarios_over(axes)) {
-        const auto broken = rule.broken(data_.scenario(id), data_.settings);
-        if (!broken) continue;
-        report(*broken, id, rule.keys, !axes.empty());
-        break;
+        Violations broken;
+        rule.check(data_.scenario(id), data_.settings, broken);
+        for (const Violation& violation : broken) report(violation, id, rule.fields, !axes.empty());
+        if (!broken.empty()) break;
       }
     }
-    check_networks();
   }
 
   /// Does the rule look at a key that is searched or drawn and has no other value? Then the box of values is
   /// checked.
-  [[nodiscard]] bool is_left_to_box(const CrossRule& rule) const {
+  [[nodiscard]] bool is_left_to_box(const StudyRule& rule) const {
     const auto keys = blocks_.keys();
     return std::any_of(keys.begin(), keys.end(), [&](const auto& item) {
       const std::string& key = item.first;
       const auto& given = assemblies_.front().given;
       if (given.contains(key) || given.contains(key.substr(0, key.rfind('[')))) return false;
-      return std::find(rule.keys.begin(), rule.keys.end(), find_key(key).spec->path) != rule.keys.end();
+      return std::find(rule.fields.begin(), rule.fields.end(), find_key(key).spec->path) != rule.fields.end();
     });
   }
 
-  void check_networks() {
-    const bool varied = data_.plan.scenario_count > 1;
-    bool lattice = false;
-    bool network = false;
-    for (const Scenario& base : data_.bases) {
-      (std::holds_alternative<NetworkParameters>(base.product) ? network : lattice) = true;
-    }
-    if (lattice && network) {
-      problems_.add(place(1), "product.use", "its values must all be lattices or all be networks");
-    }
-    if (!network || lattice) return;
-    std::set<std::size_t> axes;
-    for (const VaryColumn& column : data_.plan.columns) {
-      if (column.is_use() || column.input.key.starts_with("product.")) axes.insert(column.axis);
-    }
-    for (const std::size_t id : scenarios_over(axes)) {
-      const Scenario scenario = data_.scenario(id);
-      const auto all = broken_network_rules(std::get<NetworkParameters>(scenario.product));
-      for (const Broken& broken : all) report(broken, id, {}, varied && !axes.empty());
-      if (!all.empty()) return;
-    }
+  void check_product_kinds() {
+    const auto is_network = [](const Scenario& base) {
+      return std::holds_alternative<NetworkParameters>(base.product);
+    };
+    const auto networks = std::count_if(data_.bases.begin(), data_.bases.end(), is_network);
+    if (networks == 0 || networks == static_cast<std::ptrdiff_t>(data_.bases.size())) return;
+    problems_.add(place(1), "product.use", "its values must all be lattices or all be networks");
   }
 
   void check_study() {
@@ -481,7 +469,7 @@ class Reader {
     data_.random_blocks = blocks_.blocks.random;
     data_.fewest_contact_steps = fewest_contact_steps(data_);
     data_.resolved = resolved_text(data_);
-    data_.warnings = doubts(data_.scenario(0));
+    data_.warnings = doubts(data_);
   }
 
   std::shared_ptr<const std::string> file_;

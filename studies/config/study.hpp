@@ -235,6 +235,8 @@ std::optional<std::string> explain_key(const std::string& key);
 std::string explain_all();
 /// The whole key reference as the Markdown that stands in docs/config.md.
 std::string reference_markdown();
+/// The list of plausible values as the Markdown table that stands in docs/config.md.
+std::string plausible_markdown();
 
 /// The keys whose values differ between two resolved configs, sorted; for the refusal to continue another study.
 std::vector<std::string> differing_keys(const std::string& resolved_a, const std::string& resolved_b);

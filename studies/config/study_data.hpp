@@ -31,7 +31,7 @@ struct StudyData {
   std::string resolved;
   std::vector<std::string> warnings;
 
-  /// A point of the grid.
+  /// The fully specified run `id` of the plan.
   [[nodiscard]] Scenario scenario(std::size_t id) const;
   /// Which combination a scenario belongs to.
   [[nodiscard]] std::size_t base_of(std::size_t scenario) const;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/motion/profile.hpp"
+#include "core/scenario/opening.hpp"
 #include "studies/execution/build_info.hpp"
 
 namespace unbruised::studies {
@@ -33,8 +34,9 @@ double simulated_duration_s(const Scenario& scenario) {
   const StrategyParameters& s = scenario.strategy;
   const CellParameters& cell = scenario.cell;
   const double lift = s.lift_acceleration_m_s2;
-  const double approach = s.approach_speed_m_s > 0.0 ? cell.approach_gap_m / s.approach_speed_m_s : 0.0;
-  const double release = s.release_speed_m_s > 0.0 ? cell.approach_gap_m / s.release_speed_m_s : 0.0;
+  const double gap = approach_gap_m(scenario);
+  const double approach = s.approach_speed_m_s > 0.0 ? gap / s.approach_speed_m_s : 0.0;
+  const double release = s.release_speed_m_s > 0.0 ? gap / s.release_speed_m_s : 0.0;
   const double lower_m = cell.lift_height_m - cell.place_height_m - s.release_height_m;
   const double whole =
       approach + s.grip_ramp_s + s.settle_s + duration_of(s, cell.lift_height_m, lift) + s.hold_s +

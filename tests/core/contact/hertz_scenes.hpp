@@ -57,7 +57,7 @@ inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio
   Pressed pressed;
   EXPECT_NEAR(last("finger_force_N", 0), force_N, 1e-3 * force_N) << "at rest";
   pressed.contact_count = last("contact_count", 0);
-  pressed.approach_m = 0.5 * (last("finger_way_m", 0) + last("finger_way_m", 1)) - scenario.cell.approach_gap_m;
+  pressed.approach_m = 0.5 * (last("finger_way_m", 0) + last("finger_way_m", 1)) - approach_gap_m(scenario);
   // Hertz's largest pressure presses the layer by p0 / layer; small beside the approach for a stiff layer only.
   const double ideal_m = std::pow(0.75 * force_N / (plane * std::sqrt(R)), 2.0 / 3.0);
   const double p0 = 2.0 * plane / std::numbers::pi * std::sqrt(ideal_m / R);

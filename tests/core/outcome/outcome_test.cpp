@@ -46,8 +46,7 @@ Scenario damaging() {
 
 Scenario missing() {
   Scenario scenario = small_box();
-  scenario.gripper->stroke_m = 0.004;
-  scenario.cell.approach_gap_m = 0.005;
+  scenario.cell.grip_height_m = 0.1;  // the pads close above the product
   return scenario;
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/scenario/scenarios.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -17,56 +18,33 @@ using namespace testing;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-using Setter = std::function<void(Scenario&, double)>;
+/// The n-th number of all fields.
+struct Numbered {
+  std::string name;
+  std::size_t n;
+};
 
-std::vector<Setter> lattice_numbers() {
-  return {
-      [](Scenario& s, double x) { lattice_of(s).size_m[1] = x; },
-      [](Scenario& s, double x) { lattice_of(s).cell_size_m = x; },
-      [](Scenario& s, double x) { lattice_of(s).density_kg_m3 = x; },
-      [](Scenario& s, double x) { lattice_of(s).youngs_modulus_Pa = x; },
-      [](Scenario& s, double x) { lattice_of(s).poisson_ratio = x; },
-      [](Scenario& s, double x) { lattice_of(s).relaxation_time_s = x; },
-      [](Scenario& s, double x) { lattice_of(s).friction = x; },
-      [](Scenario& s, double x) { lattice_of(s).initial_velocity_m_s[2] = x; },
-      [](Scenario& s, double x) { s.gripper->finger_mass_kg = x; },
-      [](Scenario& s, double x) { s.gripper->pad_size_m[0] = x; },
-      [](Scenario& s, double x) { s.gripper->pad_modulus_Pa = x; },
-      [](Scenario& s, double x) { s.gripper->drive_gain_N_s_m = x; },
-      [](Scenario& s, double x) { s.gripper->max_force_N = x; },
-      [](Scenario& s, double x) { s.cell.gravity_m_s2[2] = x; },
-      [](Scenario& s, double x) { s.cell.support_friction = x; },
-      [](Scenario& s, double x) { s.cell.approach_gap_m = x; },
-      [](Scenario& s, double x) { s.cell.grip_height_m = x; },
-      [](Scenario& s, double x) { s.cell.transfer_m[1] = x; },
-      [](Scenario& s, double x) { s.cell.place_height_m = x; },
-      [](Scenario& s, double x) { s.strategy.approach_speed_m_s = x; },
-      [](Scenario& s, double x) { s.strategy.grip_force_N = x; },
-      [](Scenario& s, double x) { s.strategy.contact_force_N = x; },
-      [](Scenario& s, double x) { s.strategy.lift_acceleration_m_s2 = x; },
-      [](Scenario& s, double x) { s.strategy.hold_s = x; },
-      [](Scenario& s, double x) { s.limits.slip_m = x; },
-      [](Scenario& s, double x) { s.limits.finger_force_N = x; },
-      [](Scenario& s, double x) { s.simulation.time_step_s = x; },
-      [](Scenario& s, double x) { s.simulation.theta = x; },
-      [](Scenario& s, double x) { s.simulation.max_strain = x; },
-      [](Scenario& s, double x) { s.simulation.trace_interval_s = x; },
-  };
+/// Calls `visit` with each number of the scenario, in the order of the table; ints are left out.
+void for_each(Scenario& scenario, const std::function<void(const std::string&, NumberSlot)>& visit) {
+  for (const NumberField& field : number_fields()) {
+    field.each(scenario, [&](const NumberPlace& place, NumberSlot slot) {
+      if (!std::holds_alternative<int*>(slot)) visit(path_of(field.path, place), slot);
+    });
+  }
 }
 
-std::vector<Setter> network_numbers() {
-  return {
-      [](Scenario& s, double x) { network_of(s).particle[1].mass_kg = x; },
-      [](Scenario& s, double x) { network_of(s).particle[1].position_m[0] = x; },
-      [](Scenario& s, double x) { network_of(s).particle[1].initial_displacement_m[0] = x; },
-      [](Scenario& s, double x) { network_of(s).particle[1].initial_velocity_m_s[0] = x; },
-      [](Scenario& s, double x) { network_of(s).spring[0].stiffness_N_m = x; },
-      [](Scenario& s, double x) { network_of(s).spring[0].damping_N_s_m = x; },
-      [](Scenario& s, double x) { network_of(s).spring[0].rest_length_m = x; },
-      [](Scenario& s, double x) { network_of(s).spring[0].yield_force_N = x; },
-      [](Scenario& s, double x) { network_of(s).load[0].time_s[1] = x; },
-      [](Scenario& s, double x) { network_of(s).load[0].force_N[0][0] = x; },
-  };
+std::vector<Numbered> numbers_of(Scenario scenario) {
+  std::vector<Numbered> all;
+  for_each(scenario, [&](const std::string& name, NumberSlot) { all.push_back({name, all.size()}); });
+  return all;
+}
+
+Scenario with(Scenario scenario, const Numbered& number, double value) {
+  std::size_t n = 0;
+  for_each(scenario, [&](const std::string&, NumberSlot slot) {
+    if (n++ == number.n) set(slot, value);
+  });
+  return scenario;
 }
 
 Scenario loaded_oscillator() {
@@ -81,20 +59,13 @@ TEST(HostileNumbers, TheScenesThemselvesAreSound) {
 }
 
 TEST(HostileNumbers, NanAndInfinityAreRefusedInEveryField) {
-  for (const double bad : {kNan, kInfinity, -kInfinity}) {
-    std::size_t at = 0;
-    for (const Setter& set : lattice_numbers()) {
-      Scenario scenario = small_box();
-      set(scenario, bad);
-      EXPECT_FALSE(validate(scenario).empty()) << "lattice number " << at << " = " << bad;
-      ++at;
-    }
-    at = 0;
-    for (const Setter& set : network_numbers()) {
-      Scenario scenario = loaded_oscillator();
-      set(scenario, bad);
-      EXPECT_FALSE(validate(scenario).empty()) << "network number " << at << " = " << bad;
-      ++at;
+  for (const Scenario& sound : {small_box(), loaded_oscillator()}) {
+    const std::vector<Numbered> all = numbers_of(sound);
+    EXPECT_GE(all.size(), 50U);
+    for (const Numbered& number : all) {
+      for (const double bad : {kNan, kInfinity, -kInfinity}) {
+        EXPECT_FALSE(validate(with(sound, number, bad)).empty()) << number.name << " = " << bad;
+      }
     }
   }
 }
@@ -151,14 +122,12 @@ TEST(HostileNumbers, AStiffnessThatHoldsNothingEndsWithAName) {
 }
 
 TEST(HostileNumbers, ExtremesOfEveryFieldEndWithAName) {
-  std::size_t at = 0;
-  for (const Setter& set : network_numbers()) {
+  const Scenario sound = loaded_oscillator();
+  for (const Numbered& number : numbers_of(sound)) {
+    if (!number.name.starts_with("product.")) continue;  // a run of 1e300 s or of 1e300 steps has no end
     for (const double extreme : {1e-300, 1e-30, 1e30, 1e300, -1e300}) {
-      Scenario scenario = loaded_oscillator();
-      set(scenario, extreme);
-      expect_named_end(scenario, "network number " + std::to_string(at) + " = " + std::to_string(extreme));
+      expect_named_end(with(sound, number, extreme), number.name + " = " + std::to_string(extreme));
     }
-    ++at;
   }
 }
 

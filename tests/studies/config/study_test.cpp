@@ -524,24 +524,29 @@ TEST(Configs, BathesMatricesAreThoseOfTheExample) {
   EXPECT_EQ(network.particle[2].mass_kg, 1.0);
 }
 
-TEST(Docs, TheConfigReferenceIsTheOneOfTheProgram) {
+/// Compares what stands between the marks of a name in docs/config.md with what the program says; writes it there
+/// where UNBRUISED_UPDATE_DOCS is set.
+void expect_in_docs(const std::string& name, const std::string& wanted) {
   const std::string path = std::string(UNBRUISED_SOURCE_DIR) + "/docs/config.md";
-  const std::string begin = "<!-- reference: begin -->\n";
-  const std::string end = "<!-- reference: end -->\n";
+  const std::string begin = "<!-- " + name + ": begin -->\n";
   std::stringstream content;
   content << std::ifstream(path).rdbuf();
   std::string text = content.str();
   const std::size_t first = text.find(begin) + begin.size();
-  const std::size_t last = text.find(end);
+  const std::size_t last = text.find("<!-- " + name + ": end -->\n");
   ASSERT_NE(last, std::string::npos);
   if (std::getenv("UNBRUISED_UPDATE_DOCS") != nullptr) {
-    text.replace(first, last - first, reference_markdown());
+    text.replace(first, last - first, wanted);
     std::ofstream(path) << text;
     return;
   }
-  EXPECT_EQ(text.substr(first, last - first), reference_markdown())
-      << "run this test once with UNBRUISED_UPDATE_DOCS=1 to write the reference anew";
+  EXPECT_EQ(text.substr(first, last - first), wanted)
+      << "run this test once with UNBRUISED_UPDATE_DOCS=1 to write the " << name << " anew";
 }
+
+TEST(Docs, TheConfigReferenceIsTheOneOfTheProgram) { expect_in_docs("reference", reference_markdown()); }
+
+TEST(Docs, TheListOfPlausibleValuesIsTheOneOfTheProgram) { expect_in_docs("plausible", plausible_markdown()); }
 
 }  // namespace
 }  // namespace unbruised::studies

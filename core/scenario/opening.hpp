@@ -1,0 +1,18 @@
+#pragma once
+
+/// @file
+/// How far the pads stand from the product before the approach.
+
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// The way of each pad where neither the gap nor the opening is given [m].
+inline constexpr double kUsualApproachGap_m = 0.005;
+
+/// From each pad face to the nearest point of the undeformed product at the start [m]: cell.approach_gap_m;
+/// without it what the opening leaves, (gripper.opening_m - product.size_m[0]) / 2; without either
+/// kUsualApproachGap_m. Not positive where the product is wider than the opening, which `validate` refuses.
+double approach_gap_m(const Scenario& scenario);
+
+}  // namespace unbruised

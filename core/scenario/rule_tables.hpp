@@ -1,0 +1,25 @@
+#pragma once
+
+/// @file
+/// The parts of the table of rules; inside core/scenario.
+
+#include "core/scenario/rules.hpp"
+
+namespace unbruised {
+
+std::vector<Rule> lattice_rules();
+std::vector<Rule> network_rules();
+std::vector<Rule> gripper_rules();
+std::vector<Rule> motion_rules();
+
+/// lower <= upper, or < with `Strictness::below`, wherever both are there.
+enum class Strictness { at_most, below };
+/// @param sentence "<= gripper.max_force_N"
+Rule bounded(std::string_view lower, std::string_view sentence, std::string_view upper,
+             Strictness strictness = Strictness::at_most);
+
+/// Appends "must be <= other = bound".
+void add_bound(Violations& out, std::string_view field, double value, std::string_view other, double bound,
+               Strictness strictness = Strictness::at_most);
+
+}  // namespace unbruised

@@ -1,0 +1,242 @@
+// The one table of rules: every rule is broken by a scenario of its own, and looks at the fields it names only.
+
+#include "core/scenario/rules.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/scenario/lattice_cells.hpp"
+#include "tests/core/scenario/scenarios.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+/// A change of a sound scenario, and whom the broken rule blames.
+struct Breach {
+  const char* field;
+  const char* rule;  ///< how the sentence starts
+  Scenario (*scene)();
+  void (*change)(Scenario&);
+};
+
+using S = Scenario&;
+
+std::vector<Breach> lattice_breaches() {
+  return {
+      {"product.size_m", "a sphere has three equal", usual_grip,
+       [](S s) {
+         lattice_in(s).shape = Shape::sphere;
+         lattice_in(s).size_m = {0.05, 0.05, 0.06};
+       }},
+      {"product.cell_size_m", "must be <= half", usual_grip, [](S s) { lattice_in(s).cell_size_m = 0.03; }},
+      {"product.cell_size_m", "makes more than", usual_grip, [](S s) { lattice_in(s).cell_size_m = 4e-4; }},
+      {"product.cell_size_m", "divides the product into cells of 0.0125 x 0.0125 x 0.0175 m", usual_grip,
+       [](S s) {
+         lattice_in(s).size_m = {0.05, 0.05, 0.035};
+         lattice_in(s).cell_size_m = 0.0142;
+       }},
+      {"product.mass_kg", "missing", usual_grip, [](S s) { lattice_in(s).mass_kg.reset(); }},
+      {"product.mass_kg", "excludes", usual_grip, [](S s) { lattice_in(s).density_kg_m3 = 1e3; }},
+      {"product.tangent_modulus_Pa", "missing", usual_grip, [](S s) { lattice_in(s).tangent_modulus_Pa.reset(); }},
+      {"product.tangent_modulus_Pa", "not used", usual_grip, [](S s) { lattice_in(s).yield_stress_Pa.reset(); }},
+      {"product.tangent_modulus_Pa", "must be < product.youngs", usual_grip,
+       [](S s) { lattice_in(s).tangent_modulus_Pa = 1e6; }},
+      {"product.relaxation_time_s", "excludes", usual_grip, [](S s) { lattice_in(s).relaxation_time_s = 1e-3; }},
+      {"product.at_frequency_Hz", "missing", usual_grip, [](S s) { lattice_in(s).at_frequency_Hz.reset(); }},
+      {"product.at_frequency_Hz", "not used", usual_grip, [](S s) { lattice_in(s).loss_ratio.reset(); }},
+  };
+}
+
+std::vector<Breach> network_breaches() {
+  return {
+      {"gripper", "a network cannot be gripped", usual_network, [](S s) { s.gripper.emplace(); }},
+      {"product.particle", "a network needs particles", usual_network,
+       [](S s) { s.product = NetworkParameters{}; }},
+      {"product.particle[0].fixed", "every particle is fixed", usual_network,
+       [](S s) {
+         network_in(s).particle[1].fixed = {true, true, true};
+       }},
+      {"product.particle[1].mass_kg", "must be > 0 unless", usual_network,
+       [](S s) { network_in(s).particle[1].mass_kg = 0.0; }},
+      {"product.spring[0].between", "there are 2 particles", usual_network,
+       [](S s) {
+         network_in(s).spring[0].between = {0, 2};
+       }},
+      {"product.spring[0].between", "must join two", usual_network,
+       [](S s) {
+         network_in(s).spring[0].between = {1, 1};
+       }},
+      {"product.spring[0].between", "must join two", usual_network,
+       [](S s) {
+         network_in(s).particle[1].position_m = {0.0, 0.0, 0.0};
+       }},
+      {"product.spring[0].hardening_ratio", "not used", usual_network,
+       [](S s) {
+         network_in(s).spring[0].hardening_ratio = 0.1;
+         network_in(s).spring[0].yield_force_N.reset();
+       }},
+      {"product.spring[0].yield_force_N", "needs a stiffness", usual_network,
+       [](S s) { network_in(s).spring[0].stiffness_N_m = 0.0; }},
+      {"product.load[0].particle", "there are 2 particles", usual_network,
+       [](S s) { network_in(s).load[0].particle = 7; }},
+      {"product.load[0].force_N", "must have as many", usual_network,
+       [](S s) { network_in(s).load[0].force_N.pop_back(); }},
+      {"product.load[0].time_s", "must not decrease", usual_network,
+       [](S s) {
+         network_in(s).load[0].time_s = {1.0, 0.0};
+       }},
+  };
+}
+
+std::vector<Breach> handling_breaches() {
+  return {
+      {"gripper.stroke_m", "must be > the way", usual_grip, [](S s) { s.gripper->stroke_m = 0.005; }},
+      {"gripper.min_force_N", "must be <= gripper.max", usual_grip, [](S s) { s.gripper->min_force_N = 101.0; }},
+      {"gripper.force_step_N", "must be <= gripper.max", usual_grip, [](S s) { s.gripper->force_step_N = 101.0; }},
+      {"gripper.opening_m", "must be > product.size_m[0]", usual_grip, [](S s) { s.gripper->opening_m = 0.04; }},
+      {"cell.approach_gap_m", "contradicts", usual_grip,
+       [](S s) {
+         s.gripper->opening_m = 0.08;
+         s.cell.approach_gap_m = 0.005;
+       }},
+      {"strategy.approach_speed_m_s", "must be <= gripper.max", usual_grip,
+       [](S s) { s.strategy.approach_speed_m_s = 0.6; }},
+      {"strategy.grip_force_N", "must be <= gripper.max", usual_grip,
+       [](S s) { s.strategy.grip_force_N = 101.0; }},
+      {"strategy.contact_force_N", "must be <= strategy.grip", usual_grip,
+       [](S s) { s.strategy.contact_force_N = 1.1; }},
+      {"strategy.release_speed_m_s", "must be <= gripper.max", usual_grip,
+       [](S s) { s.strategy.release_speed_m_s = 0.6; }},
+      {"cell.place_height_m", "must be < cell.lift", usual_grip, [](S s) { s.cell.place_height_m = 0.1; }},
+      {"cell.place_height_m", "must be <= cell.lift", usual_grip,
+       [](S s) {
+         s.cell.lift_height_m = 0.0;
+         s.cell.place_height_m = 0.01;
+       }},
+      {"strategy.release_height_m", "must be <= cell.lift_height_m - cell.place_height_m = 0.1", usual_grip,
+       [](S s) { s.strategy.release_height_m = 0.5; }},
+      {"simulation.duration_s", "missing", usual_network, [](S s) { s.simulation.duration_s.reset(); }},
+      {"simulation.duration_s", "must be >= simulation.time", usual_network,
+       [](S s) { s.simulation.duration_s = 1e-4; }},
+      {"simulation.trace_interval_s", "must be >= simulation.time", usual_grip,
+       [](S s) { s.simulation.trace_interval_s = 1e-4; }},
+  };
+}
+
+std::vector<Breach> breaches() {
+  std::vector<Breach> all;
+  for (const auto& part : {lattice_breaches(), network_breaches(), handling_breaches()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+Scenario broken_by(const Breach& breach) {
+  Scenario scenario = breach.scene();
+  breach.change(scenario);
+  return scenario;
+}
+
+bool speaks(const Violations& all, const Breach& breach) {
+  return std::any_of(all.begin(), all.end(), [&](const Violation& violation) {
+    return violation.field == breach.field && violation.rule.starts_with(breach.rule);
+  });
+}
+
+TEST(Rules, HoldInUsualScenarios) {
+  EXPECT_TRUE(validate(usual_grip()).empty());
+  EXPECT_TRUE(validate(usual_network()).empty());
+}
+
+TEST(Rules, AreBrokenByTheScenariosMadeForThem) {
+  for (const Breach& breach : breaches()) {
+    const Violations found = validate(broken_by(breach));
+    EXPECT_TRUE(speaks(found, breach)) << breach.field << ": " << breach.rule << ", but "
+                                       << (found.empty() ? "nothing" : found[0].field + ": " + found[0].rule);
+  }
+}
+
+TEST(Rules, EachHaveAScenarioThatBreaksThem) {
+  const std::vector<Breach> all = breaches();
+  for (const Rule& rule : scenario_rules()) {
+    const bool broken = std::any_of(all.begin(), all.end(), [&](const Breach& breach) {
+      Violations found;
+      rule.check(broken_by(breach), found);
+      return !found.empty();
+    });
+    EXPECT_TRUE(broken) << rule.fields.front() << ": " << rule.sentence;
+  }
+}
+
+/// Does the rule say the same after every number that it does not name was changed a little?
+void expect_blind_to_others(const Rule& rule, const Scenario& scenario) {
+  Violations before;
+  rule.check(scenario, before);
+  for (const NumberField& field : number_fields()) {
+    if (std::find(rule.fields.begin(), rule.fields.end(), field.path) != rule.fields.end()) continue;
+    Scenario changed = scenario;
+    field.each(changed, [](const NumberPlace&, NumberSlot slot) {
+      if (auto* const* number = std::get_if<double*>(&slot)) **number = 1.5 * **number + 0.01;
+      if (auto* const* maybe = std::get_if<std::optional<double>*>(&slot))
+        **maybe = 0.5 * (*maybe)->value_or(0.02);
+    });
+    Violations after;
+    rule.check(changed, after);
+    EXPECT_EQ(after.size(), before.size()) << rule.fields.front() << " looks at " << field.path;
+  }
+}
+
+TEST(Rules, LookAtTheFieldsTheyNameOnly) {
+  for (const Rule& rule : scenario_rules()) {
+    expect_blind_to_others(rule, usual_grip());
+    expect_blind_to_others(rule, usual_network());
+    for (const Breach& breach : breaches()) expect_blind_to_others(rule, broken_by(breach));
+  }
+}
+
+TEST(Rules, NameKnownFields) {
+  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed",
+                                            "gripper"};
+  for (const Rule& rule : scenario_rules()) {
+    for (const std::string_view field : rule.fields) {
+      EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;
+    }
+  }
+}
+
+TEST(Rules, AWantedCellIsAnsweredWithOneThatDividesTheProduct) {
+  // For any box the cell that is offered has to be accepted.
+  for (double height = 0.011; height < 0.09; height += 0.0013) {
+    for (double cell = 0.004; cell < 0.5 * height; cell += 0.0007) {
+      Scenario scenario = usual_grip();
+      LatticeParameters& product = lattice_in(scenario);
+      product.size_m = {0.05, 0.037, height};
+      product.cell_size_m = std::min(cell, 0.018);
+      const Violations found = validate(scenario);
+      if (found.empty()) continue;
+      ASSERT_EQ(found.size(), 1U);
+      const std::size_t at = found[0].rule.find("; ");
+      ASSERT_NE(at, std::string::npos) << found[0].rule;
+      product.cell_size_m = std::stod(found[0].rule.substr(at + 2));
+      EXPECT_TRUE(validate(scenario).empty()) << found[0].rule;
+    }
+  }
+}
+
+TEST(Rules, ThetaHasAnUpperEnd) {
+  Scenario scenario = usual_grip();
+  scenario.simulation.theta = 5.0;
+  const Violations found = validate(scenario);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].field + " = " + found[0].value + ": " + found[0].rule,
+            "simulation.theta = 5.0: must be >= 1.37, <= 3");
+}
+
+}  // namespace
+}  // namespace unbruised

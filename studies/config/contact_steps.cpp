@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/contact/contact_time.hpp"
+#include "studies/config/execution_error.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -100,21 +101,31 @@ ContactSteps fewest_over_sides(Scenario scenario, const std::vector<Side>& sides
   return found;
 }
 
+/// Does the contact of this grid point get other steps where one column alone has another of its values?
+bool matters(const StudyData& data, std::size_t id, std::size_t c) {
+  const VaryPlan& plan = data.plan;
+  const VaryColumn& column = plan.columns[c];
+  const VaryAxis& axis = plan.axes[column.axis];
+  const Scenario scenario = data.scenario(id);
+  const std::size_t first = id - plan.index(id, c) * axis.stride;
+  const std::vector<std::size_t> ends = ends_of_axis(plan, column.axis);
+  return std::any_of(ends.begin(), ends.end(), [&](std::size_t index) {
+    Scenario other = data.scenario(first + index * axis.stride);
+    if (!column.input.is_text) {
+      other = scenario;
+      apply_named(other, column.input.key, column.input.numbers[index]);
+    }
+    return steps_of(other) != steps_of(scenario);
+  });
+}
+
 /// The varied keys of a grid point that change the steps of its contact.
 std::string place_on_grid(const StudyData& data, std::size_t id) {
-  const VaryPlan& plan = data.plan;
-  const double here = steps_of(data.scenario(id));
   std::string where;
-  for (std::size_t c = 0; c < plan.columns.size(); ++c) {
-    const VaryAxis& axis = plan.axes[plan.columns[c].axis];
-    const std::size_t first = id - plan.index(id, c) * axis.stride;
-    const std::vector<std::size_t> ends = ends_of_axis(plan, plan.columns[c].axis);
-    const bool matters = std::any_of(ends.begin(), ends.end(), [&](std::size_t index) {
-      return steps_of(data.scenario(first + index * axis.stride)) != here;
-    });
-    if (!matters) continue;
-    const InputColumn& input = plan.columns[c].input;
-    const std::size_t index = plan.index(id, c);
+  for (std::size_t c = 0; c < data.plan.columns.size(); ++c) {
+    if (!matters(data, id, c)) continue;
+    const InputColumn& input = data.plan.columns[c].input;
+    const std::size_t index = data.plan.index(id, c);
     add_place(where, input.key, input.is_text ? input.texts[index] : three_digits(input.numbers[index]));
   }
   return where;

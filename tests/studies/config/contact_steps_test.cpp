@@ -42,6 +42,13 @@ TEST(ChosenTimeStep, GivesTheShortestContactOfTheStudyTwentySteps) {
   EXPECT_EQ(study.fewest_contact_steps().where, "approach_speed_m_s = 0.4");
 }
 
+TEST(ContactSteps, NameOnlyTheKeysThatMatterOfThoseThatVaryTogether) {
+  const std::string zipped =
+      "[[vary]]\nkey = \"product.friction\"\nzip = \"z\"\nvalues = [0.4, 0.5]\n"
+      "[[vary]]\nkey = \"product.youngs_modulus_Pa\"\nzip = \"z\"\nvalues = [2e5, 3e5]\n";
+  EXPECT_EQ(study_of(kiwi("sweep", zipped)).fewest_contact_steps().where, "youngs_modulus_Pa = 3e+05");
+}
+
 TEST(ChosenTimeStep, OfAKiwiMetAtThreeHundredMillimetresPerSecondIsNotTheMillisecondThatMovesItsDamageByAThird) {
   const Study study = study_of(kiwi("simulate", "[strategy]\napproach_speed_m_s = 0.3\ngrip_force_N = 2.0\n"));
   EXPECT_LE(step_of(study), 7.8e-4);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// SIGINT and SIGTERM: the first asks the program to stop properly, the second ends it at once.
+/// SIGINT, SIGTERM and SIGHUP: the first asks the program to stop properly, the second ends it at once.
 
 #include <atomic>
 
@@ -11,7 +11,7 @@ namespace unbruised::studies {
 void listen_for_interrupts();
 /// True after the first signal.
 const std::atomic<bool>& interrupt_requested();
-/// 130 after SIGINT, 143 after SIGTERM, 0 before.
+/// 130 after SIGINT, 143 after SIGTERM, 129 after SIGHUP, 0 before.
 int interrupt_exit_status();
 
 }  // namespace unbruised::studies

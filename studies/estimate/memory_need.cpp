@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <variant>
 
 #include <sys/resource.h>
@@ -27,7 +29,7 @@ constexpr double kRowCopies = 6.0;
 /// A model below this part of the machine's memory needs no second look.
 constexpr double kSmallPart = 0.02;
 
-double number_in(const char* path) {
+double number_in(const std::string& path) {
   std::ifstream file(path);
   double number = 0.0;
   return file >> number && number > 0.0 ? number : std::numeric_limits<double>::infinity();
@@ -53,13 +55,42 @@ double model_and_lanes_bytes(const ModelSize& size) {
   return estimated_model_bytes(size) + lane_count() * estimated_lane_bytes(size);
 }
 
+/// A file in a group's folder and in those of the groups around it.
+void add_up_to_root(const std::string& root, std::string group, std::string_view file,
+                    std::vector<std::string>& files) {
+  while (true) {
+    while (!group.empty() && group.back() == '/') group.pop_back();
+    files.push_back(joined({root, group, "/", file}));
+    const std::size_t slash = group.rfind('/');
+    if (slash == std::string::npos) return;
+    group.resize(slash);
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> memory_limit_files(const std::string& proc_self_cgroup) {
+  std::vector<std::string> files;
+  std::istringstream lines(proc_self_cgroup);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(':');
+    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = joined({",", line.substr(first + 1, second - first - 1), ","});
+    const std::string group = line.substr(second + 1);
+    if (controllers == ",,") add_up_to_root("/sys/fs/cgroup", group, "memory.max", files);
+    if (controllers.find(",memory,") != std::string::npos) {
+      add_up_to_root("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes", files);
+    }
+  }
+  return files;
+}
 
 double machine_memory_bytes() {
   double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  for (const char* path : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-    bytes = std::min(bytes, number_in(path));
-  }
+  std::ifstream groups("/proc/self/cgroup");
+  const std::string text((std::istreambuf_iterator<char>(groups)), std::istreambuf_iterator<char>());
+  for (const std::string& path : memory_limit_files(text)) bytes = std::min(bytes, number_in(path));
   rlimit limit = {};
   if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
     bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));

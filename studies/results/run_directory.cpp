@@ -66,7 +66,8 @@ MaybeError make_directory(const fs::path& directory) {
 bool is_own_extra(const std::string& name) {
   return name == "lock" || name == "log.txt" || name == "config.toml.tmp" || name == "report.html" ||
          name == "report.html.tmp" || name == "strategy.toml" || name == "strategy.toml.tmp" ||
-         (name.starts_with("scenario_") && name.ends_with(".h5"));
+         (name.starts_with("scenario_") && (name.ends_with(".h5") || name.ends_with(".html") ||
+                                            name.ends_with(".html.tmp") || name.ends_with(".csv")));
 }
 
 bool holds_anything(const fs::path& directory) {
@@ -144,16 +145,18 @@ MaybeError RunDirectory::take_lock(LockPurpose purpose) {
 }
 
 MaybeError RunDirectory::move_aside() {
-  std::string name = directory_.lexically_normal().string();
-  while (name.size() > 1 && name.back() == '/') name.pop_back();
   std::error_code error;
+  // Behind a link it is the directory that moves: the new one belongs on the same disk, and the link stays right.
+  const fs::path real = fs::is_symlink(directory_, error) ? fs::canonical(directory_, error) : directory_;
+  std::string name = real.lexically_normal().string();
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
   int number = 1;
   while (fs::exists(joined({name, ".old-", std::to_string(number)}), error)) ++number;
   const std::string aside = joined({name, ".old-", std::to_string(number)});
   fs::rename(name, aside, error);
   if (error) return system_error("move aside", directory_, error.value());
   notes_.push_back(joined({"moved ", name, " aside to ", aside}));
-  if (auto failure = make_directory(directory_)) return failure;
+  if (auto failure = make_directory(name)) return failure;
   return take_lock(LockPurpose::run);
 }
 
@@ -170,7 +173,7 @@ MaybeError RunDirectory::begin_new() {
 }
 
 MaybeError RunDirectory::continue_old() {
-  if (auto error = refuse_other_config()) return error;
+  if (auto error = take_old_config()) return error;
   if (auto error = refuse_finished()) return error;
   if (auto error = make_directory(directory_ / "journal")) return error;
   if (auto error = recover_journals()) return error;
@@ -179,12 +182,19 @@ MaybeError RunDirectory::continue_old() {
   return {};
 }
 
-MaybeError RunDirectory::refuse_other_config() const {
-  const auto old_config = read_text_file(directory_ / "config.toml");
+MaybeError RunDirectory::take_old_config() {
+  auto old_config = read_text_file(directory_ / "config.toml");
   if (!old_config) return old_config.error();
   if (*old_config == config_toml_) return {};
   ResultsError error = error_of(ResultsErrorKind::other_config, {});
   error.keys = differing_keys(*old_config, config_toml_);
+  if (error.keys == std::vector<std::string>{"study.description"}) {
+    notes_.push_back(
+        "only study.description has changed, which moves no number: the run goes on with the old one");
+    config_toml_ = std::move(*old_config);
+    config_sha256_ = sha256_hex(config_toml_);
+    return {};
+  }
   const std::string what = error.keys.empty() ? std::string("its text differs, though no key does")
                                               : joined({"these keys differ: ", list_of(error.keys)});
   error.message = joined({directory_.string(), " holds a study of another config: ", what,
@@ -367,7 +377,7 @@ MaybeError RunDirectory::finish(ResultsContent content) {
   content.rows.clear();
   for (auto& [id, row] : all) content.rows.push_back(std::move(row));
   if (content.rows_of_search) number_search_rows(content.rows);
-  if (content.meta.config_toml.empty()) content.meta.config_toml = config_toml_;
+  content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;
   const std::lock_guard one_at_a_time(results_mutex_);
   return write_results(content);

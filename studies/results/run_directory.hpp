@@ -91,7 +91,8 @@ class RunDirectory {
   MaybeError move_aside();
   MaybeError begin_new();
   MaybeError continue_old();
-  MaybeError refuse_other_config() const;
+  /// Refuses another config; one that differs in its description alone is the same study, under its old text.
+  MaybeError take_old_config();
   MaybeError refuse_finished();
   MaybeError refuse_other_build() const;
   MaybeError recover_journals();

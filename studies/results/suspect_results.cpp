@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -332,8 +333,22 @@ Expected<T> unpacked(std::string_view text) {
   return value;
 }
 
+/// Busy where another program has the file open for writing: HDF5 locks what it writes.
+MaybeError refuse_if_in_use(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return {};  // what reads the file says so
+  const bool in_use = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  if (!in_use) return {};
+  return ResultsError{
+      ResultsErrorKind::busy,
+      joined({path.string(), " is in use: another program has it open for writing; close it there and try again"}),
+      {}};
+}
+
 template <class T>
 Expected<T> read_in_child(const fs::path& path, Expected<T> (*read)(const fs::path&)) {
+  if (auto error = refuse_if_in_use(path)) return *error;
   const auto text = in_child_process(path, [&] { return packed(read(path)); });
   if (!text) return text.error();
   return unpacked<T>(*text);
@@ -393,6 +408,7 @@ MaybeError check_file_hash(const fs::path& path) {
 }
 
 Expected<ResultsSummary> read_hashed_summary(const fs::path& path) {
+  if (auto error = refuse_if_in_use(path)) return *error;
   if (auto error = check_file_hash(path)) return *error;
   return read_suspect_summary(path);
 }

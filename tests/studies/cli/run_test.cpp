@@ -138,6 +138,43 @@ TEST_F(RunProgram, ATerminatedRunEndsWith143AndInfoBringsItsResultsUpToDate) {
   EXPECT_EQ(call("verify run").status, 0);
 }
 
+TEST_F(RunProgram, AClosedTerminalEndsItWith129AndTheLineThatContinues) {
+  write_sweep("200.0", 400);
+  const std::string begun = started("run study.toml --threads 1 --output run");
+  const Answer stopped = shell(begun + kWaitForIt + "kill -HUP $child; wait $child");
+  EXPECT_EQ(stopped.status, 129) << stopped.err;
+  EXPECT_NE(stopped.err.find("run study.toml --output run --threads 1"), std::string::npos) << stopped.err;
+}
+
+TEST_F(RunProgram, UnderNohupAClosedTerminalDoesNotEndIt) {
+  write_sweep("2.0", 4);
+  const Answer answer = shell("nohup " + started("run study.toml --threads 1 --output run 2>/dev/null") +
+                              kWaitForIt + "kill -HUP $child; wait $child");
+  EXPECT_EQ(answer.status, 0) << answer.err;
+}
+
+TEST_F(RunProgram, AFileThatMayNotGrowIsAnErrorOfWritingWithItsPath) {
+  write_sweep("0.5", 200);
+  const Answer answer = shell("ulimit -f 8; " + quoted(UNBRUISED_PROGRAM) + " run study.toml --output run");
+  EXPECT_EQ(answer.status, 5) << answer.err;
+  EXPECT_NE(answer.err.find("run/"), std::string::npos) << answer.err;
+}
+
+TEST_F(RunProgram, TakesTheThreadsThatItsAffinityLeaves) {
+  write_sweep("0.5", 2);
+  const Answer answer = shell("taskset -c 0 " + quoted(UNBRUISED_PROGRAM) + " run study.toml");
+  EXPECT_NE(answer.out.find(" on 1 thread\n"), std::string::npos) << answer.out << answer.err;
+}
+
+TEST_F(RunProgram, AResultsFileThatAnotherProgramWritesIsInUseNotDamaged) {
+  write_sweep("0.5", 2);
+  ASSERT_EQ(call("run study.toml --output run").status, 0);
+  const Answer answer = shell("flock --exclusive run/results.h5 " + quoted(UNBRUISED_PROGRAM) + " info run");
+  EXPECT_EQ(answer.status, 4) << answer.err;
+  EXPECT_NE(answer.err.find("is in use"), std::string::npos) << answer.err;
+  EXPECT_EQ(answer.err.find("damaged"), std::string::npos) << answer.err;
+}
+
 TEST_F(RunProgram, ASecondInterruptEndsItAtOnce) {
   write_sweep("100000.0", 4);  // a batch of minutes
   const Answer stopped = shell(started("run study.toml --threads 1 --output run") + kWaitForIt +

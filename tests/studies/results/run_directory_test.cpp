@@ -216,6 +216,41 @@ TEST(RunDirectory, FreshMovesTheOldOneAsideEveryTime) {
   EXPECT_TRUE(fs::exists(parent.path() / "window.old-2" / "config.toml"));
 }
 
+TEST(RunDirectory, FreshBehindALinkMovesWhatItPointsToAndStaysBehindIt) {
+  const TemporaryDirectory parent;
+  fs::create_directories(parent.path() / "disk" / "runs");
+  fs::create_directory_symlink(parent.path() / "disk" / "runs", parent.path() / "window");
+  { ASSERT_TRUE(RunDirectory::open(request_in(parent))); }
+  auto request = request_in(parent);
+  request.fresh = true;
+  const auto run = RunDirectory::open(request);
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_TRUE(fs::is_symlink(parent.path() / "window"));
+  EXPECT_TRUE(fs::exists(parent.path() / "disk" / "runs" / "config.toml"));
+  EXPECT_TRUE(fs::exists(parent.path() / "disk" / "runs.old-1" / "config.toml"));
+}
+
+TEST(RunDirectory, GoesOnUnderItsOldConfigWhenOnlyTheDescriptionChanged) {
+  const TemporaryDirectory parent;
+  auto request = request_in(parent);
+  request.config_toml = "[study]\ndescription = \"before\"\n" + kConfig.substr(kConfig.find("name"));
+  {
+    auto run = RunDirectory::open(request);
+    ASSERT_TRUE(run);
+    append_missing(**run, kScenarios / 2);
+  }
+  auto changed = request;
+  changed.config_toml.replace(changed.config_toml.find("before"), 6, "after");
+  auto run = RunDirectory::open(changed);
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_TRUE(any_note_has((*run)->notes(), "study.description"));
+  EXPECT_EQ((*run)->rows().size(), kScenarios / 2);
+  append_missing(**run, kScenarios);
+  EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
+  EXPECT_EQ(read_results_summary((*run)->results_path())->meta.config_toml, request.config_toml);
+  EXPECT_TRUE(verify_run_directory((*run)->directory())->damage.empty());
+}
+
 TEST(RunDirectory, TouchesNoDirectoryThatIsNotOne) {
   const TemporaryDirectory parent;
   fs::create_directories(parent.path() / "window");

@@ -1,6 +1,7 @@
 #include "studies/cli/command_line.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -54,14 +55,16 @@ class CommandLine {
     app_.allow_extras();
     app_.require_subcommand(0, 1);  // a later word may be a folder named `run`
     app_.footer(
-        "\nbegin with:\n  unbruised list\n  unbruised check configs/kiwi_sweep.toml\n"
-        "  unbruised run configs/kiwi_sweep.toml\n"
+        "\nbegin with:\n  unbruised list\n  unbruised check configs/kiwi_first.toml\n"
+        "  unbruised run configs/kiwi_first.toml\n"
         "\nexit status: 0 done; 1 internal error; 2 wrong input; 3 some scenarios diverged; 4 run directory in "
         "use;\n"
-        "5 disk failure; 6 results damaged; 130, 143 interrupted (the same command continues)");
+        "5 disk failure; 6 results damaged; 129, 130, 143 interrupted (the same command continues)");
     add_run();
     add_check();
     add_readers();
+    add_export();
+    add_new();
   }
 
   /// Parses and calls the command.
@@ -99,7 +102,8 @@ class CommandLine {
     add_study_words(run);
     run.add_option("--output,-o", output_, "run directory (default: results/<study name>)")->type_name("DIR");
     run.add_option("--threads,-j", threads_, "threads (default: all the machine gives)")->type_name("N");
-    run.add_option("--scenario", scenario_, "only this scenario, with its full trace")->type_name("ID");
+    run.add_option("--scenario", scenario_, "only this scenario, with its trace and its page")->type_name("ID");
+    run.add_flag("--full-trace", full_trace_, "with --scenario: every time step, not as many as a chart shows");
     run.add_flag("--fresh", run_.fresh, "move an old run directory aside and start anew");
     run.add_flag("--quiet,-q", run_.quiet, "no progress");
   }
@@ -107,16 +111,18 @@ class CommandLine {
   void add_check() {
     CLI::App& check = command("check", "validate a study and say what it will cost", [this] {
       take_study("check");
-      return check_command(run_.study);
+      return check_command(run_.study, answer_form());
     });
     add_study_words(check);
+    add_json(check);
   }
 
   void add_readers() {
     CLI::App& info = command("info", "what a run directory or results file holds", [this] {
-      return info_command(one_word("info", "a run directory or results file"), run_.program);
+      return info_command(one_word("info", "a run directory or results file"), run_.program, answer_form());
     });
     info.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    add_json(info);
     CLI::App& verify = command("verify", "check every checksum of a run directory",
                                [this] { return verify_command(one_word("verify", "a run directory")); });
     verify.add_option("DIR", words_, "run directory")->expected(0, -1);
@@ -139,6 +145,45 @@ class CommandLine {
     command("list", "the products, grippers and studies that ship", [] { return list_command(); });
   }
 
+  void add_json(CLI::App& to) {
+    to.add_flag("--json", json_, "one JSON document instead of lines (docs/json.md)");
+  }
+
+  [[nodiscard]] AnswerForm answer_form() const { return json_ ? AnswerForm::json : AnswerForm::lines; }
+
+  void add_export() {
+    CLI::App& out = command("export", "one flat table of a study as CSV, for pandas and spreadsheets", [this] {
+      export_.path = one_word("export", "a run directory or results file");
+      if (!output_.empty()) export_.output = output_;
+      export_.scenario = scenario_id("export");
+      return export_command(export_);
+    });
+    out.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    out.add_option("--scenario", scenario_, "the trace of this scenario instead (run --scenario records it)")
+        ->type_name("ID");
+    out.add_option("--format", export_.format, "csv (default)")->type_name("FORMAT");
+    out.add_option("--table", export_.table,
+                   "scenarios (default), window, best, pareto, ... as `info --json` lists them")
+        ->type_name("NAME");
+    out.add_option("--output,-o", output_, "the file (default: TABLE.csv beside the results; -: stdout)")
+        ->type_name("FILE");
+  }
+
+  void add_new() {
+    CLI::App& fresh = command("new", "write a commented study for a product and a gripper", [this] {
+      new_.name = one_word("new", "a name for the study");
+      if (!output_.empty()) new_.output = output_;
+      return new_command(new_);
+    });
+    fresh.add_option("NAME", words_, "the study's name")->expected(0, -1);
+    fresh.add_option("--kind", new_.kind, "window, sweep, optimize, robust, ...")->type_name("KIND")->required();
+    fresh.add_option("--product", new_.product, "as `use` takes it: unbruised list")
+        ->type_name("FILE")
+        ->required();
+    fresh.add_option("--gripper", new_.gripper, "as `use` takes it")->type_name("FILE")->required();
+    fresh.add_option("--output,-o", output_, "the study (default: NAME.toml)")->type_name("FILE.toml");
+  }
+
   int call_run() {
     take_study("run");
     if (!output_.empty()) run_.output = output_;
@@ -150,10 +195,15 @@ class CommandLine {
       }
       run_.threads = static_cast<int>(*threads_);
     }
-    if (!scenario_) return run_command(run_);
-    if (*scenario_ < 0) throw UsageError{"--scenario: ids begin with 0", "run"};
-    run_.scenario = static_cast<std::uint64_t>(*scenario_);
-    return run_one_command(run_);
+    run_.scenario = scenario_id("run");
+    if (full_trace_ && !run_.scenario) throw UsageError{"--full-trace goes with --scenario ID", "run"};
+    if (full_trace_) run_.trace_rows = TraceRows::all;
+    return run_.scenario ? run_one_command(run_) : run_command(run_);
+  }
+
+  [[nodiscard]] std::optional<std::uint64_t> scenario_id(const std::string& command) const {
+    if (scenario_ && *scenario_ < 0) throw UsageError{"--scenario: ids begin with 0", command};
+    return scenario_ ? std::optional(static_cast<std::uint64_t>(*scenario_)) : std::nullopt;
   }
 
   /// Sorts the words into the study and the values of --set.
@@ -220,6 +270,10 @@ class CommandLine {
   std::optional<long> threads_;
   std::optional<long long> scenario_;
   RunArguments run_;
+  NewArguments new_;
+  ExportArguments export_;
+  bool json_ = false;
+  bool full_trace_ = false;
 };
 
 int report_usage_error(const UsageError& error) {
@@ -240,6 +294,8 @@ int after_printing(int status) {
 }  // namespace
 
 int run_program(const std::vector<std::string>& words) {
+  // A file that may not grow is an error of writing with its path, not the end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const std::string program = words.empty() ? "unbruised" : words.front();
     CommandLine command_line(program);

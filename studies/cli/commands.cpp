@@ -4,6 +4,8 @@
 #include <iostream>
 #include <thread>
 
+#include <sched.h>
+
 #include "studies/cli/locations.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/text/joined.hpp"
@@ -20,21 +22,29 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 void print_line(const std::string& line) { std::cout << joined({line, "\n"}); }
 
+void print_text(const std::string& text) { std::cout << text; }
+
 int report_error(const ResultsError& error) {
   print_error(error.message);
   return exit_status(error.kind);
 }
 
+StudyOrError read_of(const StudyArguments& arguments) {
+  return read_study(arguments.study, arguments.sets, config_root_for(arguments.study));
+}
+
+void print_problems_of(const StudyArguments& arguments, const ConfigError& error) {
+  for (const std::string& message : error.messages) std::cerr << joined({message, "\n"});
+  const std::size_t count = error.messages.size();
+  print_error(joined({arguments.study.string(), ": ", std::to_string(count), count == 1 ? " problem" : " problems",
+                      ", nothing was run"}));
+}
+
 std::optional<Study> read_or_explain(const StudyArguments& arguments) {
-  StudyOrError read = read_study(arguments.study, arguments.sets, config_root_for(arguments.study));
-  if (const auto* error = std::get_if<ConfigError>(&read)) {
-    for (const std::string& message : error->messages) std::cerr << joined({message, "\n"});
-    const std::size_t count = error->messages.size();
-    print_error(joined({arguments.study.string(), ": ", std::to_string(count),
-                        count == 1 ? " problem" : " problems", ", nothing was run"}));
-    return std::nullopt;
-  }
-  return std::get<Study>(std::move(read));
+  StudyOrError read = read_of(arguments);
+  if (auto* study = std::get_if<Study>(&read)) return std::move(*study);
+  print_problems_of(arguments, std::get<ConfigError>(read));
+  return std::nullopt;
 }
 
 std::filesystem::path run_directory_of(const Study& study, const std::optional<std::filesystem::path>& output) {
@@ -42,7 +52,12 @@ std::filesystem::path run_directory_of(const Study& study, const std::optional<s
 }
 
 int thread_count_of(const std::optional<int>& threads) {
-  return threads ? *threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (threads) return *threads;
+  cpu_set_t mine;
+  CPU_ZERO(&mine);
+  // What taskset, a batch system or a container leaves of the machine.
+  if (::sched_getaffinity(0, sizeof mine, &mine) == 0 && CPU_COUNT(&mine) > 0) return CPU_COUNT(&mine);
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 std::string shell_word(const std::string& word) {

@@ -25,21 +25,32 @@ struct StudyArguments {
   std::vector<std::string> sets;  ///< "key=value"
 };
 
+/// Which rows of the trace `run --scenario` keeps.
+enum class TraceRows {
+  chart,  ///< about as many as a chart shows, where simulation.trace_interval_s says nothing
+  all,
+};
+
 struct RunArguments {
   StudyArguments study;
   std::optional<std::filesystem::path> output;
   std::optional<int> threads;
   std::optional<std::uint64_t> scenario;
+  TraceRows trace_rows = TraceRows::chart;
   bool fresh = false;
   bool quiet = false;
   std::string program = "unbruised";  ///< as it was called, for commands shown to the user
 };
 
 int run_command(const RunArguments& arguments);
-/// `run --scenario ID`: that scenario alone with its trace.
+/// The command that continues, or with other words repeats, this run.
+std::string command_of(const RunArguments& arguments);
+/// `run --scenario ID`: that scenario alone with its trace, its file and its page.
 int run_one_command(const RunArguments& arguments);
-int check_command(const StudyArguments& arguments);
-int info_command(const std::filesystem::path& path, const std::string& program);
+/// How a command answers: lines for people, or one JSON document (docs/json.md).
+enum class AnswerForm { lines, json };
+int check_command(const StudyArguments& arguments, AnswerForm form);
+int info_command(const std::filesystem::path& path, const std::string& program, AnswerForm form);
 /// @param output none: report.html beside the results, or the name of another results file with .html.
 int report_command(const std::filesystem::path& path, const std::optional<std::filesystem::path>& output,
                    const std::string& program);
@@ -47,6 +58,24 @@ int verify_command(const std::filesystem::path& directory);
 /// @param word a key, table, metric, outcome or word of goals; none: all of them.
 int explain_command(const std::optional<std::string>& word);
 int list_command();
+struct ExportArguments {
+  std::filesystem::path path;             ///< run directory or results file
+  std::optional<std::uint64_t> scenario;  ///< its trace instead of a table
+  std::string format = "csv";
+  std::string table = "scenarios";
+  std::optional<std::filesystem::path> output;  ///< none: beside the results; "-": stdout
+};
+/// One flat table as CSV.
+int export_command(const ExportArguments& arguments);
+struct NewArguments {
+  std::string name;
+  std::string kind;
+  std::string product;  ///< as `use` takes it
+  std::string gripper;
+  std::optional<std::filesystem::path> output;  ///< none: NAME.toml
+};
+/// Writes a commented study for a product and a gripper; refuses what is there already.
+int new_command(const NewArguments& arguments);
 
 /// One message on stderr, with the program's name before it.
 void print_error(const std::string& message);
@@ -55,6 +84,8 @@ void print_note(const std::string& message);
 void print_warnings(const std::vector<std::string>& warnings);
 /// A whole line of results on stdout.
 void print_line(const std::string& line);
+/// Results on stdout as they are.
+void print_text(const std::string& text);
 /// Prints an error of the results house; its exit status.
 int report_error(const ResultsError& error);
 
@@ -64,6 +95,9 @@ inline constexpr const char* kReportName = "report.html";
 std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory,
                                                          const std::string& program);
 
+/// Reads a study, or says what is wrong with it.
+StudyOrError read_of(const StudyArguments& arguments);
+void print_problems_of(const StudyArguments& arguments, const ConfigError& error);
 /// Reads a study; otherwise prints what is wrong with it and returns nothing.
 std::optional<Study> read_or_explain(const StudyArguments& arguments);
 /// `results/<study name>` unless another one is asked for.

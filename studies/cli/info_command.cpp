@@ -1,4 +1,5 @@
 #include "studies/cli/commands.hpp"
+#include "studies/cli/json_output.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -41,9 +42,13 @@ void print_replay(const RecordedStudy& recorded, const std::string& program) {
 
 }  // namespace
 
-int info_command(const std::filesystem::path& path, const std::string& program) {
+int info_command(const std::filesystem::path& path, const std::string& program, AnswerForm form) {
   const auto recorded = read_recorded(path);
   if (!recorded) return report_error(recorded.error());
+  if (form == AnswerForm::json) {
+    print_line(info_json(*recorded, program));
+    return print_journal_state(*recorded);
+  }
   print_line(state_line(*recorded));
   print_origin(*recorded);
   for (const std::string& warning : recorded->meta.warnings) print_line(joined({"warning: ", warning}));

@@ -64,6 +64,17 @@ double estimated_lane_bytes(const ModelSize& size) {
   return kBytes * kVectorsPerLane * static_cast<double>(size.freedom_count);
 }
 
+double estimated_trace_rows(const Scenario& scenario) {
+  const SimulationParameters& simulation = scenario.simulation;
+  const double every = simulation.trace_interval_s.value_or(simulation.time_step_s) / simulation.time_step_s;
+  return std::floor(estimated_steps(scenario) / std::max(std::round(every), 1.0)) + 1.0;
+}
+
+double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size) {
+  constexpr double kPerParticle = 9.0 * kBytes;  // displacement, velocity, acceleration
+  return estimated_trace_rows(scenario) * kPerParticle * static_cast<double>(size.particle_count);
+}
+
 double estimated_lane_step_s(const ModelSize& size) {
   return measured_lane_step_rate().seconds_per_factor_entry * estimated_factor_entries(size);
 }

@@ -34,6 +34,10 @@ double estimated_factor_entries(const ModelSize& size);
 double estimated_model_bytes(const ModelSize& size);
 /// The state of one lane.
 double estimated_lane_bytes(const ModelSize& size);
+/// Rows of the trace that simulation.trace_interval_s leaves.
+double estimated_trace_rows(const Scenario& scenario);
+/// A trace in its file before it is compressed: displacement, velocity, acceleration of every particle.
+double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size);
 double estimated_lane_step_s(const ModelSize& size);
 
 }  // namespace unbruised::studies

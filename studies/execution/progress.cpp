@@ -1,6 +1,7 @@
 #include "studies/execution/progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -13,7 +14,18 @@ namespace unbruised::studies {
 namespace {
 
 constexpr std::chrono::milliseconds kBarInterval{200};
+/// Off a terminal the first line comes soon, so that somebody who waits learns how long.
+constexpr std::chrono::milliseconds kFirstLine{5000};
 constexpr std::size_t kBarCells = 20;
+/// As many scenarios as this have to end before what they took counts more than what was expected: those that end
+/// first are the ones that failed early.
+constexpr double kPlannedWeight = 32.0;
+
+/// "23.1 per second"; where that is less than one, how long each takes.
+std::string rate_text(double per_second) {
+  if (per_second >= 1.0) return joined({three_digits(per_second), " per second"});
+  return joined({"one in ", duration_text(1.0 / per_second)});
+}
 
 }  // namespace
 
@@ -24,28 +36,55 @@ ProgressStyle progress_style(int descriptor, bool quiet) {
   return ::isatty(descriptor) != 0 && !dumb ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
+std::optional<double> seconds_left(const ProgressState& state) {
+  const ProgressPlan& plan = state.plan;
+  const double total = state.total_is_final ? static_cast<double>(state.total)
+                                            : std::max(plan.scenarios, static_cast<double>(state.total));
+  const double left = std::max(total - static_cast<double>(state.done), 0.0);
+  const auto ended = static_cast<double>(state.done - state.done_at_start);
+  if (!state.total_is_final && plan.scenarios <= 0.0) return std::nullopt;
+  if (plan.steps_each <= 0.0) {  // nothing is known of the steps: by scenarios
+    if (ended <= 0.0 || state.seconds <= 0.0) return std::nullopt;
+    return left * state.seconds / ended;
+  }
+  const double each = (kPlannedWeight * plan.steps_each + state.steps_of_done) / (kPlannedWeight + ended);
+  const double begun = state.steps - state.steps_of_done;
+  const double steps_left = std::max(left * each - begun, 0.0);
+  if (state.steps > 0.0 && state.seconds > 0.0) return steps_left * state.seconds / state.steps;
+  if (plan.seconds_per_step <= 0.0) return std::nullopt;
+  return steps_left * plan.seconds_per_step;
+}
+
 std::string progress_text(const ProgressState& state) {
-  std::string text = joined(
-      {std::to_string(state.done), "/", std::to_string(state.total), state.total_is_final ? "" : " so far"});
-  if (state.done_at_start > 0) text += joined({" (", std::to_string(state.done_at_start), " of an earlier run)"});
+  const ProgressPlan& plan = state.plan;
+  std::string text = with_thousands(state.done);
+  if (state.total_is_final) {
+    text += joined({" of ", with_thousands(state.total)});
+  } else if (plan.scenarios > 0.0) {
+    const auto expected = static_cast<unsigned long long>(std::llround(plan.scenarios));
+    text += joined({plan.may_end_sooner ? " of at most " : " of about ",
+                    with_thousands(std::max<unsigned long long>(expected, state.total))});
+  }
+  text += " scenarios";
+  if (state.done_at_start > 0) text += joined({" (", with_thousands(state.done_at_start), " of an earlier run)"});
   const auto run_now = static_cast<double>(state.done - state.done_at_start);
-  if (run_now > 0.0 && state.seconds > 0.0) {
-    const double rate = run_now / state.seconds;
-    text += joined({", ", short_number(rate), "/s"});
-    const auto left = static_cast<double>(state.total - std::min(state.done, state.total));
-    if (state.total_is_final) text += joined({", ", duration_text(left / rate), " left"});
+  if (run_now > 0.0 && state.seconds > 0.0) text += joined({", ", rate_text(run_now / state.seconds)});
+  if (const auto left = seconds_left(state)) {
+    text += joined({plan.may_end_sooner ? ", at most " : ", about ", duration_text(*left), " left"});
   }
   std::string separator = "; ";
   for (std::size_t i = 0; i < state.outcomes.size(); ++i) {
     if (state.outcomes[i] == 0) continue;
-    text += joined({separator, kOutcomeWords[i], " ", std::to_string(state.outcomes[i])});
+    text += joined({separator, kOutcomeWords[i], " ", with_thousands(state.outcomes[i])});
     separator = ", ";
   }
   return text;
 }
 
 std::string progress_bar(const ProgressState& state) {
-  const std::size_t full = state.total == 0 ? 0 : kBarCells * std::min(state.done, state.total) / state.total;
+  const auto planned = static_cast<std::size_t>(state.total_is_final ? 0.0 : state.plan.scenarios);
+  const std::size_t total = std::max(state.total, planned);
+  const std::size_t full = total == 0 ? 0 : kBarCells * std::min(state.done, total) / total;
   return joined({"[", std::string(full, '#'), std::string(kBarCells - full, '-'), "] ", progress_text(state)});
 }
 
@@ -71,9 +110,15 @@ void Progress::total_may_grow() {
   state_.total_is_final = false;
 }
 
-void Progress::count(Outcome outcome) {
+void Progress::plan(const ProgressPlan& plan) {
+  const std::lock_guard lock(mutex_);
+  state_.plan = plan;
+}
+
+void Progress::count(Outcome outcome, double steps) {
   const std::lock_guard lock(mutex_);
   ++state_.done;
+  if (!std::isnan(steps)) state_.steps_of_done += steps;
   if (outcome != Outcome::not_run) ++state_.outcomes[static_cast<std::size_t>(outcome)];
 }
 
@@ -87,15 +132,17 @@ void Progress::close() {
 ProgressState Progress::snapshot() const {
   const std::lock_guard lock(mutex_);
   ProgressState state = state_;
+  state.steps = static_cast<double>(steps_.load(std::memory_order_relaxed));
   state.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   return state;
 }
 
 void Progress::print_until_closed(const std::stop_token& stop) {
+  std::chrono::milliseconds wait = std::min(interval_, kFirstLine);
   while (true) {
     {
       std::unique_lock lock(mutex_);
-      closing_.wait_for(lock, stop, interval_, [] { return false; });
+      closing_.wait_for(lock, stop, std::exchange(wait, interval_), [] { return false; });
     }
     if (stop.stop_requested()) return;
     print();

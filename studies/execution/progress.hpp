@@ -1,14 +1,18 @@
 #pragma once
 
 /// @file
-/// How far a study is, on stderr: a bar on a terminal, else a plain line every 30 s.
+/// How far a study is and how long it will take still, on stderr: a bar on a terminal, else a plain line after
+/// five seconds and every half a minute.
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -23,6 +27,14 @@ enum class ProgressStyle { none, bar, lines };
 /// colours, so NO_COLOR has nothing to switch off.
 ProgressStyle progress_style(int descriptor, bool quiet);
 
+/// What is expected of a study before it runs (studies/estimate); zeros where nothing is known.
+struct ProgressPlan {
+  double scenarios = 0.0;         ///< of a search: at most
+  double steps_each = 0.0;        ///< time steps of a scenario, on average
+  double seconds_per_step = 0.0;  ///< of one lane, all threads working: a guess that the first steps replace
+  bool may_end_sooner = false;    ///< a search may need fewer scenarios than that
+};
+
 /// What a progress line says.
 struct ProgressState {
   std::size_t done = 0;
@@ -30,10 +42,19 @@ struct ProgressState {
   bool total_is_final = true;     ///< false: a search that will ask for more
   std::size_t done_at_start = 0;  ///< found in the journal of an earlier run
   double seconds = 0.0;           ///< since the start
+  double steps = 0.0;             ///< made in this run, those of unfinished scenarios too
+  double steps_of_done = 0.0;     ///< of them, those of scenarios that ended
+  ProgressPlan plan{};
   std::array<std::size_t, kOutcomeWords.size()> outcomes{};
 };
 
-/// "412/1024 (100 of an earlier run), 23.1/s, 27 s left; held 200, damaged 112": outcomes are those of this run.
+/// Seconds that the rest will take, from the steps made so far and those still to make: of scenarios in the mean
+/// of what was expected and what those that ended took. Before the first step from the plan's guess. Nothing when
+/// neither is known.
+std::optional<double> seconds_left(const ProgressState& state);
+
+/// "412 of 1,024 scenarios (100 of an earlier run), 23.1 per second, about 27 s left; held 200, damaged 112":
+/// outcomes are those of this run.
 std::string progress_text(const ProgressState& state);
 /// "[########------------] " and the text.
 std::string progress_bar(const ProgressState& state);
@@ -43,6 +64,8 @@ class Progress {
  public:
   using Writer = std::function<void(std::string_view)>;
   Progress(ProgressStyle style, Writer write, std::chrono::milliseconds line_interval = std::chrono::seconds(30));
+  /// What is expected; before the study runs.
+  void plan(const ProgressPlan& plan);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -50,7 +73,12 @@ class Progress {
   /// More work is known; `already_done` of it needs no running.
   void expect(std::size_t more, std::size_t already_done);
   void total_may_grow();
-  void count(Outcome outcome);
+  /// @param steps time steps it took, NaN: unknown
+  void count(Outcome outcome, double steps);
+  /// Time steps of lanes, as they are made; costs next to nothing.
+  void count_steps(std::size_t steps) { steps_.fetch_add(steps, std::memory_order_relaxed); }
+  /// Steps counted so far.
+  [[nodiscard]] std::uint64_t steps() const { return steps_.load(std::memory_order_relaxed); }
   /// Removes the bar; prints nothing more.
   void close();
 
@@ -63,6 +91,7 @@ class Progress {
   const Writer write_;
   const std::chrono::milliseconds interval_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<std::uint64_t> steps_ = 0;
   mutable std::mutex mutex_;
   std::condition_variable_any closing_;
   ProgressState state_;

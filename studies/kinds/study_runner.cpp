@@ -236,7 +236,8 @@ class StudyRun {
   void record(const ScenarioRow& row) {
     if (auto error = run_.append(row)) throw JournalFailure{*error};
     ++report_.run_now;
-    if (options_.progress != nullptr) options_.progress->count(row.result.outcome);
+    if (options_.progress != nullptr)
+      options_.progress->count(row.result.outcome, row.result.metrics[Metric::step_count]);
     if (row.result.outcome == Outcome::diverged) {
       run_.log(joined({"scenario ", std::to_string(row.id), " diverged: ", row.result.cause}));
     }

@@ -5,44 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studies/findings/trace_curves.hpp"
+
 namespace unbruised::studies {
 namespace {
 
 using nlohmann::json;
 using Digits = PackedColumns::Digits;
-
-constexpr std::size_t kSignalColumnsMost = 12;
-
-std::size_t width_of(const TraceSignal& signal) {
-  std::size_t width = 1;
-  for (const int extent : signal.extents) width *= static_cast<std::size_t>(std::max(extent, 0));
-  return width;
-}
-
-/// "finger 1, x" for an entry of a signal with the dimensions finger and component.
-std::string curve_name(const TraceSignal& signal, std::size_t entry) {
-  static constexpr const char* kAxes[] = {"x", "y", "z"};
-  static constexpr const char* kSurfaces[] = {"left pad", "right pad", "support"};
-  std::string text;
-  std::size_t rest = entry;
-  for (std::size_t i = signal.extents.size(); i-- > 0;) {
-    const auto extent = static_cast<std::size_t>(signal.extents[i]);
-    const std::size_t at = rest % extent;
-    rest /= extent;
-    const std::string& dimension = signal.dimensions[i];
-    std::string part = dimension + " " + std::to_string(at + 1);
-    if (dimension == "component" && extent == 3) part = kAxes[at];
-    if (dimension == "surface" && extent == 3) part = kSurfaces[at];
-    text = text.empty() ? part : part + ", " + text;
-  }
-  return text;
-}
-
-bool is_whole(const Trace& trace, const TraceSignal& signal) {
-  const std::size_t width = width_of(signal);
-  return signal.dimensions.size() == signal.extents.size() && width > 0 && width <= kSignalColumnsMost &&
-         signal.values.size() == trace.time_s.size() * width;
-}
 
 std::size_t part_start(std::size_t part, std::size_t rows) { return part * rows / (kTraceRowsMost / 2); }
 

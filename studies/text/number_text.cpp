@@ -20,6 +20,13 @@ std::string printed(const char* format, double value) {
 
 std::string short_number(double value) { return printed("%.4g", value); }
 
+std::string three_digits(double value) {
+  if (std::abs(value) < 1000.0 || std::abs(value) >= 1e15) return printed("%.3g", value);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
+  const auto rounded = static_cast<unsigned long long>(std::llround(std::abs(value) / unit) * std::llround(unit));
+  return joined({value < 0.0 ? "-" : "", with_thousands(rounded)});
+}
+
 std::string with_thousands(unsigned long long value) {
   std::string text = std::to_string(value);
   for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');

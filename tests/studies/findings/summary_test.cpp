@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "studies/execution/progress.hpp"
 #include "studies/findings/grip_window.hpp"
 #include "studies/findings/window_lines.hpp"
 #include "studies/text/number_text.hpp"
@@ -106,30 +105,6 @@ TEST(NumberText, IsForPeople) {
   EXPECT_EQ(duration_text(200.0), "3 min 20 s");
   EXPECT_EQ(duration_text(7500.0), "2 h 5 min");
   EXPECT_EQ(bytes_text(3.4e9), "3.4 GB");
-}
-
-TEST(Progress, SaysRateTimeLeftAndOutcomes) {
-  ProgressState state{.done = 60, .total = 100, .done_at_start = 20, .seconds = 10.0};
-  state.outcomes[0] = 30;
-  state.outcomes[3] = 10;
-  EXPECT_EQ(progress_text(state), "60/100 (20 of an earlier run), 4/s, 10 s left; held 30, damaged 10");
-  EXPECT_TRUE(progress_bar(state).starts_with("[############--------] 60/100")) << progress_bar(state);
-  EXPECT_EQ(progress_text({}), "0/0");
-}
-
-TEST(Progress, PrintsPlainLinesOffATerminalAndNothingWhenQuiet) {
-  EXPECT_EQ(progress_style(-1, false), ProgressStyle::lines);
-  EXPECT_EQ(progress_style(-1, true), ProgressStyle::none);
-  std::string printed;
-  {
-    Progress progress(
-        ProgressStyle::lines, [&](std::string_view text) { printed += text; }, std::chrono::milliseconds(5));
-    progress.expect(10, 4);
-    progress.count(Outcome::held);
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
-  }
-  EXPECT_NE(printed.find("5/10"), std::string::npos) << printed;
-  EXPECT_EQ(printed.find('\r'), std::string::npos);
 }
 
 }  // namespace

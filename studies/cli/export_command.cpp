@@ -1,0 +1,79 @@
+#include <algorithm>
+
+#include "studies/cli/commands.hpp"
+#include "studies/cli/recorded.hpp"
+#include "studies/findings/flat_table.hpp"
+#include "studies/findings/table_text.hpp"
+#include "studies/findings/trace_curves.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/suspect_results.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Says which tables there are.
+int unknown_table(const ExportArguments& arguments, const std::vector<std::string>& names) {
+  std::string known;
+  for (const std::string& name : names) known += joined({known.empty() ? "" : ", ", name});
+  print_error(joined({"--table ", arguments.table, ": ", arguments.path.string(), " holds the tables ", known}));
+  return kExitInput;
+}
+
+/// The file a scenario's trace stands in: a results file itself, or scenario_ID.h5 of a run directory.
+fs::path trace_file(const ExportArguments& arguments) {
+  std::error_code unknown;
+  if (!fs::is_directory(arguments.path, unknown)) return arguments.path;
+  return arguments.path / joined({"scenario_", std::to_string(arguments.scenario.value()), ".h5"});
+}
+
+int write_table(const ExportArguments& arguments, const ResultTable& table, const fs::path& beside) {
+  const fs::path file = arguments.output ? *arguments.output : beside;
+  if (file == "-") {
+    print_text(csv_text(table));
+    return kExitDone;
+  }
+  if (const auto error = write_text_file(file, csv_text(table))) return report_error(*error);
+  print_line(joined({"table: ", file.string(), " (", table.name, ": ", with_thousands(row_count(table)), " rows, ",
+                     std::to_string(table.columns.size()), " columns)"}));
+  return kExitDone;
+}
+
+int export_trace(const ExportArguments& arguments) {
+  const fs::path source = trace_file(arguments);
+  std::error_code unknown;
+  if (!fs::exists(source, unknown)) {
+    print_error(joined({source.string(), " is not there: `unbruised run STUDY.toml --scenario ",
+                        std::to_string(arguments.scenario.value()), "` records the trace first"}));
+    return kExitInput;
+  }
+  const auto trace = read_suspect_trace(source);
+  if (!trace) return report_error(trace.error());
+  return write_table(arguments, trace_as_table(*trace), fs::path(source).replace_extension(".csv"));
+}
+
+}  // namespace
+
+int export_command(const ExportArguments& arguments) {
+  if (arguments.format != "csv") {
+    print_error(
+        joined({"--format ", arguments.format,
+                ": this build writes csv. Parquet needs Apache Arrow, which Debian 12 does not have; pandas makes "
+                "it from the csv: pandas.read_csv(FILE).to_parquet(...)"}));
+    return kExitInput;
+  }
+  if (arguments.scenario) return export_trace(arguments);
+  const auto recorded = read_recorded(arguments.path);
+  if (!recorded) return report_error(recorded.error());
+  const std::vector<std::string> names = table_names_of(recorded->tables);
+  if (std::find(names.begin(), names.end(), arguments.table) == names.end())
+    return unknown_table(arguments, names);
+  const int status = write_table(arguments, table_called(recorded->tables, arguments.table),
+                                 directory_of(*recorded) / joined({arguments.table, ".csv"}));
+  return status == kExitDone ? print_journal_state(*recorded) : status;
+}
+
+}  // namespace unbruised::studies

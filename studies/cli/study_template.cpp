@@ -1,0 +1,236 @@
+#include "studies/cli/study_template.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <variant>
+#include <vector>
+
+#include "core/scenario/lattice_cells.hpp"
+#include "studies/config/document.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+constexpr double kLiftAcceleration_m_s2 = 2.0;
+constexpr std::size_t kCommentColumn = 38;
+
+/// The nearest number with two significant digits.
+double round_two(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", value);
+  return std::strtod(text.data(), nullptr);
+}
+
+/// A TOML number that reads as it was meant: "2.0", "0.25", "3e+05".
+std::string toml(double value) {
+  std::string text = short_number(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// `KEY = VALUE      # comment`
+std::string line(std::string_view assignment, std::string_view comment) {
+  const std::size_t gap = assignment.size() + 1 < kCommentColumn ? kCommentColumn - assignment.size() : 2;
+  return joined({assignment, std::string(gap, ' '), "# ", comment, "\n"});
+}
+
+std::string line(std::string_view key, double value, std::string_view comment) {
+  return line(joined({key, " = ", toml(value)}), comment);
+}
+
+std::string texts(std::string_view key, std::string_view text, std::string_view comment) {
+  return line(joined({key, " = ", toml_string(text)}), comment);
+}
+
+std::string_view asks(StudyKind kind) {
+  switch (kind) {
+    case StudyKind::simulate:
+      return "one pick with its trace";
+    case StudyKind::sweep:
+      return "every combination of the [[vary]] values";
+    case StudyKind::window:
+      return "the least force that holds and the greatest that leaves no mark";
+    case StudyKind::sample:
+      return "one strategy on products that differ";
+    case StudyKind::optimize:
+      return "the best strategy, subject to the constraints";
+    case StudyKind::robust:
+      return "the best strategy for products that differ";
+    case StudyKind::pareto:
+      return "what one objective costs in the other";
+    case StudyKind::compare:
+      return "which of the candidates is better on the same products";
+    case StudyKind::sensitivity:
+      return "which of the [[random]] keys decides";
+  }
+  return "";
+}
+
+std::string head(const TemplateRequest& request) {
+  return joined(
+      {"# Written by `unbruised new`; change what you like. `unbruised explain KEY` says more of any key.\n",
+       "[study]\n", texts("name", request.name, joined({"results go to results/", request.name, "/"})),
+       texts("kind", study_kind_word(request.kind), asks(request.kind)),
+       line("seed = 1", "of everything that is drawn at random"), "\n[product]\n",
+       texts("use", request.product, "shape, mass, stiffness, friction and limits of the product"),
+       "\n[gripper]\n", texts("use", request.gripper, "pads, fingers, drive"), "\n[cell]\n",
+       line("lift_height_m", 0.1, "how high it is lifted, m"),
+       line("transfer_m = [0.0, 0.3]", "how far it is carried along and across the grip axis, m")});
+}
+
+std::string strategy(const TemplateRequest& request, const TemplateNumbers& numbers) {
+  std::string text = "\n[strategy]\n";
+  if (request.kind != StudyKind::window) {
+    text += line("grip_force_N", numbers.force_N,
+                 joined({"each finger, N; holding takes about ", short_number(numbers.hold_force_N), " N"}));
+  }
+  return text + line("approach_speed_m_s", numbers.speed_m_s, "each finger, m/s") +
+         line("lift_acceleration_m_s2", kLiftAcceleration_m_s2, "peak while it is lifted and carried, m/s2");
+}
+
+/// Values from..to, evenly spaced in their logarithm, as the gripper can set them.
+std::string force_values(const TemplateNumbers& numbers, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) {
+    const double ratio = numbers.force_to_N / numbers.force_from_N;
+    double value = round_two(numbers.force_from_N * std::pow(ratio, static_cast<double>(i) / (count - 1)));
+    const double step = numbers.force_step_N;
+    if (step > 0.0) value = std::max(step, std::round(value / step) * step);
+    if (values.empty() || value > values.back()) values.push_back(value);
+  }
+  std::string text;
+  for (const double value : values) text += joined({text.empty() ? "" : ", ", toml(value)});
+  return text;
+}
+
+std::string vary(std::string_view key, std::string_view values, std::string_view comment) {
+  return joined({"\n[[vary]]\n", texts("key", key, comment), "values = [", values, "]\n"});
+}
+
+std::string vary_speed(const TemplateNumbers& numbers) {
+  return vary(
+      "strategy.approach_speed_m_s",
+      joined({toml(numbers.speed_from_m_s), ", ", toml(numbers.speed_m_s), ", ", toml(numbers.speed_to_m_s)}),
+      "a faster approach hits harder, m/s");
+}
+
+std::string box(std::string_view table, std::string_view key, double from, double to, std::string_view comment) {
+  return joined(
+      {"\n[[", table, "]]\n", texts("key", key, comment), "from = ", toml(from), "\nto = ", toml(to), "\n"});
+}
+
+std::string variables(const TemplateNumbers& numbers) {
+  return box("variable", "strategy.grip_force_N", numbers.force_from_N, numbers.force_to_N, "searched, N") +
+         box("variable", "strategy.lift_acceleration_m_s2", 0.5, 8.0, "searched, m/s2");
+}
+
+std::string random_keys(const TemplateNumbers& numbers) {
+  const double friction = numbers.friction;
+  return joined({"\n[[random]]\n",
+                 texts("key", "product.friction", "how products differ; measure yours, this is a guess"),
+                 "distribution = \"triangular\"\n", "from = ", toml(0.8 * friction), "\nmode = ", toml(friction),
+                 "\nto = ", toml(1.2 * friction), "\n\n[[random]]\n",
+                 texts("key", "product.youngs_modulus_Pa", "stiffness, Pa; a guess, too"),
+                 "distribution = \"lognormal\"\nmean = ", toml(numbers.youngs_modulus_Pa), "\n",
+                 line("relative_deviation", 0.1, "standard deviation over the mean")});
+}
+
+std::string sampling() {
+  return joined({"\n[sampling]\n", line("count = 64", "products, the same for every strategy"),
+                 line("factor_groups = 8", "joint values of the stiffness among them: each is factored once")});
+}
+
+std::string search(std::string_view goals, std::string_view budget) {
+  return joined({"\n[search]\n", goals, line("starts = 4", "searches from different beginnings"),
+                 line(joined({"budget = ", budget}), "strategies tried, all searches together")});
+}
+
+std::string candidate(std::string_view name, double force_N, double speed_m_s) {
+  return joined({"\n[[candidate]]\n", texts("name", name, "or: use = \"strategies/gentle.toml\""),
+                 line("grip_force_N", force_N, "N"), line("approach_speed_m_s", speed_m_s, "m/s")});
+}
+
+/// What the kind needs beside product, gripper, cell and strategy.
+std::string own_part(StudyKind kind, const TemplateNumbers& numbers) {
+  const std::string held = line("constraints = [\"held\"]", "not dropped, not slipped, no limit exceeded");
+  switch (kind) {
+    case StudyKind::simulate:
+      return "";
+    case StudyKind::sweep:
+      return vary("strategy.grip_force_N", force_values(numbers, 8), "N") + vary_speed(numbers);
+    case StudyKind::window:
+      return joined({"\n[window]\n", line("from_N", numbers.force_from_N, "least grip force looked at, N"),
+                     line("to_N", numbers.force_to_N, "greatest, N"), vary_speed(numbers)});
+    case StudyKind::sample:
+      return sampling() + random_keys(numbers);
+    case StudyKind::optimize:
+      return search(line("objective = \"cycle_time_s\"",
+                         "to be least: `unbruised explain metrics` lists what can stand here") +
+                        held,
+                    "120") +
+             variables(numbers);
+    case StudyKind::robust:
+      return search(line("objective = \"mean(cycle_time_s)\"", "over the products") +
+                        line("constraints = [\"P(held) >= 0.9\"]",
+                             "held: not dropped, not slipped, no limit exceeded"),
+                    "40") +
+             sampling() + variables(numbers) + random_keys(numbers);
+    case StudyKind::pareto:
+      return search(line("objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]", "both to be small") + held,
+                    "240") +
+             variables(numbers);
+    case StudyKind::compare:
+      return joined({"\n[compare]\n",
+                     texts("metric", "cycle_time_s", "decides among candidates that hold unharmed"), sampling(),
+                     candidate("slow", numbers.force_N, numbers.speed_from_m_s),
+                     candidate("fast", numbers.force_N, numbers.speed_m_s), random_keys(numbers)});
+    case StudyKind::sensitivity:
+      return joined({"\n[sensitivity]\n", texts("method", "morris", "few runs; \"sobol\" shares the variance out"),
+                     line("metrics = [\"friction_margin_min\"]", "what the effects are on"),
+                     line("samples = 16", "runs: 16 x (keys + 1)"), random_keys(numbers)});
+  }
+  return "";
+}
+
+}  // namespace
+
+TemplateNumbers template_numbers(const Scenario& scenario) {
+  const auto& product = std::get<LatticeParameters>(scenario.product);
+  const GripperParameters& gripper = scenario.gripper.value();
+  const double mass_kg = lattice_mass_kg(product);
+  const double gravity_m_s2 = std::abs(scenario.cell.gravity_m_s2[2]);
+  // Without friction nothing is held; a tenth stands for it, and the study says what comes of it.
+  const double friction = std::max(product.friction, 0.1);
+  TemplateNumbers numbers;
+  numbers.hold_force_N = mass_kg * (gravity_m_s2 + kLiftAcceleration_m_s2) / (2.0 * friction);
+  const double least_N = std::max(gripper.min_force_N, gripper.force_step_N);
+  const auto settable = [&](double force_N) {
+    return std::clamp(round_two(force_N), least_N, gripper.max_force_N);
+  };
+  numbers.force_N = settable(2.0 * numbers.hold_force_N);
+  numbers.force_from_N = settable(0.5 * numbers.hold_force_N);
+  numbers.force_to_N =
+      std::max(settable(10.0 * numbers.hold_force_N), std::min(2.0 * numbers.force_from_N, gripper.max_force_N));
+  numbers.force_step_N = gripper.force_step_N;
+  numbers.speed_m_s = std::min(0.1, gripper.max_speed_m_s);
+  numbers.speed_from_m_s = 0.5 * numbers.speed_m_s;
+  numbers.speed_to_m_s = std::min(0.2, gripper.max_speed_m_s);
+  numbers.friction = product.friction;
+  numbers.youngs_modulus_Pa = product.youngs_modulus_Pa;
+  return numbers;
+}
+
+std::string bare_study(const TemplateRequest& request) {
+  return joined({"[study]\nname = ", toml_string(request.name), "\nkind = \"simulate\"\n[product]\nuse = ",
+                 toml_string(request.product), "\n[gripper]\nuse = ", toml_string(request.gripper), "\n"});
+}
+
+std::string study_template(const TemplateRequest& request, const TemplateNumbers& numbers) {
+  return joined({head(request), strategy(request, numbers), own_part(request.kind, numbers)});
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,155 @@
+#include "studies/estimate/study_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "studies/estimate/cost_estimate.hpp"
+#include "studies/estimate/known_scenarios.hpp"
+#include "studies/estimate/memory_need.hpp"
+#include "studies/kinds/search_study.hpp"
+#include "studies/kinds/window_search.hpp"
+#include "studies/scenarios/scenario_set.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// Bytes of a row, in the journal and again in results.h5, beside its metrics and inputs.
+constexpr double kRowBytesBesideColumns = 160.0;
+/// Combinations of a window study whose search is rehearsed; more are scaled up.
+constexpr std::size_t kRehearsedCombinations = 1000;
+
+/// Two forces at either end of the window that answers a window study, at half the time step: twice the steps.
+constexpr double kHalfStepEvaluations = 8.0;
+
+/// The scenarios of one factor key.
+struct GroupCost {
+  ModelSize size;
+  std::size_t count = 0;
+  double steps = 0.0;  ///< of all its scenarios
+};
+
+struct KnownCost {
+  std::vector<GroupCost> groups;
+  std::vector<std::size_t> group_of;  ///< of each scenario
+  double longest_run_s = 0.0;
+};
+
+KnownCost known_cost(const ScenarioSet& set) {
+  KnownCost cost;
+  std::unordered_map<std::string, std::size_t> index_of;
+  cost.group_of.reserve(set.count);
+  for (std::size_t point = 0; point < set.count; ++point) {
+    const Scenario scenario = set.scenario(point);
+    const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
+    if (is_new) cost.groups.push_back({.size = model_size(scenario)});
+    GroupCost& group = cost.groups[place->second];
+    ++group.count;
+    group.steps += estimated_steps(scenario);
+    cost.group_of.push_back(place->second);
+    cost.longest_run_s = std::max(cost.longest_run_s, simulated_duration_s(scenario));
+  }
+  return cost;
+}
+
+/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
+double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
+  const WindowSettings& range = study.window();
+  const std::size_t count = std::min(group_of.size(), kRehearsedCombinations);
+  WindowSearchSettings settings{
+      .from_N = range.from_N,
+      .to_N = range.to_N,
+      .tolerance = range.tolerance,
+      .factor_group = {group_of.begin(), group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
+  const double ratio = range.to_N / range.from_N;
+  const double hold_N = range.from_N * std::pow(ratio, 0.37);
+  const double damage_N = range.from_N * std::pow(ratio, 0.71);
+  const ForceEvaluator rehearse = [&](const std::vector<ForceRequest>& requests) {
+    std::vector<GripSample> answers;
+    for (const ForceRequest& request : requests) {
+      answers.push_back({.grip_force_N = request.grip_force_N,
+                         .holds = request.grip_force_N >= hold_N ? Verdict::yes : Verdict::no,
+                         .undamaged = request.grip_force_N <= damage_N ? Verdict::yes : Verdict::no});
+    }
+    return std::optional(std::move(answers));
+  };
+  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count) +
+         kHalfStepEvaluations / static_cast<double>(group_of.size());
+}
+
+/// Scenarios of the study per scenario known beforehand.
+double evaluations_each(const Study& study, const KnownCost& known) {
+  if (is_search(study.kind())) {
+    return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(known.group_of.size());
+  }
+  return study.kind() == StudyKind::window ? rehearsed_evaluations(study, known.group_of) : 1.0;
+}
+
+double compute_seconds(const KnownCost& known, double each) {
+  double seconds = 0.0;
+  const double lanes = lane_count();
+  for (const GroupCost& group : known.groups) {
+    const double evaluations = each * static_cast<double>(group.count);
+    const double mean_steps = group.steps / static_cast<double>(group.count);
+    // Lanes that stay empty cost as much as full ones.
+    seconds += std::ceil(evaluations / lanes) * lanes * mean_steps * estimated_lane_step_s(group.size);
+  }
+  return seconds;
+}
+
+double memory_bytes(const KnownCost& known, int threads) {
+  std::vector<double> models;
+  double lanes = 0.0;
+  for (const GroupCost& group : known.groups) {
+    models.push_back(estimated_model_bytes(group.size));
+    lanes = std::max(lanes, estimated_lane_bytes(group.size));
+  }
+  std::sort(models.begin(), models.end(), std::greater<>());
+  models.resize(std::min(models.size(), static_cast<std::size_t>(threads)));
+  double bytes = static_cast<double>(threads) * lane_count() * lanes;
+  for (const double model : models) bytes += model;
+  return bytes;
+}
+
+double disk_bytes(const Study& study, const KnownCost& known, std::size_t inputs, double evaluations) {
+  const double columns = static_cast<double>(kMetricCount + inputs + 1) * sizeof(double);
+  double bytes = evaluations * 2.0 * (columns + kRowBytesBesideColumns);
+  if (study.kind() == StudyKind::simulate && study.scenario_count() == 1) {
+    bytes += estimated_trace_bytes(study.scenario(0), known.groups.front().size);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+StudyCost study_cost(const Study& study, int threads) {
+  const ScenarioSet set = known_scenarios(study);
+  const KnownCost known = known_cost(set);
+  const double each = evaluations_each(study, known);
+  StudyCost cost{.scenarios = each * static_cast<double>(set.count), .groups = known.groups.size()};
+  const auto [least, most] = std::minmax_element(
+      known.groups.begin(), known.groups.end(),
+      [](const GroupCost& a, const GroupCost& b) { return a.size.freedom_count < b.size.freedom_count; });
+  cost.least = least->size;
+  cost.most = most->size;
+  for (const GroupCost& group : known.groups) cost.steps_each += group.steps;
+  cost.steps_each /= static_cast<double>(set.count);
+  cost.longest_run_s = known.longest_run_s;
+  cost.memory_bytes = memory_bytes(known, threads) + estimated_rows_bytes(cost.scenarios, set.columns.size());
+  cost.disk_bytes = disk_bytes(study, known, set.columns.size(), cost.scenarios);
+  cost.seconds = compute_seconds(known, each) / threads;
+  cost.threads = threads;
+  return cost;
+}
+
+ProgressPlan progress_plan(const Study& study, const StudyCost& cost) {
+  return {.scenarios = std::round(cost.scenarios),
+          .steps_each = cost.steps_each,
+          .seconds_per_step = cost.seconds / (cost.scenarios * cost.steps_each),
+          .may_end_sooner = is_search(study.kind())};
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,145 @@
+#include "studies/findings/flat_table.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "core/outcome/outcome.hpp"
+#include "studies/findings/table_text.hpp"
+#include "studies/results/window_columns.hpp"
+#include "studies/text/joined.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using Numbers = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+template <class Row, class Value>
+ResultColumn column(std::string name, std::string_view units, std::string_view long_name,
+                    const std::vector<Row>& rows, Value value) {
+  std::vector<decltype(value(rows.front()))> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(value(row));
+  return {std::move(name), std::string(units), std::string(long_name), std::move(values)};
+}
+
+/// Fewer digits do not give the same number back.
+std::string all_digits(double value) {
+  if (std::isnan(value)) return {};
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} ? std::string(text.data(), end) : std::string();
+}
+
+bool holds_text(std::size_t i, const auto& rows) {
+  for (const auto& row : rows) {
+    if (i < row.inputs.size() && std::holds_alternative<std::string>(row.inputs[i])) return true;
+  }
+  return false;
+}
+
+double number_of(const InputValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number == nullptr ? kAbsent : *number;
+}
+
+std::string text_of(const InputValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text == nullptr ? all_digits(number_of(value)) : *text;
+}
+
+template <class Row>
+void add_inputs(ResultTable& table, const std::vector<ColumnInfo>& infos, const std::vector<Row>& rows) {
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    const ColumnInfo& info = infos[i];
+    const auto input = [i](const Row& row) { return i < row.inputs.size() ? row.inputs[i] : InputValue(kAbsent); };
+    table.columns.push_back(holds_text(i, rows) ? column(info.key, info.units, info.long_name, rows,
+                                                         [&](const Row& row) { return text_of(input(row)); })
+                                                : column(info.key, info.units, info.long_name, rows,
+                                                         [&](const Row& row) { return number_of(input(row)); }));
+  }
+}
+
+std::string cell_text(const ResultColumn& column, std::size_t row) {
+  if (const auto* numbers = std::get_if<Numbers>(&column.values)) return all_digits((*numbers)[row]);
+  const std::string& text = std::get<Texts>(column.values)[row];
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+ResultTable scenario_table(const StudyTables& tables) {
+  const std::vector<ScenarioRow>& rows = tables.rows;
+  ResultTable table{.name = "scenarios", .row = "scenario", .columns = {}, .attributes = {}};
+  table.columns.push_back(column("id", "1", "number of the scenario", rows,
+                                 [](const ScenarioRow& row) { return static_cast<double>(row.id); }));
+  table.columns.push_back(column("outcome", "", "how it ended", rows, [](const ScenarioRow& row) {
+    return std::string(outcome_word(row.result.outcome));
+  }));
+  table.columns.push_back(column("cause", "", "what decided the outcome", rows,
+                                 [](const ScenarioRow& row) { return row.result.cause; }));
+  table.columns.push_back(column("outcome_time_s", "s", "first crossing of the limit that decided", rows,
+                                 [](const ScenarioRow& row) { return row.result.outcome_time_s; }));
+  add_inputs(table, tables.inputs, rows);
+  for (const MetricInfo& info : kMetricTable) {
+    table.columns.push_back(column(std::string(info.name), info.units, info.long_name, rows,
+                                   [&](const ScenarioRow& row) { return row.result.metrics[info.metric]; }));
+  }
+  return table;
+}
+
+ResultTable window_as_table(const WindowTable& window) {
+  ResultTable table{.name = "window", .row = "combination", .columns = {}, .attributes = {}};
+  add_inputs(table, window.inputs, window.rows);
+  for (const WindowNumber& number : kWindowNumbers) {
+    table.columns.push_back(column(number.name, number.units, number.long_name, window.rows,
+                                   [&](const WindowRow& row) { return row.*number.value; }));
+  }
+  for (const WindowFlag& flag : kWindowFlags) {
+    table.columns.push_back(column(flag.name, "1", flag.long_name, window.rows,
+                                   [&](const WindowRow& row) { return row.*flag.value ? 1.0 : 0.0; }));
+  }
+  for (const WindowText& text : kWindowTexts) {
+    table.columns.push_back(
+        column(text.name, "", text.long_name, window.rows, [&](const WindowRow& row) { return row.*text.value; }));
+  }
+  return table;
+}
+
+std::vector<std::string> table_names_of(const StudyTables& tables) {
+  std::vector<std::string> names = {"scenarios"};
+  if (tables.window) names.emplace_back("window");
+  for (const ResultTable& table : tables.found) names.push_back(table.name);
+  return names;
+}
+
+ResultTable table_called(const StudyTables& tables, const std::string& name) {
+  if (name == "scenarios") return scenario_table(tables);
+  if (name == "window" && tables.window) return window_as_table(*tables.window);
+  const ResultTable* found = find_table(tables.found, name);
+  return found == nullptr ? ResultTable{} : *found;
+}
+
+std::string csv_text(const ResultTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    text += joined({i == 0 ? "" : ",", table.columns[i].name});
+  }
+  text += "\n";
+  for (std::size_t row = 0; row < row_count(table); ++row) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      text += joined({i == 0 ? "" : ",", cell_text(table.columns[i], row)});
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,27 @@
+#pragma once
+
+/// @file
+/// Everything a study holds as flat tables, one value a cell, and those as CSV: what other programs open at once.
+
+#include <string>
+#include <vector>
+
+#include "studies/findings/summary.hpp"
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// A row per scenario: id, outcome, cause, outcome_time_s, varied keys, metrics. Units are part of the names.
+ResultTable scenario_table(const StudyTables& tables);
+/// The grip windows, a row per combination of the varied keys.
+ResultTable window_as_table(const WindowTable& window);
+/// "scenarios", "window" where there is one, and what the kind found beside.
+std::vector<std::string> table_names_of(const StudyTables& tables);
+/// The table of that name; without columns: there is none.
+ResultTable table_called(const StudyTables& tables, const std::string& name);
+
+/// RFC 4180 with a header line: numbers with all their digits, nothing where there is none (NaN), texts quoted
+/// where they need it.
+std::string csv_text(const ResultTable& table);
+
+}  // namespace unbruised::studies

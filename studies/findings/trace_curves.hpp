@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file
+/// The signals of a trace as curves over time with names for people: what charts and tables show of them.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/outcome/trace.hpp"
+#include "studies/results/rows.hpp"
+
+namespace unbruised::studies {
+
+/// Signals with more columns than this are no curves to look at.
+inline constexpr std::size_t kSignalColumnsMost = 12;
+
+/// Columns of a signal.
+std::size_t width_of(const TraceSignal& signal);
+/// Has the signal a value for every time, and few enough columns?
+bool is_whole(const Trace& trace, const TraceSignal& signal);
+/// "finger 1, x" for an entry of a signal with the dimensions finger and component; empty for a single curve.
+std::string curve_name(const TraceSignal& signal, std::size_t entry);
+
+/// A row per recorded time: time_s and every curve, e.g. "finger_force_N [finger 1, x]". The particles' motion
+/// stays in the results file.
+ResultTable trace_as_table(const Trace& trace);
+
+}  // namespace unbruised::studies

@@ -44,6 +44,11 @@ struct LayerLaw {
   }
 };
 
+/// What carries a surface: the palm the pads, the cell the support.
+const std::array<AxisMotion, 3>& carriers_of(const CarrierMotion& carriers, int surface) {
+  return surface == static_cast<int>(Surface::support) ? carriers.cell : carriers.palm;
+}
+
 LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate, const Lane& rate_slope) {
   LayerLaw law;
   if (candidate.flat) {
@@ -56,16 +61,27 @@ LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane&
   return law;
 }
 
+/// Mean square of the depths of the tributary places.
+Lane squared_depth(const ContactCandidate& candidate, const Lane& p) {
+  if (candidate.flat) return positive(p) * positive(p);
+  Lane squares(0.0);
+  for (const double relief : candidate.relief_m) {
+    const Lane depth = positive(p - Lane(relief));
+    squares += depth * depth;
+  }
+  return squares * Lane(1.0 / kReliefPlaces);
+}
+
 }  // namespace
 
 ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
     : model_(model), near_margin_(kNearShare * smallest_extent_m) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal_,         &tangent1_, &tangent2_,     &normal_theta_, &tangent1_theta_,
-                          &tangent2_theta_, &anchor1_,  &anchor2_,      &penetration_,  &penetration_theta_,
-                          &travel1_,        &travel2_,  &share_,        &near_,         &offset_,
-                          &gap_now_,        &gap_free_, &previous_,     &sliding_,      &was_sliding_,
-                          &layer_,          &shear_,    &shear_relaxed_}) {
+  for (LaneArray* rows : {&normal_,         &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_,
+                          &tangent2_theta_, &anchor1_,  &anchor2_,  &penetration_,  &penetration_theta_,
+                          &travel1_,        &travel2_,  &share_,    &near_,         &offset_,
+                          &viscous_,        &gap_now_,  &gap_free_, &previous_,     &sliding_,
+                          &was_sliding_,    &layer_,    &shear_,    &shear_relaxed_}) {
     *rows = LaneArray(n);
   }
   base_ = LaneArray(3 * model.node_count());
@@ -81,8 +97,8 @@ ContactLanes::ContactLanes(const ContactModel& model, double smallest_extent_m)
 
 void ContactLanes::load(int lane, const Scenario& scenario, const std::array<double, 3>& product_center_m) {
   for (LaneArray* rows : {&normal_, &tangent1_, &tangent2_, &normal_theta_, &tangent1_theta_, &tangent2_theta_,
-                          &anchor1_, &anchor2_, &penetration_, &penetration_theta_, &travel1_, &travel2_, &share_,
-                          &near_, &previous_, &sliding_, &was_sliding_}) {
+                          &anchor1_, &anchor2_, &penetration_, &penetration_theta_, &viscous_, &travel1_,
+                          &travel2_, &share_, &near_, &previous_, &sliding_, &was_sliding_}) {
     rows->clear_lane(lane);
   }
   for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
@@ -144,15 +160,16 @@ Lane ContactLanes::normal_stiffness(std::size_t c) const {
          (Lane(1.0) / stiffness_[candidate.surface] + Lane(candidate.cell_compliance_m_Pa));
 }
 
-Lane ContactLanes::surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const {
-  if (surface == static_cast<int>(Surface::support)) return places.support_height;
-  return rest_place_[surface] + Lane(kClosing[surface]) * way[surface] + places.palm[0];
+Lane ContactLanes::surface_place(int surface, const CarrierMotion& carriers,
+                                 const std::array<Lane, 2>& way) const {
+  if (surface == static_cast<int>(Surface::support)) return carriers.cell[2].place_m;
+  return rest_place_[surface] + Lane(kClosing[surface]) * way[surface] + carriers.palm[0].place_m;
 }
 
 void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const LaneArray& v, const LaneArray& a,
-                              const SurfacePlaces& now, const SurfacePlaces& theta, const FingerLanes& fingers,
+                              const CarrierMotion& now, const CarrierMotion& theta, const FingerLanes& fingers,
                               const LaneArray& base, const Mask& running) {
-  theta_places_ = theta;
+  theta_ = theta;
   for (int s = 0; s < kSurfaceCount; ++s) a1_tau_factor_[s] = Lane(1.0) + Lane(w.a1) * relaxation_[s];
   const std::array<Lane, 2> way_now = {fingers.way(0), fingers.way(1)};
   const std::array<Lane, 2> no_force = {Lane(0.0), Lane(0.0)};
@@ -177,7 +194,7 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
       Lane share(1.0);
       for (std::size_t t = 0; t < 2; ++t) {
         const Lane place = Lane(candidate.place_m[t]) + u.get(node + static_cast<std::size_t>(tangents[t])) -
-                           now.palm[static_cast<std::size_t>(tangents[t])] - pad_center_[t];
+                           now.palm[static_cast<std::size_t>(tangents[t])].place_m - pad_center_[t];
         const Lane half(0.5 * candidate.extent_m[t]);
         const Lane pad_half = Lane(0.5) * pad_size_[t];
         share *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) *
@@ -195,17 +212,20 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     previous_.put(c, held);
     was_sliding_.put(c, sliding_.get(c));
     // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.
-    Lane surface_speed(0.0), surface_acceleration(0.0);
+    const AxisMotion& carrier = carriers_of(now, surface)[axis];
+    Lane surface_velocity = carrier.velocity_m_s, surface_acceleration = carrier.acceleration_m_s2;
     if (surface < 2) {
-      surface_speed = Lane(kClosing[surface]) * fingers.speed(surface);
-      surface_acceleration = Lane(kClosing[surface]) * fingers.acceleration(surface);
+      surface_velocity += Lane(kClosing[surface]) * fingers.speed(surface);
+      surface_acceleration += Lane(kClosing[surface]) * fingers.acceleration(surface);
     }
-    const Lane rate = -sign * (v.get(node + axis) - surface_speed);
+    const Lane rate = -sign * (v.get(node + axis) - surface_velocity);
     const Lane second_rate = -sign * (a.get(node + axis) - surface_acceleration);
     offset_.put(c, relaxation_[surface] * w.viscous(-gap_now, rate, second_rate));
     normal_theta_.put(c, select(near, held, Lane(0.0)));
     tangent1_theta_.put(c, select(near, tangent1_theta_.get(c), Lane(0.0)));
     tangent2_theta_.put(c, select(near, tangent2_theta_.get(c), Lane(0.0)));
+    // Where the contact is open its penetration is where the particle is, whatever it once was.
+    penetration_.put(c, select(running & !carrying, -gap_now, penetration_.get(c)));
     if (none(near)) continue;
     // What the solve needs again and again.
     const double* own = model_.compliance.data() + 9 * candidate.contact_node * (model_.node_count() + 1);
@@ -283,7 +303,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
     compliance += fingers.compliance();
     way[surface] = fingers.way_at_theta(surface, pad_force_);
   }
-  const Lane gap = sign * (Lane(candidate.surface_m) + d[axis] - surface_place(surface, theta_places_, way));
+  const Lane gap = sign * (Lane(candidate.surface_m) + d[axis] - surface_place(surface, theta_, way));
   const Lane penetration = -gap;
   penetration_theta_.put(c, select(active, penetration, penetration_theta_.get(c)));
   const Lane rate_slope = a1_tau_factor_[surface] - Lane(1.0);
@@ -302,8 +322,8 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   // Tangential: a spring to the anchor, held inside the friction cone.
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
-  const Lane r1 = d[t1] - (surface < 2 ? theta_places_.palm[t1] : Lane(0.0));
-  const Lane r2 = d[t2] - (surface < 2 ? theta_places_.palm[t2] : Lane(0.0));
+  const Lane r1 = d[t1] - (surface < 2 ? theta_.palm[t1].place_m : Lane(0.0));
+  const Lane r2 = d[t2] - (surface < 2 ? theta_.palm[t2].place_m : Lane(0.0));
   const Lane old1 = tangent1_theta_.get(c);
   const Lane old2 = tangent2_theta_.get(c);
   Lane new1 = old1 + (-shear * (r1 - anchor1_.get(c)) - old1) * inverse;
@@ -355,7 +375,7 @@ Lane ContactLanes::solve(const FingerLanes& fingers, const Mask& lanes) {
 }
 
 void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, const LaneArray& u,
-                            const std::vector<std::array<double, 3>>& position_m, const SurfacePlaces& next,
+                            const std::vector<std::array<double, 3>>& position_m, const CarrierMotion& next,
                             const Mask& running) {
   for (SurfaceTally& tally : tally_) tally = SurfaceTally{};
   patch_pressure_ = Lane(0.0);
@@ -368,7 +388,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     const Mask open = running & !(normal_theta_.get(c) > Lane(0.0));
     for (std::size_t t = 0; t < 2; ++t) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
-      const Lane place = u.get(node + axis) - (surface < 2 ? next.palm[axis] : Lane(0.0));
+      const Lane place = u.get(node + axis) - (surface < 2 ? next.palm[axis].place_m : Lane(0.0));
       LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
       anchor.put(c, select(open, place, anchor.get(c)));
     }
@@ -402,14 +422,24 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
       LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
       const LaneArray& force = t == 0 ? tangent1_theta_ : tangent2_theta_;
       const auto along = static_cast<std::size_t>(tangents[t]);
-      const Lane place = u_theta.get(3 * node + along) - (surface < 2 ? theta_places_.palm[along] : Lane(0.0));
+      const Lane place = u_theta.get(3 * node + along) - (surface < 2 ? theta_.palm[along].place_m : Lane(0.0));
       const Lane before = anchor.get(c);
       const Lane after = w.at_end(before, place + force.get(c) / shear);
       moved[t] = select(sliding > Lane(0.0), after - before, Lane(0.0));
       anchor.put(c, before + moved[t]);
     }
-    penetration_.put(
-        c, select(running, w.at_end(penetration_.get(c), penetration_theta_.get(c)), penetration_.get(c)));
+    const Lane old_penetration = penetration_.get(c);
+    const Lane penetration =
+        select(running, w.at_end(old_penetration, penetration_theta_.get(c)), old_penetration);
+    penetration_.put(c, penetration);
+    const Mask viscous = running & (near_.get(c) > Lane(0.0)) & (relaxation_[surface] > Lane(0.0));
+    if (any(viscous)) {
+      // Trapezoid rule over the way of the penetration, as forces and places are linear over the step.
+      const Lane before = viscous_.get(c);
+      const Lane after = w.at_end(before, normal_theta_.get(c) - elastic_force(c, penetration_theta_.get(c)));
+      viscous_.put(c, select(viscous, after, Lane(0.0)));
+      dissipated_ += select(viscous, Lane(0.5) * (before + after) * (penetration - old_penetration), Lane(0.0));
+    }
     Lane travel[2];
     for (std::size_t t = 0; t < 2; ++t) {
       LaneArray& way = t == 0 ? travel1_ : travel2_;
@@ -429,7 +459,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     if (surface < 2) {
       Lane arm[3], force[3];
       for (std::size_t i = 0; i < 3; ++i) {
-        arm[i] = Lane(position_m[node][i]) + u.get(3 * node + i) - next.palm[i];
+        arm[i] = Lane(position_m[node][i]) + u.get(3 * node + i) - next.palm[i].place_m;
         if (i > 0) arm[i] -= pad_center_[i - 1];
       }
       force[axis] = Lane(normal_sign(surface)) * now[0];
@@ -486,26 +516,25 @@ void ContactLanes::tally_moments(std::size_t c, const Lane& normal, SurfaceTally
   for (std::size_t i = 0; i < 3; ++i) tally.second[i] += normal * m2[i];
 }
 
+Lane ContactLanes::elastic_force(std::size_t c, const Lane& penetration) const {
+  return normal_stiffness(c) * layer_law(model_.candidate[c], penetration, Lane(0.0), Lane(0.0)).force;
+}
+
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const ContactCandidate& candidate = model_.candidate[c];
     const Mask closed = normal_theta_.get(c) > Lane(0.0);
-    if (none(closed)) continue;
-    const Lane layer = layer_stiffness(c);
+    // A viscous layer that recovers more slowly than the particle leaves is still pressed when it carries nothing.
+    const Mask viscous = (relaxation_[candidate.surface] > Lane(0.0)) & (penetration_.get(c) > Lane(0.0));
+    if (none(closed | viscous)) continue;
     const Lane press = normal_stiffness(c);
     const Lane n = normal_.get(c), t1 = tangent1_.get(c), t2 = tangent2_.get(c);
-    Lane stored = Lane(0.5) * n * n / max(press, Lane(1e-300));
-    if (!candidate.flat) {
-      Lane squares(0.0);
-      for (const double relief : candidate.relief_m) {
-        const Lane depth = positive(penetration_.get(c) - Lane(relief));
-        squares += depth * depth;
-      }
-      stored = press * squares * Lane(0.5 / kReliefPlaces);
-    }
-    stored += Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer, Lane(1e-300));
-    energy += select(closed, stored, Lane(0.0));
+    const Lane in_place = press * squared_depth(candidate, penetration_.get(c)) * Lane(0.5);
+    Lane stored = in_place;
+    if (candidate.flat) stored = select(viscous, in_place, Lane(0.5) * n * n / max(press, Lane(1e-300)));
+    const Lane sheared = Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer_stiffness(c), Lane(1e-300));
+    energy += select(closed, stored + sheared, select(viscous, stored, Lane(0.0)));
   }
   return energy;
 }

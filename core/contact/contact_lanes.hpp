@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+#include "core/contact/carrier_motion.hpp"
 #include "core/contact/contact_model.hpp"
 #include "core/gripper/finger_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
@@ -19,12 +20,6 @@
 #include "core/outcome/trace.hpp"
 
 namespace unbruised {
-
-/// Where pads and support stand at one time; per lane.
-struct SurfacePlaces {
-  std::array<Lane, 3> palm{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< motion of the palm since the start
-  Lane support_height{0.0};
-};
 
 /// Resultants of one surface at the end of a step, per lane.
 struct SurfaceTally {
@@ -53,7 +48,7 @@ class ContactLanes {
   /// State of the product and pads at the start of the step, before the contact solve.
   /// @param base displacement at t + theta dt without contact forces, rows 3 x contact node + axis
   void begin_step(const WilsonTheta& wilson, const LaneArray& u, const LaneArray& v, const LaneArray& a,
-                  const SurfacePlaces& now, const SurfacePlaces& theta, const FingerLanes& fingers,
+                  const CarrierMotion& now, const CarrierMotion& theta, const FingerLanes& fingers,
                   const LaneArray& base, const Mask& running);
   /// Did begin_step find anything near a surface?
   [[nodiscard]] bool idle() const { return active_node_.empty(); }
@@ -79,7 +74,7 @@ class ContactLanes {
   /// @param u_theta, u displacement at t + theta dt and at t + dt
   /// @param position_m rest positions
   void end_step(const WilsonTheta& wilson, const LaneArray& u_theta, const LaneArray& u,
-                const std::vector<std::array<double, 3>>& position_m, const SurfacePlaces& next,
+                const std::vector<std::array<double, 3>>& position_m, const CarrierMotion& next,
                 const Mask& running);
 
   [[nodiscard]] const std::array<SurfaceTally, kSurfaceCount>& tally() const { return tally_; }
@@ -103,7 +98,10 @@ class ContactLanes {
 
  private:
   void choose_active(const Mask& running);
-  [[nodiscard]] Lane surface_place(int surface, const SurfacePlaces& places, const std::array<Lane, 2>& way) const;
+  [[nodiscard]] Lane surface_place(int surface, const CarrierMotion& carriers,
+                                   const std::array<Lane, 2>& way) const;
+  /// Of the layer at rest at this penetration.
+  [[nodiscard]] Lane elastic_force(std::size_t candidate, const Lane& penetration) const;
   [[nodiscard]] Lane layer_stiffness(std::size_t candidate) const;
   [[nodiscard]] Lane normal_stiffness(std::size_t candidate) const;
   [[nodiscard]] Lane lattice_patch_area(int pad) const;
@@ -125,6 +123,7 @@ class ContactLanes {
   LaneArray normal_, tangent1_, tangent2_;                    ///< forces at the start of the step
   LaneArray normal_theta_, tangent1_theta_, tangent2_theta_;  ///< at t + theta dt
   LaneArray penetration_, penetration_theta_;                 ///< of the particle's place; meaningful while closed
+  LaneArray viscous_;  ///< viscous part of normal_; 0 where the layer has none
   LaneArray anchor1_, anchor2_, travel1_, travel2_;
   LaneArray share_;  ///< of the tributary area under the pad
   // Per candidate, of the present step.
@@ -137,7 +136,7 @@ class ContactLanes {
   std::vector<int> live_candidate_;  ///< near or carrying force in any lane
   Mask unsolved_{false};
   std::array<Lane, 2> pad_force_{Lane(0.0), Lane(0.0)};
-  SurfacePlaces theta_places_;
+  CarrierMotion theta_;
   Lane a1_tau_factor_[kSurfaceCount] = {1.0, 1.0, 1.0};  ///< 1 + tau a1
 
   std::array<SurfaceTally, kSurfaceCount> tally_;

@@ -64,7 +64,6 @@ std::string cholesky_library() {
 struct SparseCholesky::Impl {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  mutable cholmod_common solve_common{};  // solve writes statistics; only used single-threaded at set-up
 
   Impl() {
     cholmod_start(&common);
@@ -78,12 +77,9 @@ struct SparseCholesky::Impl {
     common.method[0].ordering = CHOLMOD_NESDIS;
     common.postorder = 1;
     common.quick_return_if_not_posdef = 1;
-    cholmod_start(&solve_common);
-    solve_common.print = 0;
   }
   ~Impl() {
     if (factor != nullptr) cholmod_free_factor(&factor, &common);
-    cholmod_finish(&solve_common);
     cholmod_finish(&common);
   }
   Impl(const Impl&) = delete;
@@ -145,11 +141,11 @@ std::unique_ptr<SparseCholesky> SparseCholesky::factor(const SymmetricMatrix& ma
   return self;
 }
 
-std::vector<double> SparseCholesky::solve(std::span<const double> right_hand_side) const {
+std::vector<double> SparseCholesky::solve(std::span<const double> right_hand_side) {
   return solve_many(right_hand_side, 1);
 }
 
-std::vector<double> SparseCholesky::solve_many(std::span<const double> right_hand_sides, int count) const {
+std::vector<double> SparseCholesky::solve_many(std::span<const double> right_hand_sides, int count) {
   cholmod_dense b{};
   b.nrow = impl_->factor->n;
   b.ncol = static_cast<std::size_t>(count);
@@ -158,10 +154,11 @@ std::vector<double> SparseCholesky::solve_many(std::span<const double> right_han
   b.x = const_cast<double*>(right_hand_sides.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &b, &impl_->solve_common);
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &b, &impl_->common);
+  if (x == nullptr) return {};
   std::vector<double> solution(b.nzmax);
   std::memcpy(solution.data(), x->x, b.nzmax * sizeof(double));
-  cholmod_free_dense(&x, &impl_->solve_common);
+  cholmod_free_dense(&x, &impl_->common);
   return solution;
 }
 

@@ -53,11 +53,12 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// Solves A x = b for one right-hand side, x of shape [size].
-  [[nodiscard]] std::vector<double> solve(std::span<const double> right_hand_side) const;
+  /// Solves A x = b for one right-hand side, x of shape [size]; empty when memory is short. Not const: the backend
+  /// writes into its workspace. What threads share is the packed factor (core/lanes/supernodes.hpp).
+  [[nodiscard]] std::vector<double> solve(std::span<const double> right_hand_side);
 
-  /// Solves A X = B for `count` right-hand sides, column-major [size, count]; for benchmarks.
-  [[nodiscard]] std::vector<double> solve_many(std::span<const double> right_hand_sides, int count) const;
+  /// Solves A X = B for `count` right-hand sides, column-major [size, count]; empty when memory is short.
+  [[nodiscard]] std::vector<double> solve_many(std::span<const double> right_hand_sides, int count);
 
   /// A copy of L and its ordering.
   [[nodiscard]] CholeskyFactor extract() const;

@@ -6,6 +6,9 @@
 
 #include <Eigen/Dense>
 
+#include "core/lanes/lane.hpp"
+#include "core/lanes/lane_solve.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -42,44 +45,57 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
                                                   const ContactModel& contact, std::string& error) {
   std::unique_ptr<StaticSolver> self(new StaticSolver());
   self->mass_kg_ = std::move(mass_kg);
-  self->freedom_ = std::move(freedom);
   self->shift_ = shift_1_s2;
-  const std::size_t size = self->freedom_.size();
-  const auto free = static_cast<int>(size) - static_cast<int>(std::ranges::count(self->freedom_, -1));
+  const auto free = static_cast<int>(freedom.size()) - static_cast<int>(std::ranges::count(freedom, -1));
   const SymmetricMatrix matrix =
-      symmetric_from_entries(free, shifted_entries(K, self->mass_kg_, self->shift_, self->freedom_));
-  self->factor_ = SparseCholesky::factor(matrix, error);
-  if (!self->factor_) return nullptr;
-  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
-    if (contact.candidate[c].surface == static_cast<int>(Surface::support)) {
-      self->support_candidate_.push_back(static_cast<int>(c));
-    }
-  }
-  const std::size_t k = self->support_candidate_.size();
-  self->support_compliance_.resize(k * k);
-  std::vector<double> unit(size, 0.0);
-  for (std::size_t j = 0; j < k; ++j) {
-    const auto at = 3 * static_cast<std::size_t>(contact.candidate[self->support_candidate_[j]].node) + 2;
-    unit[at] = 1.0;
-    const std::vector<double> column = self->shifted_solve(unit);
-    unit[at] = 0.0;
-    for (std::size_t i = 0; i < k; ++i) {
-      self->support_compliance_[i * k + j] =
-          column[3 * static_cast<std::size_t>(contact.candidate[self->support_candidate_[i]].node) + 2];
-    }
-  }
+      symmetric_from_entries(free, shifted_entries(K, self->mass_kg_, self->shift_, freedom));
+  const auto factor = SparseCholesky::factor(matrix, error);
+  if (!factor) return nullptr;
+  self->factor_ = pack_supernodes(factor->extract());
+  self->slot_ = elimination_positions(self->factor_, freedom);
+  self->fill_support_compliance(contact);
   return self;
 }
 
-std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
-  std::vector<double> free;
-  for (std::size_t i = 0; i < force_N.size(); ++i) {
-    if (freedom_[i] >= 0) free.push_back(force_N[i]);
+void StaticSolver::fill_support_compliance(const ContactModel& contact) {
+  std::vector<int> slot;  // of the candidates' normal freedoms
+  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
+    if (contact.candidate[c].surface != static_cast<int>(Surface::support)) continue;
+    support_candidate_.push_back(static_cast<int>(c));
+    slot.push_back(slot_[3 * static_cast<std::size_t>(contact.candidate[c].node) + 2]);
   }
-  const std::vector<double> solution = factor_->solve(free);
+  const std::size_t k = slot.size();
+  support_compliance_.resize(k * k);
+  LaneArray x(static_cast<std::size_t>(factor_.size));
+  for (std::size_t first = 0; first < k; first += kLanes) {
+    const std::size_t count = std::min<std::size_t>(kLanes, k - first);
+    x.fill(0.0);
+    for (std::size_t j = 0; j < count; ++j) {
+      if (slot[first + j] >= 0) x.at(static_cast<std::size_t>(slot[first + j]), static_cast<int>(j)) = 1.0;
+    }
+    solve_forward(factor_, x.data());
+    solve_backward(factor_, x.data());
+    for (std::size_t i = 0; i < k; ++i) {
+      if (slot[i] < 0) continue;
+      for (std::size_t j = 0; j < count; ++j) {
+        support_compliance_[i * k + first + j] = x.at(static_cast<std::size_t>(slot[i]), static_cast<int>(j));
+      }
+    }
+  }
+}
+
+std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
+  // One lane of all: these solves are few.
+  LaneArray x(static_cast<std::size_t>(factor_.size));
+  x.fill(0.0);
+  for (std::size_t i = 0; i < force_N.size(); ++i) {
+    if (slot_[i] >= 0) x.at(static_cast<std::size_t>(slot_[i]), 0) = force_N[i];
+  }
+  solve_forward(factor_, x.data());
+  solve_backward(factor_, x.data());
   std::vector<double> displacement(force_N.size(), 0.0);
   for (std::size_t i = 0; i < displacement.size(); ++i) {
-    if (freedom_[i] >= 0) displacement[i] = solution[static_cast<std::size_t>(freedom_[i])];
+    if (slot_[i] >= 0) displacement[i] = x.at(static_cast<std::size_t>(slot_[i]), 0);
   }
   return displacement;
 }

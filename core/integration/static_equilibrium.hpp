@@ -11,6 +11,7 @@
 
 #include "core/contact/contact_model.hpp"
 #include "core/integration/sparse_cholesky.hpp"
+#include "core/lanes/supernodes.hpp"
 #include "core/product/block_matrix.hpp"
 
 namespace unbruised {
@@ -24,7 +25,7 @@ struct StaticRest {
 
 /// Solves K u = f where nothing or not everything is held. K alone may be singular (rigid motions, mechanisms), so
 /// K + s M is factored with a shift s far below every elastic mode, and the shift's own force is taken out again
-/// by iterative refinement.
+/// by iterative refinement. Immutable once built: any number of threads may ask it at a time.
 class StaticSolver {
  public:
   /// @param mass_kg per particle
@@ -46,11 +47,12 @@ class StaticSolver {
 
  private:
   StaticSolver() = default;
+  void fill_support_compliance(const ContactModel& contact);
   [[nodiscard]] std::vector<double> shifted_solve(std::span<const double> force_N) const;
 
-  std::unique_ptr<SparseCholesky> factor_;
+  SupernodalFactor factor_;
   std::vector<double> mass_kg_;
-  std::vector<int> freedom_;
+  std::vector<int> slot_;  ///< freedom (3 per particle) -> elimination position, -1: fixed
   double shift_ = 0;
   std::vector<int> support_candidate_;      ///< candidates on the support
   std::vector<double> support_compliance_;  ///< of the shifted matrix, normal freedoms, [k, k]

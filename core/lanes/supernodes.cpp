@@ -136,6 +136,16 @@ SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
   return packed;
 }
 
+std::vector<int> elimination_positions(const SupernodalFactor& factor, const std::vector<int>& freedom) {
+  std::vector<int> position(static_cast<std::size_t>(factor.size));
+  for (int k = 0; k < factor.size; ++k) position[factor.permutation[k]] = k;
+  std::vector<int> slot(freedom.size(), -1);
+  for (std::size_t i = 0; i < freedom.size(); ++i) {
+    if (freedom[i] >= 0) slot[i] = position[freedom[i]];
+  }
+  return slot;
+}
+
 std::vector<int> reach(const SupernodalFactor& factor, const std::vector<int>& freedoms) {
   std::vector<int> position(static_cast<std::size_t>(factor.size));
   for (int i = 0; i < factor.size; ++i) position[factor.permutation[i]] = i;

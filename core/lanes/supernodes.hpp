@@ -51,6 +51,10 @@ struct SupernodalFactor {
 /// Finds supernodes, merges a child into its parent where that stores few zeros, and packs.
 SupernodalFactor pack_supernodes(const CholeskyFactor& factor);
 
+/// Elimination position of each freedom, -1 where it is fixed.
+/// @param freedom number of each freedom in the factored matrix, -1 where it is fixed
+std::vector<int> elimination_positions(const SupernodalFactor& factor, const std::vector<int>& freedom);
+
 /// Supernodes on the paths from the given freedoms (old numbering) to the root, in elimination order: all that a
 /// right-hand side supported there touches, and all that its own solution entries depend on backwards.
 std::vector<int> reach(const SupernodalFactor& factor, const std::vector<int>& freedoms);

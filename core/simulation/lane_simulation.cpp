@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
 #include "core/contact/contact_lanes.hpp"
 #include "core/gripper/finger_lanes.hpp"
@@ -94,7 +94,7 @@ struct LaneSimulation::Impl {
   ContactLanes contact;
   FingerLanes fingers;
 
-  SurfacePlaces now, theta, next;
+  CarrierMotion now, theta, next;
   DriveCommand command;
   std::array<Lane, 3> gravity{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_u{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m u
@@ -128,6 +128,13 @@ double smallest_extent(const Model::Parts& parts) {
   return std::min({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
+/// Place, velocity and acceleration along one axis of one lane.
+void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>& values) {
+  motion.place_m.set(lane, values[0]);
+  motion.velocity_m_s.set(lane, values[1]);
+  motion.acceleration_m_s2.set(lane, values[2]);
+}
+
 }  // namespace
 
 LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
@@ -148,7 +155,10 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
 
 void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   LaneRun& r = run[static_cast<std::size_t>(lane)];
-  assert(!r.busy);
+  if (r.busy) throw std::logic_error("LaneSimulation::load: the lane is busy");
+  if (factor_key(scenario) != parts.key) {
+    throw std::logic_error("LaneSimulation::load: the scenario has another factor key than the model");
+  }
   r = LaneRun{};
   r.busy = true;
   r.scenario = scenario;
@@ -158,9 +168,9 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   for (std::size_t i = 0; i < 3; ++i) {
     gravity[i].set(lane, scenario.cell.gravity_m_s2[i]);
     palm_force[i].set(lane, 0.0);
-    now.palm[i].set(lane, 0.0);
+    set_motion(now.palm[i], lane, {});
+    set_motion(now.cell[i], lane, {});
   }
-  now.support_height.set(lane, 0.0);
   for (Lane* sum : {&damping_power, &damped, &palm_work, &gravity_work, &positive_work}) sum->set(lane, 0.0);
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   fingers.load(lane, scenario.gripper,
@@ -268,11 +278,14 @@ void LaneSimulation::Impl::command_drives() {
     const PalmState palm_theta = r.cycle.palm(t_theta);
     const PalmState palm_next = r.cycle.palm(t_next);
     for (std::size_t i = 0; i < 3; ++i) {
-      theta.palm[i].set(lane, palm_theta.position_m[i]);
-      next.palm[i].set(lane, palm_next.position_m[i]);
+      set_motion(theta.palm[i], lane,
+                 {palm_theta.position_m[i], palm_theta.velocity_m_s[i], palm_theta.acceleration_m_s2[i]});
+      set_motion(next.palm[i], lane,
+                 {palm_next.position_m[i], palm_next.velocity_m_s[i], palm_next.acceleration_m_s2[i]});
     }
-    theta.support_height.set(lane, r.cycle.support_height_m(t_theta));
-    next.support_height.set(lane, r.cycle.support_height_m(t_next));
+    // The plane under the product is another one once the product is lifted; neither of them moves.
+    set_motion(theta.cell[2], lane, {r.cycle.support_height_m(t_theta), 0.0, 0.0});
+    set_motion(next.cell[2], lane, {r.cycle.support_height_m(t_next), 0.0, 0.0});
     if (!r.scenario.gripper) continue;
     command.palm_acceleration_x_m_s2.set(lane, palm_theta.acceleration_m_s2[0]);
     command.force_limit_N.set(lane, r.cycle.force_limit_N(t_theta));
@@ -482,7 +495,7 @@ void LaneSimulation::Impl::advance_state() {
       const SurfaceTally& tally = contact.tally()[static_cast<std::size_t>(pad)];
       force += i == 0 ? Lane(normal_sign(pad)) * tally.normal : tally.tangent[i - 1];
     }
-    step_palm += Lane(0.5) * (palm_force[i] + force) * (next.palm[i] - now.palm[i]);
+    step_palm += Lane(0.5) * (palm_force[i] + force) * (next.palm[i].place_m - now.palm[i].place_m);
     palm_force[i] = force;
   }
   gravity_work += select(running, step_gravity, Lane(0.0));
@@ -509,7 +522,7 @@ StepObservation LaneSimulation::Impl::observation(int lane, double time_s) const
   for (std::size_t i = 0; i < 3; ++i) {
     now_seen.center_motion_m[i] = mass_u[i][lane] / parts.total_mass_kg;
     now_seen.center_acceleration_m_s2[i] = mass_a[i][lane] / parts.total_mass_kg;
-    now_seen.palm_m[i] = now.palm[i][lane];
+    now_seen.palm_m[i] = now.palm[i].place_m[lane];
   }
   if (cells) {
     now_seen.plastic_strain = cells->largest_plastic_strain()[lane];
@@ -703,7 +716,7 @@ void LaneSimulation::Impl::record(int lane, const StepObservation& seen) {
   row.phase = r.cycle.phase(row.time_s);
   row.patch_pressure_Pa = seen.patch_pressure_Pa;
   row.absorbed_energy_J = seen.absorbed_energy_J;
-  for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = now.palm[i][lane];
+  for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = now.palm[i].place_m[lane];
   row.plastic_strain = cells ? cells->largest_plastic_strain()[lane] : springs->largest_plastic_strain()[lane];
   row.stored_energy_J = stored_energy(lane);
   row.contact_energy_J = contact.stored_energy()[lane];

@@ -130,12 +130,7 @@ bool factor_effective_stiffness(Model::Parts& parts, std::vector<int>& freedom, 
   const auto factor = SparseCholesky::factor(symmetric_from_entries(count, entries), error);
   if (!factor) return false;
   parts.factor = pack_supernodes(factor->extract());
-  std::vector<int> position(static_cast<std::size_t>(count));
-  for (int k = 0; k < count; ++k) position[parts.factor.permutation[k]] = k;
-  parts.slot.assign(freedom.size(), -1);
-  for (std::size_t i = 0; i < freedom.size(); ++i) {
-    if (freedom[i] >= 0) parts.slot[i] = position[freedom[i]];
-  }
+  parts.slot = elimination_positions(parts.factor, freedom);
   parts.max_frequency_Hz = frequency_bound(parts, freedom);
   return true;
 }
@@ -148,6 +143,7 @@ Model::~Model() = default;
 std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string& error) {
   std::shared_ptr<Model> model(new Model());
   Parts& parts = *model->parts_;
+  parts.key = factor_key(scenario);
   try {
     if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
       add_lattice(*lattice, scenario, parts);

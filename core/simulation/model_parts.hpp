@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/contact/contact_model.hpp"
@@ -22,6 +23,7 @@
 namespace unbruised {
 
 struct Model::Parts {
+  std::string key;  ///< factor_key of every scenario this model is for
   std::size_t particle_count = 0;
   std::vector<std::array<double, 3>> position_m;
   std::vector<double> mass_kg;

@@ -69,7 +69,8 @@ TEST(Friction, StopsASlidingBlockWhereCoulombSays) {
     const auto first_at_rest = static_cast<std::size_t>(std::max_element(way.begin(), way.end()) - way.begin());
     EXPECT_NEAR(trace.time_s[first_at_rest], stop_s, 0.015 * stop_s);
     EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-6);
-    EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3);
+    // Measured 6e-6; sliding is one of the terms, so an account that missed it would be off by most of the energy.
+    EXPECT_NEAR(result.metrics[Metric::energy_balance_error], 0.0, 1e-4);
     std::cout << "[ measured ] way " << way.back() << " m of " << stop_m << ", time "
               << trace.time_s[first_at_rest] << " s of " << stop_s << ", energy error "
               << result.metrics[Metric::energy_balance_error] << "\n";

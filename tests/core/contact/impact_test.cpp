@@ -101,7 +101,9 @@ TEST(BallImpact, ChangesItsMomentumByTheImpulseOfTheSupport) {
   // The forces are linear over a step, as the scheme takes them: their impulse is the change of momentum to
   // rounding.
   EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
-  EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3);
+  // Three impacts at 14 steps each without damping in the product: what rings is damped numerically (measured
+  // -5.6e-3).
+  EXPECT_NEAR(result.metrics[Metric::energy_balance_error], 0.0, 1e-2);
   std::cout << "[ measured ] impulse error " << result.metrics[Metric::impulse_balance_error] << ", energy error "
             << result.metrics[Metric::energy_balance_error] << "\n";
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <random>
+#include <thread>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +36,32 @@ TEST(StaticSolver, FreeShapeRecoversTheShapeThatMadeTheForces) {
   remove_rigid_motion(parts.position_m, shape);
   remove_rigid_motion(parts.position_m, found);
   for (std::size_t i = 0; i < shape.size(); ++i) EXPECT_NEAR(found[i], shape[i], 1e-10);
+}
+
+// What threads share may not hold a factorisation that writes when it solves.
+static_assert(
+    !std::is_invocable_v<decltype(&SparseCholesky::solve), const SparseCholesky&, std::span<const double>>);
+
+TEST(StaticSolver, AnswersManyThreadsAtATimeWithTheSameBits) {
+  const auto model = body(Shape::sphere, 5);
+  const auto& parts = model->parts();
+  std::vector<double> force(3 * parts.particle_count);
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = std::sin(static_cast<double>(i));
+  const std::vector<double> alone = parts.statics->free_shape(force);
+  const StaticRest rest = parts.statics->rest_on_support(parts.contact, kGravity, 4e8);
+  std::vector<std::thread> threads;
+  std::vector<int> different(4, 0);
+  for (std::size_t k = 0; k < different.size(); ++k) {
+    threads.emplace_back([&, k] {
+      for (int round = 0; round < 20; ++round) {
+        different[k] += parts.statics->free_shape(force) != alone;
+        different[k] +=
+            parts.statics->rest_on_support(parts.contact, kGravity, 4e8).displacement_m != rest.displacement_m;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const int count : different) EXPECT_EQ(count, 0);
 }
 
 class Rest : public ::testing::TestWithParam<std::tuple<Shape, int>> {

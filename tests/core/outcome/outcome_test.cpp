@@ -83,6 +83,8 @@ TEST_P(Outcomes, WordComesOutWithItsCauseAndTime) {
   const double energy = result.metrics[Metric::energy_balance_error];
   EXPECT_LT(impulse, 0.005);
   EXPECT_LE(energy, 1e-3);
+  // Numerical damping: a block of 8 g that drops strikes the support in some three steps.
+  EXPECT_GE(energy, result.outcome == Outcome::dropped ? -0.03 : -0.01);
   std::cout << "[ measured ] " << GetParam().name << ": impulse " << impulse << ", energy " << energy << " of "
             << result.metrics[Metric::energy_input_J] << " J; " << result.cause << "\n";
 }

@@ -70,16 +70,18 @@ void expect_same_bits(const Study& study, const std::vector<std::uint64_t>& ids,
 }
 
 void expect_balances(const Results& results) {
-  double impulse = 0.0, energy = -1.0;
+  double impulse = 0.0, energy = -1.0, least_energy = 1.0;
   for (const auto& [id, result] : results) {
     impulse = std::max(impulse, result.metrics[Metric::impulse_balance_error]);
     energy = std::max(energy, result.metrics[Metric::energy_balance_error]);
+    least_energy = std::min(least_energy, result.metrics[Metric::energy_balance_error]);
     EXPECT_LT(result.metrics[Metric::impulse_balance_error], 5e-3) << "scenario " << id;
     // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20
     // steps per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
     EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3) << "scenario " << id;
   }
-  std::printf("largest impulse balance error %.3g, largest energy balance error %.3g\n", impulse, energy);
+  std::printf("largest impulse balance error %.3g, energy balance errors %.3g to %.3g\n", impulse, least_energy,
+              energy);
 }
 
 std::vector<std::uint64_t> all_ids(const Study& study) {

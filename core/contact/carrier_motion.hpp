@@ -1,0 +1,24 @@
+#pragma once
+
+/// @file
+/// How what carries a surface moves: every surface that can move gives its place, velocity and acceleration,
+/// because a viscous layer answers to the velocity and the integration extrapolates with the acceleration.
+
+#include <array>
+
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// Motion along one axis since the start, per lane.
+struct AxisMotion {
+  Lane place_m{0.0}, velocity_m_s{0.0}, acceleration_m_s2{0.0};
+};
+
+/// The carriers of surfaces at one time, each along x, y, z: the palm carries the fingers with their pads, the
+/// cell the support.
+struct CarrierMotion {
+  std::array<AxisMotion, 3> palm, cell;
+};
+
+}  // namespace unbruised

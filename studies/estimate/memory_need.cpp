@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <limits>
+#include <sstream>
 #include <variant>
 
 #include <sys/resource.h>
@@ -87,9 +87,9 @@ std::vector<std::string> memory_limit_files(const std::string& proc_self_cgroup)
 
 double machine_memory_bytes() {
   double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  std::ifstream groups("/proc/self/cgroup");
-  const std::string text((std::istreambuf_iterator<char>(groups)), std::istreambuf_iterator<char>());
-  for (const std::string& path : memory_limit_files(text)) bytes = std::min(bytes, number_in(path));
+  std::ostringstream groups;
+  groups << std::ifstream("/proc/self/cgroup").rdbuf();
+  for (const std::string& path : memory_limit_files(groups.str())) bytes = std::min(bytes, number_in(path));
   rlimit limit = {};
   if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
     bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));

@@ -23,7 +23,8 @@ function chooseAnswer(study) {
     if (study.kind === "sweep" && !study.tables.has("set_points")) answer.facts = [...(answer.facts ?? []), fastestFact(study)];
     return answer;
   }
-  if (filled("best")) return bestAnswer(study);
+  // Of a sweep without windows, /best only repeats what /strategies says.
+  if (filled("best") && study.tables.get("best").column("feasible")) return bestAnswer(study);
   if (study.tables.has("pareto")) return frontAnswer(study);
   return study.scenarios.rows === 1 ? singleAnswer(study) : shareAnswer(study);
 }

@@ -56,11 +56,12 @@ TEST(ChosenTimeStep, OfAKiwiMetAtThreeHundredMillimetresPerSecondIsNotTheMillise
 
 TEST(ChosenTimeStep, LooksAtTheEndsOfWhatIsSearchedDrawnAndAskedFor) {
   const std::string slow = "[strategy]\napproach_speed_m_s = 0.05\n";
-  const double at_base = step_of(study_of(kiwi("simulate", slow)));
+  const std::string firm = slow + "grip_force_N = 4.0\n";
+  const double at_base = step_of(study_of(kiwi("simulate", firm)));
   const std::string stiff =
       "[[random]]\nkey = \"product.youngs_modulus_Pa\"\ndistribution = \"uniform\"\n"
       "from = 0.2e6\nto = 2e6\n";
-  EXPECT_LT(step_of(study_of(kiwi("sample", slow + stiff))), at_base);
+  EXPECT_LT(step_of(study_of(kiwi("sample", firm + stiff))), at_base);
   const std::string fast = "[[variable]]\nkey = \"strategy.approach_speed_m_s\"\nfrom = 0.01\nto = 0.5\n";
   EXPECT_LT(step_of(study_of(kiwi("optimize", fast))), at_base);
   EXPECT_LT(step_of(study_of(kiwi("window", slow + "[window]\nfrom_N = 0.5\nto_N = 80.0\n"))), at_base);

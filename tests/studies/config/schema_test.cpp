@@ -333,6 +333,8 @@ std::vector<StudyArrival> random_arrivals() {
   const std::vector<std::string> spread = with(normal, "random[0].standard_deviation=0.0625");
   const std::vector<std::string> measured = {"random[0].from=none", "random[0].to=none",
                                              "random[0].distribution=normal"};
+  const std::vector<std::string> of_force = {"random[0].from=none", "random[0].to=none",
+                                             "random[0].key=strategy.grip_force_N"};
   const std::vector<std::string> triangle = {"random[0].distribution=triangular", "random[0].mode=0.5"};
   return {
       {"sample",
@@ -363,6 +365,18 @@ std::vector<StudyArrival> random_arrivals() {
        [](K s) { return s.randoms()[0].distribution.at_least == 0.4375; }, spread},
       {"sample", "random[0].at_most", "0.5625", [](K s) { return s.randoms()[0].distribution.at_most == 0.5625; },
        spread},
+      {"sample", "random[0].relative", "0.25",
+       [](K s) {
+         const RandomVariable& error = s.randoms()[0];
+         return error.key == "strategy.grip_force_N_relative_error" && error.distribution.to == 0.25;
+       },
+       of_force},
+      {"sample", "random[0].absolute", "0.25",
+       [](K s) {
+         const RandomVariable& error = s.randoms()[0];
+         return error.key == "strategy.grip_force_N_error" && error.distribution.to == 0.25;
+       },
+       of_force},
   };
 }
 

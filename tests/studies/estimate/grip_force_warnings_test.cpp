@@ -58,7 +58,8 @@ TEST(GripForceWarnings, SayThatAnAccuracyIsNotLookedAt) {
   EXPECT_NE(only(warnings_of("sample", kFriction, sets)).find("relative = 0.1"), std::string::npos);
   EXPECT_EQ(only(warnings_of("sample", kFriction + kForceScatters, sets)), "");
   EXPECT_NE(only(warnings_of("optimize", kForceSearched, sets)).find("robust"), std::string::npos);
-  EXPECT_EQ(only(warnings_of("window", "", sets)), "") << "a window takes it off its set-point";
+  EXPECT_EQ(only(warnings_of("window", "[window]\nfrom_N = 1.0\nto_N = 5.0\n", sets)), "")
+      << "a window takes it off its set-point";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/contact/contact_time.hpp"
 #include "studies/config/execution_error.hpp"
@@ -30,22 +31,24 @@ void add_place(std::string& where, const std::string& key, const std::string& va
   where += (where.empty() ? "" : ", ") + leaf(key) + " = " + value;
 }
 
-/// A key that takes any value between two ends in every scenario.
+/// A key that takes any value between two ends in every scenario: the ends and the middle.
 struct Side {
+  Side(std::string of_key, double low, double high)
+      : key(std::move(of_key)), values{low, 0.5 * (low + high), high} {}
   std::string key;
-  std::array<double, 2> ends;
+  std::array<double, 3> values;
 };
 
 std::vector<Side> sides_of(const StudyData& data) {
   std::vector<Side> sides;
-  for (const SearchVariable& v : data.variables) sides.push_back({v.key, {v.from, v.to}});
+  for (const SearchVariable& v : data.variables) sides.emplace_back(v.key, v.from, v.to);
   for (const RandomVariable& r : data.randoms) {
-    sides.push_back({r.key, {quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh)}});
+    sides.emplace_back(r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh));
   }
   if (data.settings.kind == StudyKind::window) {
     // The answer lies somewhere inside the range; its upper end is often a number nobody expects to reach.
     const WindowSettings& range = data.settings.window;
-    sides.push_back({"strategy.grip_force_N", {range.from_N, std::sqrt(range.from_N * range.to_N)}});
+    sides.emplace_back("strategy.grip_force_N", range.from_N, std::sqrt(range.from_N * range.to_N));
   }
   return sides;
 }
@@ -82,18 +85,18 @@ std::vector<std::size_t> ends_of_grid(const VaryPlan& plan) {
   return ids;
 }
 
-/// Moves each key to the end with fewer steps; says which it moved.
+/// Moves each key to where it gives fewest steps, one after the other; says which of them matter.
 ContactSteps fewest_over_sides(Scenario scenario, const std::vector<Side>& sides) {
   ContactSteps found;
   for (const Side& side : sides) {
-    const auto at = [&](std::size_t end) {
-      return Study::with_values(scenario, {&side.key, 1}, {&side.ends[end], 1});
-    };
-    const double low = steps_of(at(0));
-    const double high = steps_of(at(1));
-    const std::size_t end = high < low ? 1 : 0;
-    scenario = at(end);
-    if (low != high) add_place(found.where, side.key, three_digits(side.ends[end]));
+    std::array<double, 3> steps{};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      steps[i] = steps_of(Study::with_values(scenario, {&side.key, 1}, {&side.values[i], 1}));
+    }
+    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+    const double value = side.values[static_cast<std::size_t>(least - steps.begin())];
+    scenario = Study::with_values(scenario, {&side.key, 1}, {&value, 1});
+    if (*least != *most) add_place(found.where, side.key, three_digits(value));
   }
   found.steps = steps_of(scenario);
   found.contact_s = contact_time_s(scenario);

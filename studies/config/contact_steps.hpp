@@ -9,8 +9,9 @@
 
 namespace unbruised::studies {
 
-/// Over every point of the grid, every candidate, and the ends of what is searched, drawn or asked for. A contact
-/// time rises or falls with each key alone, so ends suffice.
+/// Over the ends of the grid, every candidate, the ends and the middle of what is searched or drawn, and of a
+/// window's forces from the least to the (geometric) middle. A contact time rises or falls with a key, or turns
+/// once, gently.
 ContactSteps fewest_contact_steps(const StudyData& data);
 
 /// Chosen steps lie between these: a longer one is not worth its coarser trace, a shorter one takes a study longer

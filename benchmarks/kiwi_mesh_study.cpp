@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scenario/opening.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "core/simulation/simulation.hpp"
 

@@ -42,7 +42,7 @@ bool write_all(const Study& study, const std::map<std::uint64_t, ScenarioResult>
       return false;
   }
   ResultsContent content;
-  content.meta = results_meta(study, true);
+  content.meta = results_meta(study, {}, ResultsState::complete);
   content.inputs = input_columns(study);
   return !(*run)->finish(content).has_value();
 }

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "core/scenario/opening.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised::testing {

@@ -169,8 +169,15 @@ bool can_be_tripped(const PlausibleRow& row) {
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;
       find_number_field(row.fields.front())->each(scenario, [&](const NumberPlace&, NumberSlot slot) {
-        auto* const* maybe = std::get_if<std::optional<double>*>(&slot);
-        const double now = maybe != nullptr ? (*maybe)->value_or(1e-3) : **std::get_if<double*>(&slot);
+        const double now = std::visit(
+            [](const auto* field) {
+              if constexpr (std::is_same_v<decltype(field), const std::optional<double>*>) {
+                return field->value_or(1e-3);
+              } else {
+                return static_cast<double>(*field);
+              }
+            },
+            slot);
         set(slot, factor * (now == 0.0 ? 1e-3 : now));
       });
       if (trips(row, scenario)) return true;

@@ -12,6 +12,8 @@ shape = "box"
 size_m = [0.05, 0.05, 0.05]
 youngs_modulus_Pa = 1e6
 mass_kg = 0.1
+[limits]
+finger_force_N = 50.0
 [gripper]
 )";
 const std::string kFriction = R"([[random]]

@@ -118,6 +118,8 @@ def ends_text(table, row):
 def answer(data):
     """The study's answer in one sentence, from its own tables: set-point first."""
     window, table = data["window"], data["set_points"]
+    if not data["judged"]:
+        return f"Held at {int(window['exists'].sum())} of {len(window['exists'])} combinations; damage was not judged"
     found = f"window at {int(window['exists'].sum())} of {len(window['exists'])} combinations"
     if table is None or not len(table["exists"]):
         exists = np.flatnonzero(window["exists"])
@@ -134,9 +136,8 @@ def answer(data):
 
 
 def remarks(data):
-    lines = [] if data["judged"] else ["Damage was not judged: held does not mean unmarked."]
-    if data["warnings"]:
-        lines.append(f"{data['warnings']} warning{'s' if data['warnings'] > 1 else ''} belong to this answer: see report.html.")
+    count = data["warnings"]
+    lines = [f"{count} warning{'s belong' if count > 1 else ' belongs'} to this answer: see report.html."] if count else []
     return lines if data["complete"] else lines + ["The study is not complete: some scenarios have not been run."]
 
 

@@ -19,11 +19,11 @@ function scaleOf([least, most]) {
   return { log, at: (force) => 100 * Math.min(1, Math.max(0, share(force))) };
 }
 
-function borders(window, ends, [least, most]) {
+function borders(window, ends, judged, [least, most]) {
   const end = (name, row, side) => (row === null || row === undefined ? null : window.at(`${name}_bracket_${side}_N`, row));
   return {
     hold: { low: end("hold", ends.hold_row, "low") ?? least, high: ends.hold_force_N },
-    damage: { low: ends.damage_force_N, high: end("damage", ends.damage_row, "high") ?? most },
+    damage: { low: judged ? ends.damage_force_N ?? most : most, high: end("damage", ends.damage_row, "high") ?? most },
   };
 }
 
@@ -41,8 +41,8 @@ export function windowRuler(study, ends, set = null) {
   if (!range) return null;
   const [least, most] = range;
   const { log, at } = scaleOf(range);
-  const { hold, damage } = borders(study.window, ends, range);
   const judged = judgesDamage(study);
+  const { hold, damage } = borders(study.window, ends, judged, range);
   const safe = judged ? "held, unmarked" : "held";
   const zone = (from, to, kind, text) => {
     const width = at(to) - at(from);
@@ -60,8 +60,8 @@ export function windowRuler(study, ends, set = null) {
       ends.hold_is_bound ? null : zone(least, hold.low, "falls", "not held"),
       ends.hold_is_bound ? null : zone(hold.low, hold.high, "unsure", ""),
       zone(hold.high, damage.low, "safe", set ? "" : safe),
-      ends.damage_is_bound ? null : zone(damage.low, damage.high, "unsure", ""),
-      ends.damage_is_bound ? null : zone(damage.high, most, "marks", "marked"),
+      ends.damage_is_bound || !judged ? null : zone(damage.low, damage.high, "unsure", ""),
+      ends.damage_is_bound || !judged ? null : zone(damage.high, most, "marks", "marked"),
       set ? h("span", { class: "spread", style: `left:${at(set.force_N - set.tolerance_N)}%;width:${at(set.force_N + set.tolerance_N) - at(set.force_N - set.tolerance_N)}%` }) : null,
       set ? h("span", { class: "pin", style: `left:${at(set.force_N)}%` }) : null,
     ),

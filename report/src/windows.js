@@ -47,21 +47,21 @@ function barItem(study, theme, row, index, api, top) {
   const rect = (from, to, style) => ({ type: "rect", shape: { x: px, width, y: y(to), height: Math.max(1, y(from) - y(to)), r: 2 }, style });
   const rule = (force, colour) => ({ type: "rect", shape: { x: px - 4, width: width + 8, y: y(force) - 1.25, height: 2.5 }, style: { fill: colour } });
   const hold = at("hold_bracket_high_N") ?? at("hold_force_N");
-  const damage = at("damage_bracket_low_N") ?? at("damage_force_N");
+  const damage = judged ? at("damage_bracket_low_N") ?? at("damage_force_N") : null;
   const children = [];
   if (at("exists") === 1) {
     children.push(rect(hold ?? 0, damage ?? top, { fill: outcomeColour("held"), opacity: 0.88 }));
     const low = at("hold_bracket_low_N");
     const high = at("damage_bracket_high_N");
     if (low !== null) children.push(rect(low, hold, { fill: outcomeColour("held"), opacity: 0.28 }));
-    if (high !== null) children.push(rect(damage, high, { fill: outcomeColour("held"), opacity: 0.28 }));
+    if (high !== null && judged) children.push(rect(damage, high, { fill: outcomeColour("held"), opacity: 0.28 }));
   } else {
     children.push({ type: "text", style: { x: px + width / 2, y: y(top * 0.5), text: width > 46 ? "no\nwindow" : "no window", rotation: width > 46 ? 0 : Math.PI / 2, align: "center", verticalAlign: "middle", fill: theme.soft, fontSize: 12, fontFamily: theme.font, lineHeight: 16 } });
     children.push({ type: "rect", shape: { x: px, width, y: y(top), height: y(0) - y(top), r: 2 }, style: { fill: theme.soft, opacity: 0.06 } });
   }
   if (at("hold_force_N") !== null) children.push(rule(at("hold_force_N"), outcomeColour("dropped")));
   if (at("damage_force_N") !== null && judged) children.push(rule(at("damage_force_N"), outcomeColour("damaged")));
-  if (at("set_point_exists") === 1) children.push({ type: "path", shape: { pathData: "M0 -6L6 0L0 6L-6 0Z", x: px + width / 2 - 6, y: y(at("set_point_N")) - 6, width: 12, height: 12 }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
+  if (at("set_point_exists") === 1 && judged) children.push({ type: "path", shape: { pathData: "M0 -6L6 0L0 6L-6 0Z", x: px + width / 2 - 6, y: y(at("set_point_N")) - 6, width: 12, height: 12 }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
   return { type: "group", children };
 }
 
@@ -104,7 +104,7 @@ function windowLegend(study, theme) {
     [outcomeColour("held"), "the border lies somewhere here", "pale"],
     [outcomeColour("dropped"), "holding begins", "line"],
     ...(judgesDamage(study) ? [[outcomeColour("damaged"), "damage begins", "line"]] : []),
-    ...(study.window.column("set_point_N") ? [[theme.ink, "set here"]] : []),
+    ...(study.window.column("set_point_exists")?.numbers().includes(1) && judgesDamage(study) ? [[theme.ink, "set here"]] : []),
   ]);
 }
 

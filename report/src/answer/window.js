@@ -1,6 +1,6 @@
 // The grip window: first the force to set, then from where to where the product is safe.
 
-import { damageRemark, heldWords, judgesDamage } from "../claims.js";
+import { heldWords, judgesDamage } from "../claims.js";
 import { h } from "../dom.js";
 import { inWords, keyColumns, rowsOf, textAttribute } from "../tables.js";
 import { innerNumber, label, listed, number, percent, plural, quantity, thousands, valuesText } from "../words.js";
@@ -88,7 +88,6 @@ function windowFacts(study, ends) {
 
 function windowSentence(study, ends) {
   const from = `From ${innerNumber(ends.hold_force_N, "low")} N the product is held${ends.hold_is_bound ? " (the least force tried already holds it)" : ""}`;
-  if (!judgesDamage(study)) return `${from}; ${damageRemark(study)}, so no upper end is known.`;
   return `${from}; up to ${innerNumber(ends.damage_force_N, "high")} N it is left unmarked${ends.damage_is_bound ? " (the greatest force tried does not mark it)" : ""}.`;
 }
 
@@ -99,7 +98,7 @@ function noWindow(study, set) {
   return {
     kicker: "Grip window",
     headline: "No window",
-    verdict: verdict("bad", window.rows === 1 ? `No grip force both holds the product and leaves it ${judgesDamage(study) ? "unmarked" : "in range"}` : `None of the ${window.rows} combinations of ${keys} has one`),
+    verdict: verdict("bad", window.rows === 1 ? judgesDamage(study) ? "No grip force both holds the product and leaves it unmarked" : "No grip force that was tried holds the product" : `None of the ${window.rows} combinations of ${keys} has one`),
     sentence: sentenceCase(inWords(note || set?.note || `No grip force that was tried left the product ${heldWords(study)}`)),
     extra: [exceptions(study, window)],
   };
@@ -117,14 +116,23 @@ function noCommonWindow(study, ends, where) {
   };
 }
 
-function setPointAnswer(study, ends, set, where) {
+/** Why this strategy: of all that can be set its cycle is the shortest. */
+function cycleFact(study, chosen) {
+  const table = study.tables.get("set_points");
+  const time = chosen === null ? null : table.at("cycle_time_s", chosen);
+  if (time === null || table.rows < 2) return null;
+  const usable = rowsOf(table).filter((row) => table.at("set_point_exists", row) === 1).length;
+  return fact("Cycle time", quantity(time, "s"), usable > 1 ? `the shortest of ${plural(usable, "strategy", "strategies")} with a set-point` : "the one strategy with a set-point");
+}
+
+function setPointAnswer(study, ends, set, where, chosen) {
   return {
     kicker: capital(`grip force to set ${where}`.trim()),
     headline: `Set ${number(set.force_N)}`,
     unit: "N",
     verdict: verdict("good", `May be off by ${quantity(set.tolerance_N, "N")} either way`),
     sentence: windowSentence(study, ends),
-    facts: [fact("Grip window", h("span", {}, rangeText(ends.hold_force_N, ends.hold_is_bound, ends.damage_force_N, ends.damage_is_bound), " N")), ...windowFacts(study, ends)],
+    facts: [fact("Grip window", h("span", {}, rangeText(ends.hold_force_N, ends.hold_is_bound, ends.damage_force_N, ends.damage_is_bound), " N")), ...windowFacts(study, ends), cycleFact(study, chosen)],
   };
 }
 
@@ -134,6 +142,18 @@ function withoutSetPoint(study, ends, set, where) {
     headline: "No set-point",
     verdict: verdict("bad", "There is a window, but this gripper cannot be set into it"),
     sentence: `${sentenceCase(inWords(set.note))} ${windowSentence(study, ends)}`.trim(),
+    facts: windowFacts(study, ends),
+  };
+}
+
+/** Without a judgement of damage there is a force that holds, and no upper end. */
+function heldOnly(study, ends, where) {
+  return {
+    kicker: capital(`held, ${where}`.replace(/, $/, "")),
+    headline: `From ${innerNumber(ends.hold_force_N, "low")}`,
+    unit: "N",
+    verdict: verdict("good", "From this force on the product is held"),
+    sentence: "How hard it may be gripped is not known.",
     facts: windowFacts(study, ends),
   };
 }
@@ -160,7 +180,7 @@ export function windowAnswer(study) {
   const where = conditions(study, chosen, ends);
   if (window.common.over === 0) return noWindow(study, set);
   if (!ends.exists) return noCommonWindow(study, ends, where);
-  const answer = set === null ? plainWindow(study, ends, where) : set.exists ? setPointAnswer(study, ends, set, where) : withoutSetPoint(study, ends, set, where);
-  answer.extra = [windowRuler(study, ends, set?.exists ? set : null), exceptions(study, window)];
+  const answer = !judgesDamage(study) ? heldOnly(study, ends, where) : set === null ? plainWindow(study, ends, where) : set.exists ? setPointAnswer(study, ends, set, where, chosen) : withoutSetPoint(study, ends, set, where);
+  answer.extra = [windowRuler(study, ends, set?.exists && judgesDamage(study) ? set : null), exceptions(study, window)];
   return answer;
 }

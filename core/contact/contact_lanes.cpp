@@ -428,17 +428,22 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
       moved[t] = select(sliding > Lane(0.0), after - before, Lane(0.0));
       anchor.put(c, before + moved[t]);
     }
+    const Mask near = running & (near_.get(c) > Lane(0.0));
     const Lane old_penetration = penetration_.get(c);
-    const Lane penetration =
-        select(running, w.at_end(old_penetration, penetration_theta_.get(c)), old_penetration);
+    const Lane penetration = select(near, w.at_end(old_penetration, penetration_theta_.get(c)), old_penetration);
     penetration_.put(c, penetration);
-    const Mask viscous = running & (near_.get(c) > Lane(0.0)) & (relaxation_[surface] > Lane(0.0));
+    const Mask viscous = near & (relaxation_[surface] > Lane(0.0));
     if (any(viscous)) {
-      // Trapezoid rule over the way of the penetration, as forces and places are linear over the step.
-      const Lane before = viscous_.get(c);
+      // Trapezoid rule over the way of the penetration, as forces and places are linear over the step. An open
+      // layer that is still pressed carries nothing: its viscosity holds what its elasticity would push with.
+      const Lane before =
+          select(previous_.get(c) > Lane(0.0), viscous_.get(c), -elastic_force(c, old_penetration));
       const Lane after = w.at_end(before, normal_theta_.get(c) - elastic_force(c, penetration_theta_.get(c)));
-      viscous_.put(c, select(viscous, after, Lane(0.0)));
-      dissipated_ += select(viscous, Lane(0.5) * (before + after) * (penetration - old_penetration), Lane(0.0));
+      viscous_.put(c, select(viscous, after, viscous_.get(c)));
+      // Only the way within the layer counts: beyond it there is no force.
+      const Lane least(candidate.least_relief_m);
+      const Lane way = positive(penetration - least) - positive(old_penetration - least);
+      dissipated_ += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
     }
     Lane travel[2];
     for (std::size_t t = 0; t < 2; ++t) {

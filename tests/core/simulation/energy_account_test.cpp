@@ -100,8 +100,8 @@ TEST_P(EnergyAccount, ClosesWithTheSquareOfTheTimeStep) {
   // Two-sided: energy that vanishes from the account is as wrong as energy that appears.
   EXPECT_NEAR(coarse, 0.0, 1e-2);
   // Second order: 16 times less at a quarter of the step; a half of that, because making, breaking and first slip
-  // fall anywhere within a step. Below 1e-5 the phase of these decides.
-  EXPECT_LE(std::abs(fine), std::max(std::abs(coarse) / 8.0, 1e-5));
+  // fall anywhere within a step. Below 1e-4 the phase of these decides: the error changes its sign with it.
+  EXPECT_LE(std::abs(fine), std::max(std::abs(coarse) / 8.0, 1e-4));
   std::cout << "[ measured ] " << GetParam().name << ": " << coarse << " at " << step_s << " s, " << fine
             << " at a quarter of it\n";
 }

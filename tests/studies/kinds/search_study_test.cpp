@@ -102,9 +102,9 @@ TEST(OptimizeStudy, WarnsWhereTheMarginAgainstDamageHangsOnTheTimeStep) {
   };
   const std::string search =
       "constraints = [\"held\", \"peak_finger_force_N <= 3.2\"]\nstarts = 4\nbudget = 200\n";
-  const std::vector<std::string> sets = {"product.mass_kg=0.15", "product.yield_stress_Pa=1e4",
+  const std::vector<std::string> sets = {"product.mass_kg=0.15",           "product.yield_stress_Pa=1e4",
                                          "product.tangent_modulus_Pa=1e4", "limits.contact_yield_ratio=1.0",
-                                         "simulation.time_step_s=1e-3"};
+                                         "limits.damage=judged",           "simulation.time_step_s=1e-3"};
   const StudyReport report =
       run_fresh(study_of(study_text("optimize", search), sets), FormulaSimulator(depends_on_step));
   const ResultTable& checks = table_of(report, "verification");

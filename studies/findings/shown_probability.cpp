@@ -14,12 +14,13 @@ namespace {
 /// More products than this are no advice.
 constexpr double kProductsMost = 1e6;
 
-/// Independent products at which Wilson's interval of `estimate` begins at `wanted`: its ends are the p with
-/// |estimate - p| = z sqrt(p (1 - p) / n), and `trials_to_show` is the case of the estimate one.
+/// Least number of independent products, the part `estimate` of them successes, whose Wilson interval lies above
+/// `wanted`: its ends are the p with |estimate - p| = z sqrt(p (1 - p) / n).
 double independent_products(double wanted, double estimate, double confidence) {
-  const auto of_one = static_cast<double>(trials_to_show(wanted, confidence));
-  const double part = (1.0 - wanted) / (estimate - wanted);
-  return of_one * part * part;
+  const double low_of_one = wilson_interval(1.0, 1.0, confidence).low;  // 1 / (1 + z^2)
+  const double z2 = (1.0 - low_of_one) / low_of_one;
+  const double least = z2 * wanted * (1.0 - wanted) / ((estimate - wanted) * (estimate - wanted));
+  return std::floor(least) + 1.0;
 }
 
 std::string settings_text(const NeededSample& needed, bool is_grouped) {

@@ -26,7 +26,7 @@ std::string one_error(const std::string& text, const std::vector<std::string>& s
 TEST(DamageClaim, KindsThatJudgeDamageRefuseAStudyWithoutALimitThatCanAct) {
   for (const std::string& kind : kJudging) {
     EXPECT_EQ(one_error(block_of(kind), {"limits.finger_force_N=none"}),
-              "study.toml:4: limits.damage = \"judged\": there is no limit of damage, so nothing could ever count "
+              "--set: limits.damage = \"judged\": there is no limit of damage, so nothing could ever count "
               "as damaged: give a limit in [limits], e.g. limits.finger_force_N or, with product.yield_stress_Pa, "
               "limits.contact_yield_ratio = 1, or write limits.damage = \"not considered\" and get answers about "
               "holding alone")

@@ -20,7 +20,7 @@ std::string study_text(const std::string& kind, const std::string& search) {
       kind == "robust" ? "[[random]]\nkey = \"product.friction\"\ndistribution = \"uniform\"\nfrom = 0.4\nto = "
                          "0.6\n[sampling]\ncount = 64\n"
                        : "";
-  return "[study]\nname = \"test\"\nkind = \"" + kind + "\"\n[search]\nstarts = 2\nbudget = 40\n" + search +
+  return "[study]\nname = \"test\"\nkind = \"" + kind + "\"\n[search]\nstarts = 2\nbudget = 16\n" + search +
          "[[variable]]\nkey = \"strategy.grip_force_N\"\nfrom = 1.0\nto = 3.0\n" + products + kFormulaCell;
 }
 

@@ -83,8 +83,10 @@ std::string explain(const OutcomeMeaning& meaning) {
                                     ? "not dropped, not slipped, no limit exceeded, the run went to its end"
                                     : meaning.when;
   const std::string code = std::to_string(static_cast<int>(meaning.outcome));
-  return joined({word, "\n  outcome ", code, " of a scenario: ", when, "\n  as in: \"", word, "\", \"not ", word,
-                 "\", of random products \"P(", word, ") >= 0.95\"\n"});
+  // What is not held has no one meaning: dropped, damaged ... are words of their own.
+  const std::string turned = meaning.outcome == Outcome::held ? std::string() : joined({"\"not ", word, "\", "});
+  return joined({word, "\n  outcome ", code, " of a scenario: ", when, "\n  as in: \"", word, "\", ", turned,
+                 "of random products \"P(", word, ") >= 0.95\"\n"});
 }
 
 std::string explain(const PlainWord& word) { return entry(word.word, word.meaning, word.example); }

@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
             "--set search.starts=2 --set search.budget=6 --set sampling.count=16 --set sampling.factor_groups=4",
             "best: mean(cycle_time_s) = "},
         Shipped{"kiwi_pareto", "--set search.starts=1 --set search.points=4 --set search.budget=88", "front: "},
-        Shipped{"kiwi_compare", "--set sampling.count=12 --set sampling.factor_groups=3", "gentle: P(held) = "},
+        Shipped{"kiwi_compare", "--set sampling.count=12 --set sampling.factor_groups=3", "verdict: "},
         Shipped{"kiwi_sensitivity", "--set sensitivity.samples=8", "contact_yield_ratio_max, "},
         Shipped{"kiwi_sample", "--set sampling.count=24 --set sampling.factor_groups=3", "P(held) = "}),
     [](const ::testing::TestParamInfo<Shipped>& each) { return each.param.name; });

@@ -75,10 +75,8 @@ kind = "simulate"
 [strategy]
 grip_force_N = 2.0
 hold_s = 20.0
-[simulation]
-time_step_s = 2e-3
 )" + kFormulaCell;
-  const StudyReport report = run_fresh(study_of(text), core_simulator());
+  const StudyReport report = run_fresh(study_of(text, {"simulation.time_step_s=2e-3"}), core_simulator());
   const Metrics& metrics = report.tables.rows.at(0).result.metrics;
   const double release_s = metrics[Metric::cycle_time_s] - 0.005 / 0.1;
   const double held_s = release_s - metrics[Metric::first_contact_time_s];

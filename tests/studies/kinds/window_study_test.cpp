@@ -41,9 +41,12 @@ Formula formula_of(const Physics& physics, std::atomic<int>* left = nullptr, std
   };
 }
 
+/// The formula's product with the limit of damage that the formula breaks.
 std::string head(const std::string& name, const std::string& kind) {
-  return "[study]\nname = \"" + name + "\"\nkind = \"" + kind +
-         "\"\n[limits]\nfinger_force_N = 4.0\n[simulation]\ntime_step_s = 1e-3\n" + kFormulaCell;
+  const std::string unjudged = "damage = \"not considered\"";
+  std::string cell = kFormulaCell;
+  cell.replace(cell.find(unjudged), unjudged.size(), "finger_force_N = 4.0");
+  return "[study]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" + cell;
 }
 
 const std::string kTwoModuli = "[[vary]]\nkey = \"product.youngs_modulus_Pa\"\nvalues = [1e6, 2e6]\n";

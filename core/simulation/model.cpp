@@ -110,7 +110,7 @@ bool can_yield(const Model::Parts& parts) {
 double static_shift(const Model::Parts& parts) {
   if (parts.lattice) return 1.0;
   const double omega = 2.0 * std::numbers::pi * parts.max_frequency_Hz;
-  return 1e-9 * omega * omega;
+  return omega > 0.0 ? 1e-9 * omega * omega : 1.0;  // springs between walls only: no elastic mode to stay below
 }
 
 /// K + a0 M + a1 C, factored and packed.

@@ -88,6 +88,22 @@ TEST(HostileNumbers, ZeroMassAndASpringOfNoLengthAreRefused) {
   EXPECT_FALSE(validate(nobody).empty());
 }
 
+TEST(HostileNumbers, AMassThatNoSpringHoldsCanBeBuiltBesideSpringsThatYieldBetweenWalls) {
+  // Found by random configs: K has no elastic mode, so the shift of the static factor was 0 and the factor
+  // singular.
+  Scenario scenario = loaded_oscillator();
+  NetworkParameters& network = network_of(scenario);
+  network.spring[0].yield_force_N = 1.0;
+  network.particle[1].fixed = {true, true, true};
+  NetworkParticle free;
+  free.position_m = {3.0, 0.0, 0.0};
+  free.mass_kg = 0.5;
+  network.particle.push_back(free);
+  ASSERT_TRUE(validate(scenario).empty());
+  std::string error;
+  EXPECT_NE(Model::build(scenario, error), nullptr) << error;
+}
+
 /// Runs it if it can be run: a model that cannot be factored says why.
 void expect_named_end(const Scenario& scenario, const std::string& what) {
   if (!validate(scenario).empty()) return;

@@ -36,6 +36,21 @@ function bracket(words, { low, high }) {
   return low === high ? `${words} at ${number(high)} N` : `${words} between ${number(low)} and ${number(high)} N`;
 }
 
+/** The forces that the gripper of the study can hold, where they are not all that were tried; null: nothing to draw. */
+function settableForces(study, [least, most]) {
+  const sourceOf = (key) => (study.scenarios.column(key)?.distinct.length > 1 ? undefined : study.sources.find((each) => each.key === key)?.value);
+  const low = sourceOf("gripper.min_force_N") ?? 0;
+  const high = sourceOf("gripper.max_force_N") ?? Infinity;
+  if (low <= least && high >= most) return null;
+  const words = high >= most ? `from ${number(low)} N on` : low <= least ? `up to ${number(high)} N` : `${number(low)} to ${number(high)} N`;
+  return { low: Math.min(Math.max(low, least), most), high: Math.max(Math.min(high, most), least), words: `this gripper holds ${words}` };
+}
+
+/** A thin bar below the ruler, its words where the bar is. */
+function reach(at, { low, high, words }) {
+  return h("div", { class: "reach" }, h("span", { class: "reach-bar", style: `left:${at(low)}%;width:${at(high) - at(low)}%` }), tick((at(low) + at(high)) / 2, "gripper", words));
+}
+
 export function windowRuler(study, ends, set = null) {
   const range = tried(study);
   if (!range) return null;
@@ -43,6 +58,7 @@ export function windowRuler(study, ends, set = null) {
   const { log, at } = scaleOf(range);
   const judged = judgesDamage(study);
   const { hold, damage } = borders(study.window, ends, judged, range);
+  const gripper = settableForces(study, range);
   const safe = judged ? "held, unmarked" : "held";
   const zone = (from, to, kind, text) => {
     const width = at(to) - at(from);
@@ -65,6 +81,7 @@ export function windowRuler(study, ends, set = null) {
       set ? h("span", { class: "spread", style: `left:${at(set.force_N - set.tolerance_N)}%;width:${at(set.force_N + set.tolerance_N) - at(set.force_N - set.tolerance_N)}%` }) : null,
       set ? h("span", { class: "pin", style: `left:${at(set.force_N)}%` }) : null,
     ),
+    gripper ? reach(at, gripper) : null,
     h("div", { class: "tick-ends" }, h("span", {}, `${number(least)} N`), h("span", {}, `${number(most)} N`)),
     holdLine,
     damageLine,

@@ -4,12 +4,16 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
+
+constexpr std::string_view kNotForThisGripper = "not for this gripper";
+constexpr std::string_view kTooNarrowForIt = "too narrow for this gripper";
 
 /// Part of the margin that a rounder number may cost.
 constexpr double kRoundingCost = 0.2;
@@ -59,14 +63,23 @@ std::optional<double> roundest(double wanted, const Settings& allowed, double un
   return std::nullopt;
 }
 
-/// Down to two significant digits: what a person is told may be used up.
-double rounded_down(double value) {
+/// `value` in units of its last digit, rounded by `whole`, of a number with `digits` significant digits.
+double rounded(double value, int digits, double (*whole)(double)) {
   if (!(value > 0.0)) return 0.0;
-  const int exponent = static_cast<int>(std::floor(std::log10(value))) - 1;
+  const int exponent = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
   const double scale = std::pow(10.0, std::abs(exponent));
-  const double count = std::floor((exponent < 0 ? value * scale : value / scale) * (1.0 + kRoundoff));
+  const double count = whole(exponent < 0 ? value * scale : value / scale);
   return exponent < 0 ? count / scale : count * scale;
 }
+double whole_below(double value) { return std::floor(value * (1.0 + kRoundoff)); }
+double whole_above(double value) { return std::ceil(value * (1.0 - kRoundoff)); }
+
+/// Down to two significant digits: what a person is told may be used up.
+double rounded_down(double value) { return rounded(value, 2, whole_below); }
+
+/// The ends of a window for a sentence, in three digits and never wider than they are known.
+std::string least_text(double force_N) { return short_number(rounded(force_N, 3, whole_above)); }
+std::string greatest_text(double force_N) { return short_number(rounded(force_N, 3, whole_below)); }
 
 SetPoint none(std::initializer_list<std::string_view> reason) {
   return {.exists = false, .force_N = kAbsent, .tolerance_N = kAbsent, .sentence = joined(reason)};
@@ -76,24 +89,24 @@ std::string percent_of(double part) { return joined({short_number(100.0 * part),
 
 /// Why no setting serves; empty: some do, steps aside.
 std::optional<SetPoint> refused(const SafeForces& window, const ForceSetting& gripper, const Settings& safe) {
-  const std::string from = short_number(window.least_N);
-  const std::string to = short_number(window.greatest_N);
+  const std::string from = least_text(window.least_N);
+  const std::string to = greatest_text(window.greatest_N);
   if (window.greatest_N < gripper.min_N) {
-    return none({"not for this gripper: it cannot hold less than ", short_number(gripper.min_N),
+    return none({kNotForThisGripper, ": it cannot hold less than ", short_number(gripper.min_N),
                  " N, and the product is marked from ", to, " N on"});
   }
   if (window.least_N > gripper.max_N) {
-    return none({"not for this gripper: it cannot hold more than ", short_number(gripper.max_N),
+    return none({kNotForThisGripper, ": it cannot hold more than ", short_number(gripper.max_N),
                  " N, and the product is held from ", from, " N on only"});
   }
   if (safe.least_N > safe.greatest_N) {
-    return none({"too narrow for this gripper: its force is off by up to ", percent_of(gripper.accuracy),
+    return none({kTooNarrowForIt, ": its force is off by up to ", percent_of(gripper.accuracy),
                  " either way, and the window is [", from, ", ", to, "] N"});
   }
   if (safe.greatest_N < gripper.min_N || safe.least_N > gripper.max_N) {
-    return none({"not for this gripper: it holds ", short_number(gripper.min_N), " to ",
+    return none({kNotForThisGripper, ": it holds ", short_number(gripper.min_N), " to ",
                  short_number(gripper.max_N), " N, and with its accuracy of ", percent_of(gripper.accuracy),
-                 " only settings of ", short_number(safe.least_N), " to ", short_number(safe.greatest_N),
+                 " only settings of ", least_text(safe.least_N), " to ", greatest_text(safe.greatest_N),
                  " N are safe"});
   }
   return std::nullopt;
@@ -108,6 +121,10 @@ std::string sentence_of(double force_N, double tolerance_N, double accuracy) {
 
 }  // namespace
 
+bool blames_gripper(std::string_view sentence) {
+  return sentence.starts_with(kNotForThisGripper) || sentence.starts_with(kTooNarrowForIt);
+}
+
 ForceSetting force_setting(const GripperParameters& gripper) {
   return {.min_N = gripper.min_force_N,
           .max_N = gripper.max_force_N,
@@ -119,7 +136,7 @@ SetPoint set_point(const SafeForces& window, const ForceSetting& gripper) {
   if (!window.exists) return none({"no window"});
   if (std::isnan(window.greatest_N)) {
     return none({"damage is not judged, so nothing says how hard the product may be gripped; it is held from ",
-                 short_number(window.least_N), " N on"});
+                 least_text(window.least_N), " N on"});
   }
   const Settings safe = safe_settings(window, gripper.accuracy);
   if (auto reason = refused(window, gripper, safe)) return *reason;
@@ -134,7 +151,7 @@ SetPoint set_point(const SafeForces& window, const ForceSetting& gripper) {
   if (!force_N) force_N = roundest(wanted, settable, unit, finest);
   if (!force_N && gripper.step_N == 0.0) force_N = wanted;
   if (!force_N) {
-    return none({"not for this gripper: no multiple of its step of ", short_number(gripper.step_N),
+    return none({kNotForThisGripper, ": no multiple of its step of ", short_number(gripper.step_N),
                  " N lies between ", short_number(settable.least_N), " and ", short_number(settable.greatest_N),
                  " N"});
   }

@@ -5,6 +5,7 @@
 /// the gripper can set and how exactly taken off (docs/metrics.md, "The set-point").
 
 #include <string>
+#include <string_view>
 
 #include "core/scenario/scenario.hpp"
 #include "studies/results/rows.hpp"
@@ -49,5 +50,8 @@ struct SetPoint {
 /// gripper can hold, is narrower than the accuracy, or no multiple of the step lies inside; the sentence says
 /// which.
 SetPoint set_point(const SafeForces& window, const ForceSetting& gripper);
+
+/// Is the gripper the reason why there is no set-point? @param sentence of a set_point
+bool blames_gripper(std::string_view sentence);
 
 }  // namespace unbruised::studies

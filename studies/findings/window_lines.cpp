@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "studies/findings/half_step_text.hpp"
+#include "studies/findings/set_point.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
@@ -31,7 +32,12 @@ std::string ends_text(double hold_N, bool hold_is_bound, double damage_N, bool d
                  short_number(damage_N), "] N"});
 }
 
-std::string percent_text(double ratio) { return joined({short_number(100.0 * ratio), " %"}); }
+/// Wide windows are told as a factor: nobody pictures 2,888 %.
+std::string margin_text(double margin) {
+  constexpr double kAsFactorFrom = 2.0;
+  return margin < kAsFactorFrom ? joined({"margin ", three_digits(100.0 * margin), " %"})
+                                : joined({"F_damage is ", three_digits(margin + 1.0), " times F_hold"});
+}
 
 /// "[1.12, 2.31] N, margin 106 % (F_hold in ..., F_damage in ...)", or the note that says why there is none.
 std::string window_text(const WindowRow& row) {
@@ -42,7 +48,7 @@ std::string window_text(const WindowRow& row) {
   }
   std::string text = ends_text(row.hold_bracket_high_N, std::isnan(row.hold_bracket_low_N),
                                row.damage_bracket_low_N, std::isnan(row.damage_bracket_high_N));
-  if (!std::isnan(row.margin)) text += joined({", margin ", percent_text(row.margin)});
+  if (!std::isnan(row.margin)) text += joined({", ", margin_text(row.margin)});
   text += joined({" (F_hold ", hold_bracket_text(row), ", F_damage ", damage_bracket_text(row), ")"});
   if (!row.note.empty()) text += joined({"; ", row.note});
   return text;
@@ -134,7 +140,11 @@ class SetPointLines {
 
   [[nodiscard]] std::string set_point_line(std::size_t i) const {
     const std::string note = text_in(table_, "note", i);
-    if (!flag("set_point_exists", i)) return joined({"no set-point", at_keys(i), ": ", note});
+    if (!flag("set_point_exists", i)) {
+      if (!blames_gripper(note)) return joined({"no set-point", at_keys(i), ": ", note});
+      const std::size_t colon = note.find(':');
+      return joined({note.substr(0, colon), at_keys(i), note.substr(colon)});
+    }
     const std::string over = over_.empty() ? std::string() : joined({", for all ", over_});
     return joined({"set-point", at_keys(i), ": ", note, over});
   }

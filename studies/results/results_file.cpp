@@ -12,6 +12,7 @@
 #include "studies/results/digest.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/hdf5_file.hpp"
+#include "studies/results/root_texts.hpp"
 #include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
 
@@ -117,16 +118,11 @@ void write_inputs(Hdf5File& file, const std::string& group, const Dimension& dim
 }
 
 void write_root(Hdf5File& file, const ResultsMeta& meta) {
-  const std::string sha = meta.config_sha256.empty() ? sha256_hex(meta.config_toml) : meta.config_sha256;
   file.set_attribute("/", "format_version", std::int32_t{kResultsFormatVersion});
-  file.set_attribute("/", "unbruised_version", meta.unbruised_version);
-  file.set_attribute("/", "config", meta.config_toml);
-  file.set_attribute("/", "config_sha256", sha);
-  file.set_attribute("/", "study_name", meta.study_name);
-  file.set_attribute("/", "study_kind", meta.study_kind);
-  file.set_attribute("/", "created_utc", meta.created_utc);
-  file.set_attribute("/", "instruction_set", meta.instruction_set);
-  file.set_attribute("/", "compiler", meta.compiler);
+  for (const RootText& root : kRootTexts) {
+    const bool is_missing_hash = root.text == &ResultsMeta::config_sha256 && meta.config_sha256.empty();
+    file.set_attribute("/", root.attribute, is_missing_hash ? sha256_hex(meta.config_toml) : meta.*root.text);
+  }
   file.set_attribute("/", "complete", std::int32_t{meta.complete ? 1 : 0});
   file.set_attribute("/", "warnings", meta.warnings);
   file.set_attribute("/", "Conventions", std::string("CF-1.8"));
@@ -420,16 +416,8 @@ Expected<Hdf5File> open_results(const fs::path& path) {
 }
 
 ResultsMeta read_meta(const Hdf5File& file) {
-  const auto text = [&](const char* name) { return file.text_attribute("/", name).value_or(std::string()); };
   ResultsMeta meta;
-  meta.unbruised_version = text("unbruised_version");
-  meta.config_toml = text("config");
-  meta.config_sha256 = text("config_sha256");
-  meta.study_name = text("study_name");
-  meta.study_kind = text("study_kind");
-  meta.created_utc = text("created_utc");
-  meta.instruction_set = text("instruction_set");
-  meta.compiler = text("compiler");
+  for (const RootText& root : kRootTexts) meta.*root.text = file.text_attribute("/", root.attribute).value_or("");
   meta.complete = file.integer_attribute("/", "complete").value_or(0) == 1;
   meta.warnings = file.texts_attribute("/", "warnings").value_or(std::vector<std::string>());
   return meta;

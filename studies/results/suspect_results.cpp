@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "studies/results/durable_files.hpp"
+#include "studies/results/root_texts.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
@@ -211,11 +212,7 @@ void pass(Way& way, ColumnInfo& column) {
 
 template <class Way>
 void pass(Way& way, ResultsMeta& meta) {
-  for (std::string* text :
-       {&meta.unbruised_version, &meta.config_toml, &meta.config_sha256, &meta.study_name, &meta.study_kind,
-        &meta.created_utc, &meta.instruction_set, &meta.compiler, &meta.damage, &meta.damage_note}) {
-    way.bytes(*text);
-  }
+  for (const RootText& root : kRootTexts) way.bytes(meta.*root.text);
   way.plain(meta.complete);
   pass(way, meta.warnings);
 }

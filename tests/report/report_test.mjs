@@ -67,6 +67,7 @@ const EXPECTED = {
   kiwi_window: { says: ["Grip force to set at approach speed", "Set ", "either way", "Grip window", "Holding begins"], charts: ["windows", "map"] },
   no_window: { says: ["No window"], charts: ["map"] },
   disjoint: { says: ["No common window", "Holding needs"], charts: ["windows", "map"] },
+  not_for_this_gripper: { says: ["Not for this gripper", "It cannot hold less than 8 N", "this gripper holds from 8 N on", "at half the time step"], charts: ["map"] },
   kiwi_optimize: { says: ["Best strategy", "grip force", "Meets every constraint", "Every constraint kept"], charts: ["convergence", "map"] },
   none_feasible: { says: ["None feasible", "The closest one", "No strategy that was tried meets: contact yield ratio at most 1", "off by"], charts: ["convergence", "map"] },
   kiwi_robust: { says: ["Probability of being held", "97.5 %", "92.6 % to 99.2 %", "On products it never saw", "96.2 %"], charts: ["convergence", "map", "distributions"] },

@@ -3,7 +3,7 @@
 import { heldWords, judgesDamage } from "../claims.js";
 import { h } from "../dom.js";
 import { inWords, keyColumns, rowsOf, textAttribute } from "../tables.js";
-import { innerNumber, label, listed, number, percent, plural, quantity, thousands, valuesText } from "../words.js";
+import { innerNumber, label, listed, number, plural, quantity, thousands, valuesText } from "../words.js";
 import { windowRuler } from "../window_ruler.js";
 import { capital, fact, sentenceCase, verdict } from "./parts.js";
 
@@ -80,15 +80,22 @@ function windowFacts(study, ends) {
   const bracket = (name, row) => (row === null || row === undefined ? "–" : bracketText(window.at(`${name}_bracket_low_N`, row), window.at(`${name}_bracket_high_N`, row)));
   const setBy = (row) => (window.rows === 1 ? null : `set by ${inputsOf(window, row)}`);
   return [
-    judgesDamage(study) ? fact("Margin", low > 0 ? `${bound ? "≥ " : ""}${percent(high / low - 1)}` : "–", "damage force over hold force, less one") : null,
+    judgesDamage(study) && low > 0 ? fact("Margin", `${bound ? "≥ " : ""}${number(high / low, 3)} times`, "the force that marks over the force that holds") : null,
     fact("Holding begins", bracket("hold", holdRow), setBy(holdRow)),
     judgesDamage(study) ? fact("Damage begins", bracket("damage", damageRow), setBy(damageRow)) : null,
   ];
 }
 
+/** " (1.91 N at half the time step)" where that narrows the end. */
+function halfStepRemark(study, row, name, found_N) {
+  const half_N = row === null || row === undefined ? null : study.window.at(`${name}_force_half_step_N`, row);
+  const narrows = half_N !== null && half_N !== undefined && (name === "hold" ? half_N > found_N : half_N < found_N);
+  return narrows ? ` (${innerNumber(half_N, name === "hold" ? "low" : "high")} N at half the time step)` : "";
+}
+
 function windowSentence(study, ends) {
-  const from = `From ${innerNumber(ends.hold_force_N, "low")} N the product is held${ends.hold_is_bound ? " (the least force tried already holds it)" : ""}`;
-  return `${from}; up to ${innerNumber(ends.damage_force_N, "high")} N it is left unmarked${ends.damage_is_bound ? " (the greatest force tried does not mark it)" : ""}.`;
+  const from = `From ${innerNumber(ends.hold_force_N, "low")} N the product is held${ends.hold_is_bound ? " (the least force tried already holds it)" : halfStepRemark(study, ends.hold_row, "hold", ends.hold_force_N)}`;
+  return `${from}; up to ${innerNumber(ends.damage_force_N, "high")} N it is left unmarked${ends.damage_is_bound ? " (the greatest force tried does not mark it)" : halfStepRemark(study, ends.damage_row, "damage", ends.damage_force_N)}.`;
 }
 
 function noWindow(study, set) {
@@ -136,12 +143,14 @@ function setPointAnswer(study, ends, set, where, chosen) {
   };
 }
 
+/** The note of a set-point that the gripper rules out begins with the headline: "not for this gripper: it ...". */
 function withoutSetPoint(study, ends, set, where) {
+  const [, blame, why] = /^((?:not|too narrow) for this gripper): (.*)$/.exec(set.note) ?? [null, "no set-point", set.note];
   return {
     kicker: `Grip window ${where}`.trim(),
-    headline: "No set-point",
-    verdict: verdict("bad", "There is a window, but this gripper cannot be set into it"),
-    sentence: `${sentenceCase(inWords(set.note))} ${windowSentence(study, ends)}`.trim(),
+    headline: capital(blame),
+    verdict: verdict("bad", sentenceCase(inWords(why))),
+    sentence: windowSentence(study, ends),
     facts: windowFacts(study, ends),
   };
 }

@@ -83,9 +83,7 @@ ReportFixture begin(const std::string& name, const std::string& kind) {
 
 ReportFixture end(ReportFixture fixture) {
   if (fixture.window) {
-    const SettingOfRow setting = [](std::size_t) {
-      return ForceSetting{.min_N = 0.5, .max_N = 60.0, .accuracy = 0.05, .step_N = 0.1};
-    };
+    const SettingOfRow setting = [gripper = fixture.gripper](std::size_t) { return gripper; };
     add_set_points(*fixture.window, setting);
     fixture.content.tables.push_back(
         set_points_table(window_answer(*fixture.window, setting, fixture.content.inputs, fixture.content.rows)));

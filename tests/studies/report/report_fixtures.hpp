@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/outcome/trace.hpp"
+#include "studies/findings/set_point.hpp"
 #include "studies/report/report_data.hpp"
 #include "studies/results/rows.hpp"
 
@@ -21,6 +22,7 @@ struct ReportFixture {
   ReportContext context;
   std::shared_ptr<WindowTable> window;
   std::shared_ptr<Trace> trace;
+  ForceSetting gripper{.min_N = 0.5, .max_N = 60.0, .accuracy = 0.05, .step_N = 0.1};
 };
 
 /// Every kind, and what may go wrong: no window, none feasible, no difference, not complete, diverged scenarios,

@@ -53,6 +53,17 @@ ReportFixture disjoint() {
   return fixture;
 }
 
+/// A gripper whose least force already marks the product; half the time step moves the upper end a little.
+ReportFixture too_strong() {
+  ReportFixture fixture = window("not_for_this_gripper", {{0.1, 2.0}}, 1.0);
+  fixture.gripper.min_N = 8.0;
+  fixture.content.meta.config_toml += "[gripper]\nmin_force_N = 8.0\n";
+  WindowRow& row = fixture.window->rows.front();
+  row.hold_force_half_step_N = row.hold_bracket_high_N;
+  row.damage_force_half_step_N = 0.99 * row.damage_bracket_low_N;
+  return fixture;
+}
+
 }  // namespace
 
 ReportFixture sweep(const std::string& name, const std::vector<double>& forces, const std::vector<double>& speeds,
@@ -87,7 +98,7 @@ std::vector<ReportFixture> window_fixtures() {
   const std::vector<double> speeds = from_to(0.02, 0.6, 8);
   return {sweep("kiwi_sweep", forces, speeds, {1.0, 2.667, 4.333, 6.0}, 1.0),
           window("kiwi_window", {{0.02, 2.0}, {0.1, 2.0}, {0.2, 2.0}, {0.3, 2.0}}, 1.0),
-          window("no_window", {{0.05, 2.0}}, 0.15), disjoint()};
+          window("no_window", {{0.05, 2.0}}, 0.15), disjoint(), too_strong()};
 }
 
 }  // namespace unbruised::studies::testing

@@ -10,6 +10,7 @@
 
 #include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
+#include "studies/results/root_texts.hpp"
 #include "tests/places.hpp"
 #include "tests/studies/results/sample_rows.hpp"
 
@@ -106,6 +107,19 @@ TEST(ResultsFile, ReadsBackItsWarningsAlsoWhereThereAreNone) {
     ASSERT_TRUE(summary) << summary.error().message;
     EXPECT_EQ(summary->meta.warnings, warnings);
   }
+}
+
+TEST(ResultsFile, ReadsBackEveryTextOfItsRootAlsoAnEmptyOne) {
+  const TemporaryDirectory directory;
+  const fs::path path = directory.path() / "results.h5";
+  ResultsContent content = sample_content(1);
+  for (const RootText& root : kRootTexts) content.meta.*root.text = std::string("text of ") + root.attribute;
+  content.meta.damage_note.clear();
+  ASSERT_EQ(message_of(write_results_file(path, content)), "");
+  const auto summary = read_results_summary(path);
+  ASSERT_TRUE(summary) << summary.error().message;
+  for (const RootText& root : kRootTexts)
+    EXPECT_EQ(summary->meta.*root.text, content.meta.*root.text) << root.attribute;
 }
 
 TEST(ResultsFile, ReadsBackWhatWasWritten) {

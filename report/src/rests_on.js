@@ -18,11 +18,6 @@ function remarkOf({ source }) {
   return more ? h("small", {}, inWords(more)) : null;
 }
 
-/** A zero that nobody gave a source switches something off; there is nothing to measure. */
-function isSilent({ value, standing }) {
-  return standing === "unsourced" && [value].flat().every((each) => each === 0);
-}
-
 function row(source) {
   return h(
     "tr",
@@ -34,7 +29,7 @@ function row(source) {
 }
 
 export function restsOn(study) {
-  const sources = study.sources.filter((each) => !isSilent(each));
+  const { sources } = study;
   if (sources.length === 0) return null;
   const count = (standing) => sources.filter((each) => each.standing === standing).length;
   const rows = [...sources].sort((a, b) => ORDER.indexOf(a.standing) - ORDER.indexOf(b.standing)).map(row);

@@ -1,6 +1,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/json_output.hpp"
 #include "studies/cli/recorded.hpp"
+#include "studies/findings/rests_on.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -53,6 +54,7 @@ int info_command(const std::filesystem::path& path, const std::string& program, 
   print_origin(*recorded);
   for (const std::string& warning : recorded->meta.warnings) print_line(joined({"warning: ", warning}));
   for (const std::string& line : summary_lines(recorded->tables, recorded->meta.study_kind)) print_line(line);
+  if (std::string line = rests_on_line(value_counts(recorded->meta.config_toml)); !line.empty()) print_line(line);
   print_replay(*recorded, program);
   print_line(
       joined({recorded->from_journal ? "read from the journal of " : "results: ", recorded->source.string()}));

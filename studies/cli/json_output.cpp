@@ -9,6 +9,7 @@
 #include "core/outcome/outcome.hpp"
 #include "studies/estimate/memory_need.hpp"
 #include "studies/findings/flat_table.hpp"
+#include "studies/findings/rests_on.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 
@@ -120,6 +121,8 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
   document["worst_balances"] = {
       {"impulse_balance_error", worst_balance(tables.rows, Metric::impulse_balance_error)},
       {"energy_balance_error", worst_balance(tables.rows, Metric::energy_balance_error)}};
+  const ValueCounts counts = value_counts(recorded.meta.config_toml);
+  document["rests_on"] = {{"assumed", counts.assumed}, {"unsourced", counts.unsourced}, {"cited", counts.cited}};
   document["window"] = tables.window ? table_json(window_as_table(*tables.window)) : json(nullptr);
   document["tables"] = std::move(found);
   document["has_trace"] = recorded.has_trace;

@@ -15,6 +15,7 @@
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/counted_simulator.hpp"
 #include "studies/execution/progress.hpp"
+#include "studies/findings/rests_on.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/results/results_file.hpp"
@@ -77,6 +78,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
                      duration_text(report.seconds), " on ", std::to_string(threads),
                      threads == 1 ? " thread" : " threads"}));
   for (const std::string& line : summary_lines(report.tables, study_kind_word(study.kind()))) print_line(line);
+  if (std::string line = rests_on_line(value_counts(study.resolved_toml())); !line.empty()) print_line(line);
   if (report.lane_use.lane_steps > 0) print_line(lanes_line(study, report));
   RunArguments replay = arguments;
   replay.threads.reset();

@@ -40,6 +40,14 @@ bool is_value(std::string_view path) {
   return path.starts_with("product.") || path.starts_with("gripper.") || path.starts_with("limits.");
 }
 
+/// A zero that nobody gave a source switches something off; there is nothing to measure.
+bool is_switched_off(const ValueSource& value) {
+  if (value.standing != Standing::unsourced) return false;
+  if (value.value.kind != Value::Kind::array) return value.value.number == 0.0;
+  return std::all_of(value.value.items.begin(), value.value.items.end(),
+                     [](const Value& item) { return item.number == 0.0; });
+}
+
 /// "assumed: a medium fruit" and the like.
 bool says_assumed(std::string_view source) { return source.starts_with("assumed"); }
 
@@ -98,7 +106,7 @@ std::vector<ValueSource> value_sources(std::string_view resolved_toml) {
       value.source = source->second;
       value.standing = says_assumed(value.source) ? Standing::assumed : Standing::cited;
     }
-    values.push_back(std::move(value));
+    if (!is_switched_off(value)) values.push_back(std::move(value));
   }
   return values;
 }

@@ -39,7 +39,8 @@ struct ValueSource {
 };
 
 /// Every number of product, gripper and limits in a resolved config, in its order. What has no number (a shape, a
-/// coupling) and the particles of a network are left out; a config that cannot be read gives none.
+/// coupling), a zero without a source (what is switched off) and the particles of a network are left out; a config
+/// that cannot be read gives none.
 std::vector<ValueSource> value_sources(std::string_view resolved_toml);
 
 }  // namespace unbruised::studies

@@ -62,13 +62,17 @@ std::string key_leaf(const std::string& key) {
   return dot == std::string::npos ? key : key.substr(dot + 1);
 }
 
-std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vector<InputValue>& inputs) {
-  std::string text;
+std::vector<std::string> input_texts(const std::vector<ColumnInfo>& columns,
+                                     const std::vector<InputValue>& inputs) {
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < columns.size() && i < inputs.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += joined({key_leaf(columns[i].key), " = ", input_text(inputs[i])});
+    texts.push_back(joined({key_leaf(columns[i].key), " = ", input_text(inputs[i])}));
   }
-  return text;
+  return texts;
+}
+
+std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vector<InputValue>& inputs) {
+  return comma_list(input_texts(columns, inputs));
 }
 
 std::string outcome_line(const std::vector<ScenarioRow>& rows) {

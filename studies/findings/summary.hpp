@@ -24,6 +24,9 @@ struct StudyTables {
 
 /// The last part of a dotted key: "grip_force_N".
 std::string key_leaf(const std::string& key);
+/// "approach_speed_m_s = 0.25" and so on, one per input.
+std::vector<std::string> input_texts(const std::vector<ColumnInfo>& columns,
+                                     const std::vector<InputValue>& inputs);
 /// "approach_speed_m_s = 0.25, friction = 0.5"; empty without inputs.
 std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vector<InputValue>& inputs);
 

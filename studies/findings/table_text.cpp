@@ -68,17 +68,18 @@ std::string text_attribute(const ResultTable& table, std::string_view name) {
   return "";
 }
 
-std::string keys_text(const ResultTable& table, std::size_t row) {
-  std::string text;
+std::vector<std::string> key_texts(const ResultTable& table, std::size_t row) {
+  std::vector<std::string> texts;
   for (const ResultColumn& column : table.columns) {
     if (column.name.find('.') == std::string::npos) continue;
     const std::string word = text_in(table, column.name, row);
-    text += joined({text.empty() ? "" : ", ", word.empty()
-                                                  ? assignment(column.name, number_in(table, column.name, row))
-                                                  : joined({key_leaf(column.name), " = ", word})});
+    texts.push_back(word.empty() ? assignment(column.name, number_in(table, column.name, row))
+                                 : joined({key_leaf(column.name), " = ", word}));
   }
-  return text;
+  return texts;
 }
+
+std::string keys_text(const ResultTable& table, std::size_t row) { return comma_list(key_texts(table, row)); }
 
 std::string percent(double part) { return joined({short_number(100.0 * part), " %"}); }
 

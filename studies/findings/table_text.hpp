@@ -27,7 +27,9 @@ std::string text_in(const ResultTable& table, std::string_view column, std::size
 std::optional<double> number_attribute(const ResultTable& table, std::string_view name);
 std::string text_attribute(const ResultTable& table, std::string_view name);
 
-/// The columns that hold keys ("strategy.grip_force_N") of one row, as values_text.
+/// The columns that hold keys ("strategy.grip_force_N") of one row: "grip_force_N = 2.1" and so on.
+std::vector<std::string> key_texts(const ResultTable& table, std::size_t row);
+/// The same as values_text.
 std::string keys_text(const ResultTable& table, std::size_t row);
 
 /// "95 %"

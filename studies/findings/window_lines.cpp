@@ -54,9 +54,22 @@ std::string window_text(const WindowRow& row) {
   return text;
 }
 
+/// With more keys than these only those are told that differ from the first combination.
+constexpr std::size_t kKeysToldAll = 3;
+
+/// " at friction = 0.4, else as the first"; empty without keys.
+std::string at_values(const std::vector<std::string>& own, const std::vector<std::string>& first) {
+  if (own.empty()) return {};
+  std::vector<std::string> differing;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i] != first[i]) differing.push_back(own[i]);
+  }
+  if (own.size() <= kKeysToldAll || differing.empty()) return joined({" at ", comma_list(own)});
+  return joined({" at ", comma_list(differing), ", else as the first"});
+}
+
 std::string at_text(const WindowTable& window, const WindowRow& row) {
-  const std::string inputs = inputs_text(window.inputs, row.inputs);
-  return inputs.empty() ? inputs : joined({" at ", inputs});
+  return at_values(input_texts(window.inputs, row.inputs), input_texts(window.inputs, window.rows.front().inputs));
 }
 
 std::string combination_line(const WindowTable& window, const WindowRow& row) {
@@ -75,8 +88,8 @@ void add_half_step(const WindowTable& window, std::vector<std::string>& lines) {
     std::string text;
     for (const EndMove& move : half_step_moves(row)) text += joined({text.empty() ? "" : ", ", move_text(move)});
     if (text.empty()) continue;
-    const std::string inputs = inputs_text(window.inputs, row.inputs);
-    lines.push_back(joined({"checked at half the time step", inputs.empty() ? "" : ", at ", inputs, ": ", text}));
+    const std::string at = at_text(window, row);
+    lines.push_back(joined({"checked at half the time step", at.empty() ? "" : ",", at, ": ", text}));
   }
 }
 
@@ -110,8 +123,7 @@ class SetPointLines {
   }
 
   [[nodiscard]] std::string at_keys(std::size_t i) const {
-    const std::string keys = keys_text(table_, i);
-    return keys.empty() ? keys : joined({" at ", keys});
+    return at_values(key_texts(table_, i), key_texts(table_, 0));
   }
 
   [[nodiscard]] std::string common_line(std::size_t i) const {

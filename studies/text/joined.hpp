@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace unbruised::studies {
 
@@ -13,6 +14,13 @@ namespace unbruised::studies {
 inline std::string joined(std::initializer_list<std::string_view> parts) {
   std::string text;
   for (const std::string_view part : parts) text.append(part);
+  return text;
+}
+
+/// "a, b, c"
+inline std::string comma_list(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += joined({text.empty() ? "" : ", ", part});
   return text;
 }
 

@@ -88,6 +88,38 @@ TEST(Summary, SaysPlainlyWhereThereIsNoWindow) {
   EXPECT_EQ(lines[1], "no window at approach_speed_m_s = 0.25: the impact alone damages at this speed");
 }
 
+TEST(Summary, TellsOfManyKeysOnlyThoseThatDifferFromTheFirstCombination) {
+  WindowTable window;
+  for (const char* key : {"product.mass_kg", "product.friction", "gripper.finger_mass_kg", "gripper.stroke_m"}) {
+    window.inputs.push_back({.key = key, .units = "1", .long_name = {}});
+  }
+  WindowRow row;
+  row.note = "no window: dropped at every force";
+  row.inputs = {0.1, 0.5, 0.2, 0.04};
+  window.rows = {row, row};
+  window.rows[1].inputs[1] = 0.4;
+  const std::vector<std::string> lines = window_lines(window, nullptr, 10);
+  EXPECT_EQ(lines.at(0),
+            "no window at mass_kg = 0.1, friction = 0.5, finger_mass_kg = 0.2, stroke_m = 0.04: dropped at every "
+            "force");
+  EXPECT_EQ(lines.at(1), "no window at friction = 0.4, else as the first: dropped at every force");
+}
+
+TEST(Summary, TellsAWideWindowAsAFactor) {
+  WindowRow row;
+  row.exists = true;
+  row.hold_force_N = row.hold_bracket_high_N = 0.5;
+  row.hold_bracket_low_N = 0.49;
+  row.damage_force_N = row.damage_bracket_low_N = 15.0;
+  row.damage_bracket_high_N = 15.1;
+  row.margin = row.damage_force_N / row.hold_force_N - 1.0;
+  WindowTable window;
+  window.rows = {row};
+  EXPECT_EQ(
+      window_lines(window, nullptr, 10).at(0),
+      "grip window: [0.5, 15] N, F_damage is 30 times F_hold (F_hold in (0.49, 0.5], F_damage in [15, 15.1))");
+}
+
 TEST(Summary, ShowsTheMostSeriousRowsWithTheirCommand) {
   StudyTables tables;
   tables.rows = {row_of(0, Outcome::damaged, 1, 1), row_of(1, Outcome::held, 1, 1),

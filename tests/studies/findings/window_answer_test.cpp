@@ -93,6 +93,17 @@ TEST(WindowAnswer, IsSaidWithWhatItHoldsOver) {
       "of 1 strategy with a set-point");
 }
 
+TEST(WindowAnswer, NamesTheGripperFirstWhereItIsTheReason) {
+  WindowTable window;
+  window.inputs = {kInputs[2]};
+  window.rows = {row_of({0.1}, 1.0, 2.0)};
+  const SettingOfRow strong = [](std::size_t) { return ForceSetting{.min_N = 3.0, .max_N = 40.0}; };
+  const ResultTable table = set_points_table(window_answer(window, strong, kInputs, {}));
+  EXPECT_EQ(window_lines(window, &table, 10).at(1),
+            "not for this gripper at approach_speed_m_s = 0.1: it cannot hold less than 3 N, and the product is "
+            "marked from 2 N on");
+}
+
 TEST(WindowAnswer, TheShortestCycleWinsAndNotTheMarginAgainstSlip) {
   WindowTable window;
   window.inputs = {kInputs[2]};

@@ -2,9 +2,12 @@
 
 import { copy, download, freshId, h, scrollBox } from "./dom.js";
 import { replayCommand } from "./scenario.js";
+import { inWords } from "./tables.js";
 import { label, leaf, number, OUTCOMES, outcomeLabel, plural, scaleFor, thousands } from "./words.js";
 
 const PAGE = 25;
+/** Columns whose texts speak of keys. */
+const IN_KEYS = new Set(["start", "key", "note", "binding", "termination"]);
 
 /** A cell as CSV. Texts that a spreadsheet would take for a formula get an apostrophe in front. */
 function csvCell(value, column) {
@@ -84,7 +87,7 @@ function sortRows(rows, column, descending) {
 
 /** How a column shows its numbers: all in one unit. */
 function formatOf(column) {
-  if (column.isText) return { unit: "", text: (value) => (column.name === "outcome" ? outcomeLabel(value) : value ?? "–") };
+  if (column.isText) return { unit: "", text: (value) => (column.name === "outcome" ? outcomeLabel(value) : IN_KEYS.has(column.name) ? inWords(value) : value ?? "–") };
   let most = 0;
   for (let row = 0; row < column.rows; row += 1) most = Math.max(most, Math.abs(column.at(row) ?? 0));
   const { factor, unit } = scaleFor(column.units, most);

@@ -33,11 +33,11 @@ export function objectiveUnits(study, column) {
   return column.units || unitsOfGoal(study, objectiveName(column));
 }
 
-/** "mean(cycle_time_s)" -> "mean cycle time". */
+/** "mean(cycle_time_s)" -> "mean cycle time"; what one is told to write into the study stays as it is written. */
 export function inWords(text) {
   return String(text)
     .replace(/^(mean|median|min|max|least|greatest)\((\w+)\)$/, "$1 $2")
-    .replace(/[A-Za-z]\w*(?:\.\w+)*_\w+/g, (name) => label(name));
+    .replace(/[A-Za-z]\w*(?:\.\w+)*_\w+/g, (name) => (name.startsWith("sampling.") ? name : label(name)));
 }
 
 /** "held" -> "being held", "not damaged" -> "not being damaged". */

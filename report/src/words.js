@@ -31,6 +31,8 @@ export function label(key) {
   const last = leaf(key);
   const known = names[key] ?? names[last];
   if (known) return known;
+  const error = /^(.+)_(relative|absolute)_error$/.exec(last);
+  if (error) return `${label(error[1])}, ${error[2]} error`;
   if (last.startsWith("mean_")) return `mean ${label(last.slice(5))}`;
   const suffix = suffixOf(last)?.[0];
   return (suffix ? last.slice(0, -suffix.length) : last).replaceAll("_", " ");

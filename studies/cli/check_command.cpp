@@ -8,6 +8,7 @@
 #include "studies/estimate/memory_need.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/estimate/warnings.hpp"
+#include "studies/findings/shown_probability.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -83,10 +84,12 @@ int check_command(const StudyArguments& arguments, AnswerForm form) {
   const StudyCost cost = study_cost(study, threads);
   const auto refusal = too_much_memory(study.name(), cost.memory_bytes);
   const std::vector<std::string> warnings = study_warnings(study);
+  const std::vector<std::string> notes = probability_notes(study);
   if (form == AnswerForm::json) {
-    print_line(check_json(study, cost, warnings, refusal.value_or("")));
+    print_line(check_json(study, cost, warnings, notes, refusal.value_or("")));
   } else {
     print_check(study, cost);
+    for (const std::string& note : notes) print_line(joined({"note: ", note}));
     print_warnings(warnings);
     if (refusal) print_error(*refusal);
   }

@@ -136,12 +136,13 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
 }
 
 std::string check_json(const Study& study, const StudyCost& cost, const std::vector<std::string>& warnings,
-                       const std::string& refusal) {
+                       const std::vector<std::string>& notes, const std::string& refusal) {
   json document = {{"schema", kCheckSchema},
                    {"valid", true},
                    {"problems", json::array()},
                    {"study", {{"name", study.name()}, {"kind", std::string(study_kind_word(study.kind()))}}},
                    {"warnings", warnings},
+                   {"notes", notes},
                    {"refusal", text_or_null(refusal)}};
   document["scenarios"] = {{"count", std::llround(cost.scenarios)},
                            {"exact", study.kind() != StudyKind::window && !is_search(study.kind())},

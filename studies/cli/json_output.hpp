@@ -18,7 +18,7 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
 
 /// All that `check` says of a valid study. @param refusal why it would not run here; may be empty
 std::string check_json(const Study& study, const StudyCost& cost, const std::vector<std::string>& warnings,
-                       const std::string& refusal);
+                       const std::vector<std::string>& notes, const std::string& refusal);
 /// The same of one that is not valid.
 std::string check_json_of_problems(const std::vector<std::string>& problems);
 

@@ -103,6 +103,10 @@ Winner CandidateComparison::winner(const PairedComparison& pair, Metric metric) 
   return other_holds_more ? Winner::none : better;
 }
 
+std::string CandidateComparison::confidence_text() const {
+  return joined({percent(study_.sampling().confidence), " interval"});
+}
+
 std::string CandidateComparison::count_text(std::size_t held) const {
   return joined({with_thousands(held), " of ", with_thousands(products_.size())});
 }
@@ -113,14 +117,14 @@ std::string CandidateComparison::holding_text(std::size_t a, std::size_t b, cons
   const int held = sign_of(pair.held);
   if (held == 0) {
     if (pair.held_a == 0 && pair.held_b == 0) return joined({"neither is ", held_words_, " on any product"});
-    const bool alike = pair.held.mean == 0.0;
-    return joined({held_words_, alike ? " equally often (" : ": no difference shown (", counts, ")"});
+    if (pair.held.mean == 0.0) return joined({held_words_, " equally often (", counts, ")"});
+    return joined({held_words_, ": no difference shown (", counts, "; ", confidence_text(), " of the difference ",
+                   percent(pair.held.interval.low), " to ", percent(pair.held.interval.high), ")"});
   }
   const Interval sizes = sizes_of(pair.held.interval);
   return joined({name(held > 0 ? b : a), " is ", held_words_, " more often than ", name(held > 0 ? a : b), ": ",
-                 counts, "; on ", percent(std::abs(pair.held.mean)), " more of the products (",
-                 percent(study_.sampling().confidence), " interval ", percent(sizes.low), " to ",
-                 percent(sizes.high), ")"});
+                 counts, "; on ", percent(std::abs(pair.held.mean)), " more of the products (", confidence_text(),
+                 " ", percent(sizes.low), " to ", percent(sizes.high), ")"});
 }
 
 std::string CandidateComparison::metric_text(std::size_t a, std::size_t b, Metric metric,
@@ -134,11 +138,14 @@ std::string CandidateComparison::metric_text(std::size_t a, std::size_t b, Metri
   const Interval sizes = sizes_of(pair.difference.interval);
   const std::string relative =
       std::isnan(pair.relative) ? std::string() : joined({" or ", percent(std::abs(pair.relative))});
+  const std::string low = short_number(sizes.low);
+  const std::string high = short_number(sizes.high);
+  const std::string unit = unit_text(metric);
+  const std::string spread = low == high ? std::string("the same on each of the ")
+                                         : joined({confidence_text(), " ", low, " to ", high, unit, ", on the "});
   return joined({name(b_better ? b : a), more ? " has more " : " needs less ", metric_name, " than ",
-                 name(b_better ? a : b), ": by ", short_number(std::abs(pair.difference.mean)), unit_text(metric),
-                 relative, " (", percent(study_.sampling().confidence), " interval ", short_number(sizes.low),
-                 " to ", short_number(sizes.high), unit_text(metric), ", on the ",
-                 with_thousands(pair.difference.count), " products that both hold)"});
+                 name(b_better ? a : b), ": by ", short_number(std::abs(pair.difference.mean)), unit, relative,
+                 " (", spread, with_thousands(pair.difference.count), " products that both hold)"});
 }
 
 std::string CandidateComparison::verdict(std::size_t a, std::size_t b, Metric metric,
@@ -171,9 +178,32 @@ std::string CandidateComparison::headline() const {
     return joined({"no winner: no strategy is shown to be better than ", best == 2 ? "the other" : "all others",
                    ", holding first, then ", info_of(study_.compare().metric).name});
   }
+  return joined({"winner: ", name(best), ", ", held_words_, " on ", count_text(held_count(best)), " products (",
+                 others_text(best), "); ", reason_text(best)});
+}
+
+std::size_t CandidateComparison::held_count(std::size_t candidate) const {
   std::size_t held = 0;
-  for (std::size_t p = 0; p < products_.size(); ++p) held += is_held(row(p, best)) ? 1 : 0;
-  return joined({"winner: ", name(best), ", ", held_words_, " on ", count_text(held), " products"});
+  for (std::size_t p = 0; p < products_.size(); ++p) held += is_held(row(p, candidate)) ? 1 : 0;
+  return held;
+}
+
+std::string CandidateComparison::others_text(std::size_t candidate) const {
+  std::vector<std::string> others;
+  for (std::size_t other = 0; other < study_.candidates().size(); ++other) {
+    if (other != candidate) others.push_back(joined({name(other), " on ", with_thousands(held_count(other))}));
+  }
+  return comma_list(others);
+}
+
+std::string CandidateComparison::reason_text(std::size_t winner) const {
+  const Metric metric = study_.compare().metric;
+  bool by_holding = true;
+  for (std::size_t other = 0; other < study_.candidates().size(); ++other) {
+    if (other != winner && sign_of(compare(winner, other, metric).held) == 0) by_holding = false;
+  }
+  if (by_holding) return "holding more often is shown";
+  return joined({more_is_better(metric) ? "more " : "less ", info_of(metric).name, " decides"});
 }
 
 }  // namespace unbruised::studies

@@ -57,7 +57,15 @@ class CandidateComparison {
   [[nodiscard]] std::string holding_text(std::size_t a, std::size_t b, const PairedComparison& pair) const;
   [[nodiscard]] std::string metric_text(std::size_t a, std::size_t b, Metric metric,
                                         const PairedComparison& pair) const;
+  [[nodiscard]] std::size_t held_count(std::size_t candidate) const;
+  /// "95 % interval"
+  [[nodiscard]] std::string confidence_text() const;
+  /// "28 of 32"
   [[nodiscard]] std::string count_text(std::size_t held) const;
+  /// "old on 28, older on 25": all but the candidate
+  [[nodiscard]] std::string others_text(std::size_t candidate) const;
+  /// What the winner wins by: holding, or the metric.
+  [[nodiscard]] std::string reason_text(std::size_t winner) const;
 
   const Study& study_;
   const std::vector<ScenarioRow>& rows_;

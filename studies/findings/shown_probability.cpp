@@ -29,10 +29,15 @@ std::string settings_text(const NeededSample& needed, bool is_grouped) {
                             : std::string()});
 }
 
+std::string rule_text(const JudgedEvent& judged) {
+  return joined({"P(", judged.text, ") >= ", short_number(*judged.wanted)});
+}
+
+/// Why the study's products cannot show it, however they turn out; empty: they can.
 std::string doubt_about(const JudgedEvent& judged, const Study& study) {
   const SamplingSettings& sampling = study.sampling();
   const double wanted = *judged.wanted;
-  const std::string rule = joined({"P(", judged.text, ") >= ", short_number(wanted)});
+  const std::string rule = rule_text(judged);
   if (wanted >= 1.0) {
     return joined({rule,
                    " can be shown by no number of products: an interval never begins at 100 %; write e.g. "
@@ -40,8 +45,7 @@ std::string doubt_about(const JudgedEvent& judged, const Study& study) {
   }
   const std::size_t needed = trials_to_show(wanted, sampling.confidence);
   const auto count = static_cast<double>(sampling.count);
-  const bool is_grouped = has_shared_groups(study);
-  const std::string each = is_grouped ? " with sampling.factor_groups = 0" : "";
+  const std::string each = has_shared_groups(study) ? " with sampling.factor_groups = 0" : "";
   if (sampling.count < needed) {
     const double low = wilson_interval(count, count, sampling.confidence).low;
     return joined({rule, " cannot be shown by ", with_thousands(sampling.count),
@@ -49,9 +53,16 @@ std::string doubt_about(const JudgedEvent& judged, const Study& study) {
                    " interval begins at ", percent(low), "; sampling.count = ", with_thousands(needed), each,
                    " could show it"});
   }
-  if (!is_grouped || sampling.factor_groups >= needed) return {};
+  return {};
+}
+
+/// Why they may not, depending on how alike they turn out; empty: nothing stands against it.
+std::string note_about(const JudgedEvent& judged, const Study& study) {
+  const SamplingSettings& sampling = study.sampling();
+  if (!doubt_about(judged, study).empty() || !has_shared_groups(study)) return {};
+  if (sampling.factor_groups >= trials_to_show(*judged.wanted, sampling.confidence)) return {};
   return joined(
-      {rule, " may stay unshown: the products share ", with_thousands(sampling.factor_groups),
+      {rule_text(judged), " may stay unshown: the products share ", with_thousands(sampling.factor_groups),
        " factor groups, and where those of a group behave alike they count as that many products, not as ",
        with_thousands(sampling.count), "; sampling.factor_groups = 0 makes each its own"});
 }
@@ -105,15 +116,26 @@ std::string shown_text(double wanted, const Proportion& found, const Study& stud
       {met, "; the estimate lies too near to ", percent(wanted), " for any number of products to show it"});
 }
 
-std::vector<std::string> probability_doubts(const Study& study) {
-  std::vector<std::string> doubts;
-  if (study.kind() != StudyKind::robust) return doubts;
+namespace {
+
+std::vector<std::string> said_of_probabilities(const Study& study,
+                                               std::string (*said)(const JudgedEvent&, const Study&)) {
+  std::vector<std::string> sentences;
+  if (study.kind() != StudyKind::robust) return sentences;
   const StrategyJudge judge(study);
   for (const JudgedEvent& judged : judge.events()) {
     if (!judged.wanted) continue;
-    if (std::string doubt = doubt_about(judged, study); !doubt.empty()) doubts.push_back(std::move(doubt));
+    if (std::string sentence = said(judged, study); !sentence.empty()) sentences.push_back(std::move(sentence));
   }
-  return doubts;
+  return sentences;
 }
+
+}  // namespace
+
+std::vector<std::string> probability_doubts(const Study& study) {
+  return said_of_probabilities(study, doubt_about);
+}
+
+std::vector<std::string> probability_notes(const Study& study) { return said_of_probabilities(study, note_about); }
 
 }  // namespace unbruised::studies

@@ -36,7 +36,10 @@ bool has_shared_groups(const Study& study);
 /// by the interval"; of a broken one empty.
 std::string shown_text(double wanted, const Proportion& found, const Study& study);
 
-/// Before a run: the probability constraints that this many products cannot show, or may not, one sentence each.
+/// Before a run: the probability constraints that this many products cannot show, one sentence each.
 std::vector<std::string> probability_doubts(const Study& study);
+/// Before a run: those that they may not show, depending on how alike products of a factor group turn out; after
+/// it the answer itself says what is shown.
+std::vector<std::string> probability_notes(const Study& study);
 
 }  // namespace unbruised::studies

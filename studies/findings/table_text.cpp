@@ -81,6 +81,10 @@ std::vector<std::string> key_texts(const ResultTable& table, std::size_t row) {
 
 std::string keys_text(const ResultTable& table, std::size_t row) { return comma_list(key_texts(table, row)); }
 
-std::string percent(double part) { return joined({short_number(100.0 * part), " %"}); }
+std::string percent(double part) {
+  // 99.96 % is not 100 %.
+  const bool is_nearly_all = part > 0.99 && part < 1.0;
+  return joined({is_nearly_all ? short_number(100.0 * part) : three_digits(100.0 * part), " %"});
+}
 
 }  // namespace unbruised::studies

@@ -165,18 +165,28 @@ class SetPointLines {
   [[nodiscard]] std::string cycle_text(std::size_t i) const {
     const double cycle_time_s = number("cycle_time_s", i);
     return std::isnan(cycle_time_s) ? std::string()
-                                    : joined({"the shortest cycle, ", short_number(cycle_time_s), " s, "});
+                                    : joined({": the shortest cycle, ", short_number(cycle_time_s), " s"});
   }
 
+  [[nodiscard]] std::size_t count(const char* column) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < row_count(table_); ++i) count += flag(column, i) ? 1U : 0U;
+    return count;
+  }
+
+  /// Where grippers stand apart each has a best of its own, and it is clear without a count what it is the best
+  /// of.
   void add_best() {
-    std::size_t usable = 0;
-    for (std::size_t i = 0; i < row_count(table_); ++i) usable += flag("set_point_exists", i) ? 1U : 0U;
+    const std::size_t usable = count("set_point_exists");
     if (usable == 0) lines_.emplace_back("best: none; no strategy has a set-point");
+    const std::string of_all =
+        joined({", of ", std::to_string(usable), usable == 1 ? " strategy" : " strategies", " with a set-point"});
+    const bool is_only = count("best") == 1;
     for (std::size_t i = 0; i < row_count(table_); ++i) {
       if (!flag("best", i)) continue;
-      lines_.push_back(
-          joined({"best: ", text_in(table_, "note", i), " with ", keys_text(table_, i), ": ", cycle_text(i), "of ",
-                  std::to_string(usable), usable == 1 ? " strategy" : " strategies", " with a set-point"}));
+      const std::string at = is_only ? joined({" with ", keys_text(table_, i)})
+                                     : at_values(key_texts(table_, i), key_texts(table_, 0));
+      lines_.push_back(joined({"best: ", text_in(table_, "note", i), at, cycle_text(i), is_only ? of_all : ""}));
     }
   }
 

@@ -74,7 +74,7 @@ const EXPECTED = {
   kiwi_pareto: { says: ["strategies", "Knee of the front", "at the knee", "Hypervolume", "None of them is beaten"], charts: ["pareto", "map"] },
   three_objectives: { says: ["cycle time, contact yield ratio and mean peak finger force"], charts: ["pareto", "map"] },
   empty_front: { says: ["None feasible", "no trade-off"], charts: ["map"] },
-  kiwi_compare: { says: ["gentle", "gentle is the one to take", "Gentle is held more often", "cycle time"], charts: ["comparison", "map", "distributions"] },
+  kiwi_compare: { says: ["gentle", "Take “gentle”", "Gentle is held more often", "cycle time"], charts: ["comparison", "map", "distributions"] },
   no_difference: { says: ["No winner shown", "do not tell the candidates apart"], charts: ["comparison", "map", "distributions"] },
   kiwi_sobol: { says: ["Friction", "Clearly ahead", "85 %", "71 % to 99 %"], charts: ["sensitivity", "map", "distributions"] },
   kiwi_morris: { says: ["Friction", "moves friction margin by 0.61"], charts: ["sensitivity", "map", "distributions"] },

@@ -44,6 +44,13 @@ function shownMetric(comparison) {
   return row === undefined ? null : comparison.at("metric", row);
 }
 
+/** Why the winner wins, as the program says it behind its name. */
+function reasonOf(comparison, winner) {
+  const said = textAttribute(comparison, "headline");
+  const begin = `winner: ${winner}, `;
+  return said.startsWith(begin) ? sentenceCase(inWords(said.slice(begin.length))) : `${winner} is the one to take`;
+}
+
 export function compareAnswer(study) {
   const candidates = study.tables.get("candidates");
   const comparison = study.tables.get("comparison");
@@ -53,8 +60,8 @@ export function compareAnswer(study) {
   const without = comparison ? "The intervals do not tell the candidates apart in holding" : "This study holds no paired differences";
   return {
     kicker: `${count} on the same products`,
-    headline: winner ?? "No winner shown",
-    verdict: winner === null ? verdict("none", metric ? `${without}; they differ in ${label(metric)}` : without) : verdict("good", `${winner} is the one to take`),
+    headline: winner === null ? "No winner shown" : `Take “${winner}”`,
+    verdict: winner === null ? verdict("none", metric ? `${without}; they differ in ${label(metric)}` : without) : verdict("good", reasonOf(comparison, winner)),
     sentence: sentenceCase(inWords(textAttribute(comparison, "verdict"))),
     facts: rowsOf(candidates).slice(0, 4).map((row) => candidateFact(study, candidates, row)),
   };

@@ -59,7 +59,8 @@ TEST(CompareStudy, FindsAPlantedDifferenceOfFivePercent) {
       "held equally often (a 40 of 40, b 40 of 40); b needs less cycle_time_s than a: by 0.05"))
       << verdict;
   EXPECT_NE(verdict.find(" s or 5 % (95 % interval 0.0"), std::string::npos) << verdict;
-  EXPECT_EQ(text_attribute(comparison, "headline"), "winner: b, held on 40 of 40 products");
+  EXPECT_EQ(text_attribute(comparison, "headline"),
+            "winner: b, held on 40 of 40 products (a on 40); less cycle_time_s decides");
   EXPECT_EQ(text_attribute(comparison, "winner"), "b");
 }
 
@@ -105,7 +106,8 @@ TEST(CompareStudy, HoldingWithoutDamageComesBeforeBeingFaster) {
   const StudyReport report = run_fresh(study_of(compare_text("2.1", 40), kJudged), quick_and_damaging(0.5));
   const ResultTable& comparison = table_of(report, "comparison");
   EXPECT_EQ(text_attribute(comparison, "winner"), "a");
-  EXPECT_EQ(text_attribute(comparison, "headline"), "winner: a, held without damage on 40 of 40 products");
+  EXPECT_EQ(text_attribute(comparison, "headline"),
+            "winner: a, held without damage on 40 of 40 products (b on 20); holding more often is shown");
   EXPECT_TRUE(
       text_attribute(comparison, "verdict")
           .starts_with("a is held without damage more often than b: a 40 of 40, b 20 of 40; on 50 % more of "

@@ -8,7 +8,7 @@ import { inWords } from "./tables.js";
 import { genericTable } from "./table.js";
 import { tip, tipLine } from "./scenario.js";
 import { h, select } from "./dom.js";
-import { label, number, percent, plural, shortText, valueText } from "./words.js";
+import { label, number, plural, scaleFor, shortText, valueText } from "./words.js";
 import { outcomeColour } from "./theme.js";
 
 function windowTip(study, window, row) {
@@ -20,7 +20,7 @@ function windowTip(study, window, row) {
     tipLine("holding begins", bracketText(at("hold_bracket_low_N"), at("hold_bracket_high_N"))),
     judgesDamage(study) ? tipLine("damage begins", bracketText(at("damage_bracket_low_N"), at("damage_bracket_high_N"))) : null,
     at("set_point_exists") === 1 ? tipLine("set", `${number(at("set_point_N"))} N ± ${number(at("set_point_tolerance_N"))} N`) : null,
-    at("margin") === null ? null : tipLine("margin", percent(at("margin"))),
+    at("margin") === null ? null : tipLine("damage over hold", `${number(at("margin") + 1, 3)} times`),
     at("note") ? h("p", {}, inWords(at("note"))) : null,
   );
 }
@@ -74,9 +74,15 @@ function windowAxis(theme, top) {
   return axis(theme, { name: "grip force", units: "N", most: top, vertical: true, min: 0, max: top, axisLabel: { color: theme.soft, fontSize: 12, showMaxLabel: false, formatter: (value) => number(value, 3) } });
 }
 
-/** The numbers of one column share its unit, or an axis would mix two. */
+/** The numbers of one column share its unit, or an axis would mix two; the unit stands in the note below. */
 function shortValue(column, row) {
-  return column.isText ? shortText(column.at(row)) : valueText(column, column.at(row), 3);
+  return column.isText ? shortText(column.at(row)) : number(column.at(row) / scaleFor(column.units, column.most).factor, 3);
+}
+
+/** "finger mass (kg)" */
+function nameWithUnit(column) {
+  const { unit } = scaleFor(column.isText ? "" : column.units, column.most);
+  return unit ? `${label(column.name)} (${unit})` : label(column.name);
 }
 
 /** Few combinations, side by side, each with all its values. */
@@ -94,7 +100,7 @@ function allAtOnce(study, window, inputs) {
     }),
     legend: (theme) => windowLegend(study, theme),
     describe: () => `Grip windows of ${plural(window.rows, "combination")}. The table below holds the same values.`,
-    note: `Below each: ${inputs.map((column) => label(column.name)).join(", ")}. ${shown.length < window.rows ? ` The first ${shown.length} of ${window.rows}.` : ""}`,
+    note: `Below each: ${inputs.map(nameWithUnit).join(", ")}.${shown.length < window.rows ? ` The first ${shown.length} of ${window.rows}.` : ""}`,
   }).element;
 }
 

@@ -140,6 +140,12 @@ class Pages(unittest.TestCase):
         there = {path.stem for path in (SOURCE / "optimizer").glob("*.hpp")}
         self.assertEqual(there, listed)
 
+    def test_every_page_with_commands_is_run_by_the_tests(self):
+        text = (SOURCE / "tests/docs/CMakeLists.txt").read_text(encoding="utf-8")
+        listed = set(re.search(r"foreach\(page ([^)]*)\)", text).group(1).split())
+        with_commands = {str(page.path.relative_to(SOURCE)) for page in pages(SOURCE) if any(block.runs for block in page.blocks)}
+        self.assertEqual(with_commands, listed, "tests/docs/CMakeLists.txt, foreach(page ...)")
+
     def test_every_page_is_in_the_index(self):
         linked = {target for page in pages(SOURCE) if page.path.name == "index.md" for _, target in page.links()}
         there = {path.name for path in (SOURCE / "docs").glob("*.md")} - {"index.md"}

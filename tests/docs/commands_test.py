@@ -67,8 +67,13 @@ def missing_lines(block, printed):
 
 def try_block(block, place, printed):
     """The failures of a block's commands; what they print is added to `printed`."""
+    if "first" in block.remarks:
+        status, text = run(block.remarks["first"], place)
+        if status != 0:
+            yield f"`{block.remarks['first']}` ended with {status}:\n{text}"
     wanted = int(block.remarks.get("exit", 0))
-    for command in block.commands:
+    commands = block.commands or [shlex.join(["/usr/bin/python3", "-c", block.text])]
+    for command in commands:
         status, text = run(as_tested(command, block.remarks.get("thin", ""), place), place)
         printed.append(text)
         if status != wanted:
@@ -84,7 +89,7 @@ def try_page(page, place):
         elif "output" in block.remarks:
             for line in missing_lines(block, "\n".join(printed)):
                 yield block.line, f"no such line came: {line}"
-        elif block.commands and "not run" not in block.remarks:
+        elif block.runs:
             for failure in try_block(block, place, printed):
                 yield block.line, failure
 

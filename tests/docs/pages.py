@@ -3,6 +3,7 @@
 Remarks are HTML comments on the line above a block, seen by the tests and not by the reader:
 
   <!-- file: NAME -->         the block is the file NAME, which later commands of the page use
+  <!-- first: COMMANDS -->    what the reader has done on another page runs first
   <!-- thin: OPTIONS -->      `unbruised run` in the block gets these options too, so that the test is quick
   <!-- output -->             the block is what the commands above printed: its lines begin like lines that came
   <!-- exit: STATUS -->       the commands of the block end with this exit status
@@ -12,7 +13,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-REMARK = re.compile(r"<!--\s*(file|thin|output|exit|not run)(?::\s*(.*?))?\s*-->$")
+REMARK = re.compile(r"<!--\s*(file|first|thin|output|exit|not run)(?::\s*(.*?))?\s*-->$")
 COMMAND = re.compile(r"^(?:\$ )?((?:build/release/unbruised|unbruised|scripts/|report/build|benchmarks/run|build/release/benchmarks/|/usr/bin/python3|export )\S*.*)$")
 
 
@@ -39,6 +40,11 @@ class Block:
             if match and (line.startswith("$ ") or not prompts):
                 found.append(re.sub(r"\s+#.*$", "", match.group(1)))
         return found
+
+    @property
+    def runs(self):
+        """Is it run by the tests: commands, or a piece of Python, and no remark that says otherwise?"""
+        return bool(self.commands or self.language == "python") and "not run" not in self.remarks
 
 
 class Page:

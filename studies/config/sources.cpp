@@ -51,6 +51,11 @@ bool is_switched_off(const ValueSource& value) {
 /// "assumed: a medium fruit" and the like.
 bool says_assumed(std::string_view source) { return source.starts_with("assumed"); }
 
+Document resolved_document(std::string_view toml) {
+  constexpr int kNoRank = 0;
+  return parse_document(toml, std::make_shared<const std::string>("config.toml"), kNoRank);
+}
+
 }  // namespace
 
 bool is_source(std::string_view path) {
@@ -89,9 +94,7 @@ std::string_view standing_word(Standing standing) {
 }
 
 std::vector<ValueSource> value_sources(std::string_view resolved_toml) {
-  constexpr int kNoRank = 0;
-  const Document document =
-      parse_document(resolved_toml, std::make_shared<const std::string>("config.toml"), kNoRank);
+  const Document document = resolved_document(resolved_toml);
   std::map<std::string, std::string> sources;
   for (const Entry& entry : document.entries) {
     if (is_source(entry.path)) sources.emplace(key_of_source(entry.path), entry.value.text);
@@ -109,6 +112,15 @@ std::vector<ValueSource> value_sources(std::string_view resolved_toml) {
     if (!is_switched_off(value)) values.push_back(std::move(value));
   }
   return values;
+}
+
+std::vector<std::string> varied_files(std::string_view resolved_toml) {
+  std::vector<std::string> keys;
+  for (const Entry& entry : resolved_document(resolved_toml).entries) {
+    const bool is_key = entry.path.starts_with("vary[") && entry.path.ends_with("].key");
+    if (is_key && entry.value.text.ends_with(".use")) keys.push_back(entry.value.text);
+  }
+  return keys;
 }
 
 }  // namespace unbruised::studies

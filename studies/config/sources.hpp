@@ -43,4 +43,8 @@ struct ValueSource {
 /// that cannot be read gives none.
 std::vector<ValueSource> value_sources(std::string_view resolved_toml);
 
+/// The keys that vary whole library files in a resolved config, e.g. "product.use": their values and sources stand
+/// in those files.
+std::vector<std::string> varied_files(std::string_view resolved_toml);
+
 }  // namespace unbruised::studies

@@ -58,10 +58,34 @@ ResultTable table_of(const std::vector<ColumnInfo>& keys, const std::vector<Tall
   return table;
 }
 
+/// Has the key at `place` one value wherever the keys at `given` have the same ones?
+bool follows(const std::vector<ScenarioRow>& rows, const std::vector<std::size_t>& given, std::size_t place) {
+  std::map<std::vector<InputValue>, InputValue> value_of;
+  for (const ScenarioRow& row : rows) {
+    const auto [found, is_new] = value_of.try_emplace(picked(row.inputs, given), row.inputs[place]);
+    if (!is_new && found->second != row.inputs[place]) return false;
+  }
+  return !given.empty();
+}
+
+/// Moves what follows the given keys to them; returns what was moved.
+std::vector<std::size_t> move_following(KeyPlaces& places, const std::vector<ScenarioRow>& rows) {
+  std::vector<std::size_t> following;
+  for (const std::size_t place : places.others) {
+    if (follows(rows, places.given, place)) following.push_back(place);
+  }
+  for (const std::size_t place : following) {
+    std::erase(places.others, place);
+    places.given.push_back(place);
+  }
+  return following;
+}
+
 }  // namespace
 
 GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows) {
-  const KeyPlaces places = key_places(inputs);
+  KeyPlaces places = key_places(inputs);
+  const std::vector<std::size_t> following = move_following(places, rows);
   std::vector<Tally> tallies;
   std::map<std::vector<InputValue>, std::size_t> place_of;
   for (const ScenarioRow& row : rows) {
@@ -75,6 +99,7 @@ GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<
     count_row(tallies[found->second], row);
   }
   GridAnswer answer;
+  answer.following = picked(inputs, following);
   answer.keys = picked(inputs, places.others);
   const Tally* best = best_of(tallies);
   answer.table = table_of(answer.keys, tallies, best);

@@ -17,6 +17,9 @@ struct GridAnswer {
   std::optional<std::uint64_t> best;    ///< a scenario with the best strategy; nothing: none is held in all
   std::vector<ColumnInfo> keys;         ///< varied keys that are chosen or stand apart
   std::vector<InputValue> best_values;  ///< of `keys`; empty without a best
+  /// Keys of the strategy that have one value for each product or cell, so that the answer is about the rest: a
+  /// force of its own for each fruit.
+  std::vector<ColumnInfo> following;
 };
 
 /// @param rows all of the study's, by id. Of equal cycle times the first wins.

@@ -21,15 +21,18 @@ ValueCounts value_counts(std::string_view resolved_toml) {
         break;
     }
   }
+  counts.files = comma_list(varied_files(resolved_toml));
   return counts;
 }
 
 std::string rests_on_line(const ValueCounts& counts) {
-  if (counts.all() == 0) return {};
+  const std::string files =
+      counts.files.empty() ? std::string() : joined({"the files of ", counts.files, " with their sources"});
+  if (counts.all() == 0) return files.empty() ? files : joined({"rests on ", files});
   return joined({"rests on ", with_thousands(counts.all()), counts.all() == 1 ? " value" : " values",
                  " of product, gripper and limits: ", with_thousands(counts.assumed), " assumed, ",
                  with_thousands(counts.unsourced), " without a source, ", with_thousands(counts.cited),
-                 " from a source"});
+                 " from a source", files.empty() ? "" : "; and on ", files});
 }
 
 }  // namespace unbruised::studies

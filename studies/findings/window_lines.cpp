@@ -142,6 +142,11 @@ class SetPointLines {
                      " (F_hold ", hold_bracket_text(*hold), at_text(window_, *hold), "; F_damage ",
                      damage_bracket_text(*damage), at_text(window_, *damage), ")"});
     }
+    if (hold_N > damage_N && (flag("hold_is_bound", i) || flag("damage_is_bound", i))) {
+      return joined({"no force was tried that could suit all ", over_, at_keys(i), ": forces from ",
+                     short_number(hold_N), " N on", at_text(window_, *hold), ", up to ", short_number(damage_N),
+                     " N", at_text(window_, *damage)});
+    }
     if (hold_N <= damage_N) return joined({"no window common to all ", over_, at_keys(i), ": ", without_text(i)});
     return joined({"no window common to all ", over_, at_keys(i), ": holding needs ", short_number(hold_N), " N",
                    at_text(window_, *hold), ", but damage begins above ", short_number(damage_N), " N",

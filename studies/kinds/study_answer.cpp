@@ -58,7 +58,8 @@ std::optional<AnsweredStrategy> window_strategy(const Study& study, const StudyW
 }
 
 std::optional<AnsweredStrategy> grid_strategy(const Study& study, const GridAnswer& answer) {
-  if (!answer.best) return std::nullopt;
+  if (!answer.best || !answer.following.empty())
+    return std::nullopt;  // one strategy for each product is no strategy
   AnsweredStrategy strategy;
   strategy.scenario = study.scenario(*answer.best);
   strategy.keys = answer.keys;

@@ -25,6 +25,17 @@ std::vector<T> without(std::vector<T> values, std::size_t place) {
   return values;
 }
 
+/// Does any combination know more than one force? A force that follows another key, e.g. one for each product,
+/// asks nothing about windows.
+bool has_two_forces(const std::map<std::vector<std::size_t>, std::vector<GripSample>>& samples) {
+  return std::any_of(samples.begin(), samples.end(), [](const auto& combination) {
+    const std::vector<GripSample>& group = combination.second;
+    return std::any_of(group.begin(), group.end(), [&](const GripSample& sample) {
+      return sample.grip_force_N != group.front().grip_force_N;
+    });
+  });
+}
+
 }  // namespace
 
 GripSample grip_sample(const ScenarioResult& result, const Scenario& scenario, double grip_force_N) {
@@ -89,6 +100,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
     samples[others].push_back(grip_sample(row.result, study.scenario(row.id), force_N));
     a_point_of.try_emplace(std::move(others), row.id);
   }
+  if (!has_two_forces(samples)) return std::nullopt;
   StudyWindow window;
   window.table.inputs = without(scenario_set(study).columns, *force_column);
   for (auto& [others, group] : samples) {

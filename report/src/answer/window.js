@@ -113,12 +113,13 @@ function noWindow(study, set) {
 
 function noCommonWindow(study, ends, where) {
   const { window } = study;
+  const untried = ends.hold_is_bound || ends.damage_is_bound;
   const known = ends.hold_force_N !== null && ends.damage_force_N !== null && ends.hold_row !== null && ends.damage_row !== null;
   return {
     kicker: `Grip window ${where}`.trim(),
     headline: "No common window",
     verdict: verdict("bad", "No single grip force suits all of them"),
-    sentence: known ? `Holding needs ${number(ends.hold_force_N)} N at ${inputsOf(window, ends.hold_row)}, but damage begins above ${number(ends.damage_force_N)} N at ${inputsOf(window, ends.damage_row)}.` : "",
+    sentence: !known ? "" : untried ? `No force was tried that could suit all: forces from ${number(ends.hold_force_N)} N on at ${inputsOf(window, ends.hold_row)}, up to ${number(ends.damage_force_N)} N at ${inputsOf(window, ends.damage_row)}.` : `Holding needs ${number(ends.hold_force_N)} N at ${inputsOf(window, ends.hold_row)}, but damage begins above ${number(ends.damage_force_N)} N at ${inputsOf(window, ends.damage_row)}.`,
     extra: [exceptions(study, window)],
   };
 }

@@ -57,6 +57,12 @@ TEST(ConfigSources, AreStillThereWhenTheResolvedConfigIsReadAgain) {
   EXPECT_EQ(source_of(again({"product.mass_kg=0.12"}), "product.mass_kg").standing, Standing::unsourced);
 }
 
+TEST(ConfigSources, NameTheLibraryFilesThatAreVaried) {
+  EXPECT_EQ(varied_files(resolved_of("pad_comparison.toml")),
+            (std::vector<std::string>{"product.use", "gripper.use"}));
+  EXPECT_TRUE(varied_files(resolved_of("kiwi_window.toml")).empty());
+}
+
 TEST(ConfigSources, HaveNothingToSayOfATextThatIsNoConfig) {
   EXPECT_TRUE(value_sources("[product\nmass_kg = ").empty());
   EXPECT_TRUE(value_sources("").empty());

@@ -93,6 +93,20 @@ TEST(WindowAnswer, IsSaidWithWhatItHoldsOver) {
       "of 1 strategy with a set-point");
 }
 
+TEST(WindowAnswer, ClaimsNothingOfForcesThatWereNotTried) {
+  // Held and unmarked at every force tried: 3.2 N and more with one product, 1.4 N and less with the other.
+  WindowTable window;
+  window.inputs = {kInputs[1]};
+  window.rows = {row_of({1e5}, 1.0, 1.4), row_of({2e5}, 3.2, 5.0)};
+  window.rows[0].damage_bracket_high_N = kAbsent;
+  window.rows[1].hold_bracket_low_N = kAbsent;
+  const ResultTable table = set_points_table(window_answer(window, any_force, kInputs, {}));
+  EXPECT_EQ(
+      window_lines(window, &table, 10).at(2),
+      "no force was tried that could suit all youngs_modulus_Pa: forces from 3.2 N on at youngs_modulus_Pa = "
+      "2e+05, up to 1.4 N at youngs_modulus_Pa = 1e+05");
+}
+
 TEST(WindowAnswer, NamesTheGripperFirstWhereItIsTheReason) {
   WindowTable window;
   window.inputs = {kInputs[2]};

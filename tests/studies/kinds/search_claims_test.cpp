@@ -110,7 +110,7 @@ TEST(SearchClaims, AProbabilityMetByTheEstimateIsNotCalledShown) {
   EXPECT_EQ(number_in(constraints, "wanted", 0), 0.99);
   EXPECT_EQ(number_in(constraints, "shown", 0), 0.0);
   EXPECT_TRUE(says(report, "robust",
-                   "P(held) >= 0.99: met by the estimate only, not shown: the interval begins at 94.34 %; "
+                   "P(held) >= 0.99: met by the estimate only, not shown: the interval begins at 94.3 %; "
                    "sampling.count = 381 would show it"))
       << summary_of(report, "robust");
   const StudyReport shown = run_text("robust", "constraints = [\"P(held) >= 0.9\"]\n", formula);

@@ -3,7 +3,7 @@
 /// SIMD type and lane width behind core/lanes/lane.hpp. Everything is measured in turns, so that a disturbance of
 /// the machine meets all contenders alike.
 
-#include "core/lanes/lane_solve.hpp"
+#include "core/algebra/lane_solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,14 @@
 #include "benchmarks/fma_peak.hpp"
 #include "benchmarks/pack_types.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "core/integration/sparse_cholesky.hpp"
-#include "core/integration/static_equilibrium.hpp"
+#include "core/algebra/lane_solve_kernels.hpp"
+#include "core/algebra/sparse_cholesky.hpp"
+#include "core/algebra/supernodes.hpp"
+#include "core/body/lattice.hpp"
+#include "core/body/lattice_stiffness.hpp"
+#include "core/body/static_solver.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
-#include "core/lanes/lane_solve_kernels.hpp"
-#include "core/lanes/supernodes.hpp"
-#include "core/product/lattice.hpp"
-#include "core/product/lattice_stiffness.hpp"
 
 namespace unbruised::benchmarks {
 namespace {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/lanes/lane_matrix.hpp"
+#include "core/algebra/lane_matrix.hpp"
+#include "core/contact/layer_law.hpp"
 #include "core/scenario/opening.hpp"
 
 namespace unbruised {
@@ -23,53 +24,9 @@ constexpr int kNewtonSweeps = 40;
 /// Relative change in the last sweep above which forces must not be used.
 constexpr double kUnsolved = 1e-4;
 
-/// Pads meet the product from -x and +x: closing moves the left one up, the right one down.
-constexpr double kClosing[2] = {1.0, -1.0};
-
-Lane positive(const Lane& x) { return max(x, Lane(0.0)); }
-
-/// A layer over its tributary places, per unit of stiffness: force and its slope over the penetration p.
-/// With depths d_q = p - relief_q and rate = tau p', force = (1/Q) sum_q [d_q > 0] (d_q + clamp(rate, -d_q, d_q)):
-/// the viscous part is never larger than the elastic one, so that the force is continuous where a place touches
-/// and never pulls. @param rate_slope d rate / d p
-struct LayerLaw {
-  Lane force{0.0}, slope{0.0};
-
-  void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope) {
-    const Lane d = positive(depth);
-    const Lane viscous = max(-d, min(d, rate));
-    const Lane viscous_slope = select(rate >= d, Lane(1.0), select(rate <= -d, Lane(-1.0), rate_slope));
-    force += d + viscous;
-    slope += select(depth > Lane(0.0), Lane(1.0) + viscous_slope, Lane(0.0));
-  }
-};
-
-/// What carries a surface: the palm the pads, the cell the support.
+/// What carries a surface: the palm the fingers with their pads, the cell the support.
 const std::array<AxisMotion, 3>& carriers_of(const CarrierMotion& carriers, int surface) {
-  return surface == static_cast<int>(Surface::support) ? carriers.cell : carriers.palm;
-}
-
-LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate, const Lane& rate_slope) {
-  LayerLaw law;
-  if (candidate.flat) {
-    law.add_place(p, rate, rate_slope);
-    return law;
-  }
-  for (const double relief : candidate.relief_m) law.add_place(p - Lane(relief), rate, rate_slope);
-  law.force *= Lane(1.0 / kReliefPlaces);
-  law.slope *= Lane(1.0 / kReliefPlaces);
-  return law;
-}
-
-/// Mean square of the depths of the tributary places.
-Lane squared_depth(const ContactCandidate& candidate, const Lane& p) {
-  if (candidate.flat) return positive(p) * positive(p);
-  Lane squares(0.0);
-  for (const double relief : candidate.relief_m) {
-    const Lane depth = positive(p - Lane(relief));
-    squares += depth * depth;
-  }
-  return squares * Lane(1.0 / kReliefPlaces);
+  return is_pad(surface) ? carriers.palm : carriers.cell;
 }
 
 }  // namespace
@@ -113,24 +70,26 @@ void ContactLanes::load(int lane, const Scenario& scenario, const std::array<dou
     const GripperParameters& gripper = *scenario.gripper;
     stiffness_[pad].set(lane, gripper.pad_modulus_Pa / gripper.pad_thickness_m);
     relaxation_[pad].set(lane, gripper.pad_relaxation_time_s);
-    rest_place_[pad].set(lane, model_.pole_m[pad] - kClosing[pad] * approach_gap_m(scenario));
+    rest_place_[pad].set(lane, model_.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
     pad_size_[0].set(lane, gripper.pad_size_m[0]);
     pad_size_[1].set(lane, gripper.pad_size_m[1]);
   }
   pad_center_[0].set(lane, product_center_m[1] + cell.grip_offset_m);
   pad_center_[1].set(lane, product_center_m[2] + cell.grip_height_m);
-  const auto support = static_cast<std::size_t>(Surface::support);
+  const auto support = kSupport;
   present_[support].set(lane, cell.support);
   friction_[support].set(lane, cell.support_friction);
   stiffness_[support].set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
   relaxation_[support].set(lane, cell.support_relaxation_time_s);
 }
 
-void ContactLanes::set_support_force(int lane, int candidate, double normal_force_N, double penetration_m) {
-  penetration_.at(static_cast<std::size_t>(candidate), lane) = penetration_m;
-  normal_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
-  normal_theta_.at(static_cast<std::size_t>(candidate), lane) = normal_force_N;
-  share_.at(static_cast<std::size_t>(candidate), lane) = 1.0;
+void ContactLanes::set_rest(int lane, const StaticRest& rest) {
+  for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
+    if (!(rest.normal_force_N[c] > 0.0)) continue;
+    penetration_.at(c, lane) = rest.penetration_m[c];
+    normal_.at(c, lane) = normal_theta_.at(c, lane) = rest.normal_force_N[c];
+    share_.at(c, lane) = 1.0;
+  }
 }
 
 void ContactLanes::set_anchor_to_place(int lane, const LaneArray& u) {
@@ -162,8 +121,8 @@ Lane ContactLanes::normal_stiffness(std::size_t c) const {
 
 Lane ContactLanes::surface_place(int surface, const CarrierMotion& carriers,
                                  const std::array<Lane, 2>& way) const {
-  if (surface == static_cast<int>(Surface::support)) return carriers.cell[2].place_m;
-  return rest_place_[surface] + Lane(kClosing[surface]) * way[surface] + carriers.palm[0].place_m;
+  if (surface == kSupport) return carriers.cell[2].place_m;
+  return rest_place_[surface] + Lane(normal_sign(surface)) * way[surface] + carriers.palm[0].place_m;
 }
 
 void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const LaneArray& v, const LaneArray& a,
@@ -188,7 +147,7 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     const Mask carrying = held > Lane(0.0);
     const Lane least(candidate.least_relief_m);
     Mask near = running & present_[surface] & (carrying | (gap_free + least < near_margin_));
-    if (surface < 2) {
+    if (is_pad(surface)) {
       // Share of the tributary rectangle under the pad; a closed contact keeps the one it closed with.
       const auto tangents = tangent_axes(surface);
       Lane share(1.0);
@@ -197,8 +156,8 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
                            now.palm[static_cast<std::size_t>(tangents[t])].place_m - pad_center_[t];
         const Lane half(0.5 * candidate.extent_m[t]);
         const Lane pad_half = Lane(0.5) * pad_size_[t];
-        share *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) *
-                 Lane(1.0 / candidate.extent_m[t]);
+        share *=
+            max0(min(place + half, pad_half) - max(place - half, -pad_half)) * Lane(1.0 / candidate.extent_m[t]);
       }
       const Lane kept = select(carrying & (share > Lane(0.0)), share_.get(c), share);
       share_.put(c, kept);
@@ -214,9 +173,9 @@ void ContactLanes::begin_step(const WilsonTheta& w, const LaneArray& u, const La
     // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.
     const AxisMotion& carrier = carriers_of(now, surface)[axis];
     Lane surface_velocity = carrier.velocity_m_s, surface_acceleration = carrier.acceleration_m_s2;
-    if (surface < 2) {
-      surface_velocity += Lane(kClosing[surface]) * fingers.speed(surface);
-      surface_acceleration += Lane(kClosing[surface]) * fingers.acceleration(surface);
+    if (is_pad(surface)) {
+      surface_velocity += Lane(normal_sign(surface)) * fingers.speed(surface);
+      surface_acceleration += Lane(normal_sign(surface)) * fingers.acceleration(surface);
     }
     const Lane rate = -sign * (v.get(node + axis) - surface_velocity);
     const Lane second_rate = -sign * (a.get(node + axis) - surface_acceleration);
@@ -271,7 +230,7 @@ void ContactLanes::rebase(const LaneArray& base, const Mask& lanes) {
       force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal_theta_.get(k);
       force[static_cast<std::size_t>(tangents[0])] += tangent1_theta_.get(k);
       force[static_cast<std::size_t>(tangents[1])] += tangent2_theta_.get(k);
-      if (surface < 2) pad_force[surface] += normal_theta_.get(k);
+      if (is_pad(surface)) pad_force[surface] += normal_theta_.get(k);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       base_.put(at + axis, select(lanes, base.get(at + axis), base_.get(at + axis)));
@@ -299,7 +258,7 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   // Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
   Lane compliance(own[4 * axis]);
   std::array<Lane, 2> way = {Lane(0.0), Lane(0.0)};
-  if (surface < 2) {
+  if (is_pad(surface)) {
     compliance += fingers.compliance();
     way[surface] = fingers.way_at_theta(surface, pad_force_);
   }
@@ -312,18 +271,18 @@ void ContactLanes::update_candidate(std::size_t c, const FingerLanes& fingers, c
   // Newton on the layer's law; where its kinks make that go round in circles, the steepest slope cannot overshoot.
   const Lane slope = careful ? max(Lane(2.0), a1_tau_factor_[surface]) : law.slope;
   const Lane wanted = old_normal + (layer * law.force - old_normal) / (Lane(1.0) + layer * slope * compliance);
-  const Lane normal = select(active, positive(wanted), old_normal);
+  const Lane normal = select(active, max0(wanted), old_normal);
   const Lane change = normal - old_normal;
   normal_theta_.put(c, normal);
-  if (surface < 2) pad_force_[surface] += change;
+  if (is_pad(surface)) pad_force_[surface] += change;
   for (std::size_t i = 0; i < 3; ++i) d[i] += Lane(own[3 * i + axis]) * sign * change;
   node_force_.put(at + axis, node_force_.get(at + axis) + sign * change);
 
   // Tangential: a spring to the anchor, held inside the friction cone.
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
-  const Lane r1 = d[t1] - (surface < 2 ? theta_.palm[t1].place_m : Lane(0.0));
-  const Lane r2 = d[t2] - (surface < 2 ? theta_.palm[t2].place_m : Lane(0.0));
+  const Lane r1 = d[t1] - (is_pad(surface) ? theta_.palm[t1].place_m : Lane(0.0));
+  const Lane r2 = d[t2] - (is_pad(surface) ? theta_.palm[t2].place_m : Lane(0.0));
   const Lane old1 = tangent1_theta_.get(c);
   const Lane old2 = tangent2_theta_.get(c);
   Lane new1 = old1 + (-shear * (r1 - anchor1_.get(c)) - old1) * inverse;
@@ -388,7 +347,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     const Mask open = running & !(normal_theta_.get(c) > Lane(0.0));
     for (std::size_t t = 0; t < 2; ++t) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
-      const Lane place = u.get(node + axis) - (surface < 2 ? next.palm[axis].place_m : Lane(0.0));
+      const Lane place = u.get(node + axis) - (is_pad(surface) ? next.palm[axis].place_m : Lane(0.0));
       LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
       anchor.put(c, select(open, place, anchor.get(c)));
     }
@@ -422,7 +381,8 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
       LaneArray& anchor = t == 0 ? anchor1_ : anchor2_;
       const LaneArray& force = t == 0 ? tangent1_theta_ : tangent2_theta_;
       const auto along = static_cast<std::size_t>(tangents[t]);
-      const Lane place = u_theta.get(3 * node + along) - (surface < 2 ? theta_.palm[along].place_m : Lane(0.0));
+      const Lane place =
+          u_theta.get(3 * node + along) - (is_pad(surface) ? theta_.palm[along].place_m : Lane(0.0));
       const Lane before = anchor.get(c);
       const Lane after = w.at_end(before, place + force.get(c) / shear);
       moved[t] = select(sliding > Lane(0.0), after - before, Lane(0.0));
@@ -442,7 +402,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
       viscous_.put(c, select(viscous, after, viscous_.get(c)));
       // Only the way within the layer counts: beyond it there is no force.
       const Lane least(candidate.least_relief_m);
-      const Lane way = positive(penetration - least) - positive(old_penetration - least);
+      const Lane way = max0(penetration - least) - max0(old_penetration - least);
       dissipated_ += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
     }
     Lane travel[2];
@@ -461,7 +421,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
     tally.sliding += sliding;
     tally.travel += closed * sqrt(travel[0] * travel[0] + travel[1] * travel[1]);
     tally_moments(c, now[0], tally);
-    if (surface < 2) {
+    if (is_pad(surface)) {
       Lane arm[3], force[3];
       for (std::size_t i = 0; i < 3; ++i) {
         arm[i] = Lane(position_m[node][i]) + u.get(3 * node + i) - next.palm[i].place_m;
@@ -475,7 +435,7 @@ void ContactLanes::end_step(const WilsonTheta& w, const LaneArray& u_theta, cons
             running, arm[(i + 1) % 3] * force[(i + 2) % 3] - arm[(i + 2) % 3] * force[(i + 1) % 3], Lane(0.0));
       }
       const Mask touched = is_closed & !(previous_.get(c) > Lane(0.0));
-      const Lane gap_now = positive(gap_now_.get(c));
+      const Lane gap_now = max0(gap_now_.get(c));
       const Lane fraction = gap_now / max(gap_now - gap_free_.get(c), Lane(1e-300));
       first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
     }
@@ -501,7 +461,7 @@ void ContactLanes::tally_moments(std::size_t c, const Lane& normal, SurfaceTally
     const Lane p = penetration_theta_.get(c);
     Lane sum(0.0), first[2] = {0.0, 0.0}, second[3] = {0.0, 0.0, 0.0};
     for (int q = 0; q < kReliefPlaces; ++q) {
-      const Lane depth = positive(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
+      const Lane depth = max0(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
       const auto offset = relief_offset(q);
       const Lane yq(candidate.place_m[0] + offset[0] * candidate.extent_m[0]);
       const Lane zq(candidate.place_m[1] + offset[1] * candidate.extent_m[1]);
@@ -576,7 +536,7 @@ Lane ContactLanes::patch_area(int pad) const {
     const Lane half = Lane(form.semi_axis[i]) * sqrt(elastic);
     const Lane place = Lane(form.pole_m[i]) - pad_center_[i];
     const Lane pad_half = Lane(0.5) * pad_size_[i];
-    under_pad *= positive(min(place + half, pad_half) - max(place - half, -pad_half)) / (Lane(2.0) * half);
+    under_pad *= max0(min(place + half, pad_half) - max(place - half, -pad_half)) / (Lane(2.0) * half);
   }
   return under_pad * elastic + (Lane(1.0) - under_pad) * lattice;
 }
@@ -585,6 +545,15 @@ Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
   const Lane& force = tally_[pad].normal;
   const Lane strength = Lane(model_.patch_form[pad].yield_factor) * yield_stress;
   return select(force > Lane(1e-9), force / (max(patch_area(pad), Lane(1e-30)) * strength), Lane(0.0));
+}
+
+Lane ContactLanes::force_along(int surface, std::size_t axis) const {
+  const SurfaceTally& t = tally_[surface];
+  const auto tangents = tangent_axes(surface);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (axis == static_cast<std::size_t>(tangents[i])) return t.tangent[i];
+  }
+  return Lane(normal_sign(surface)) * t.normal;
 }
 
 std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {

@@ -12,12 +12,13 @@
 #include <array>
 #include <vector>
 
-#include "core/contact/carrier_motion.hpp"
+#include "core/contact/contact_event.hpp"
 #include "core/contact/contact_model.hpp"
+#include "core/contact/static_rest.hpp"
 #include "core/gripper/finger_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
-#include "core/outcome/trace.hpp"
+#include "core/surface/carrier_motion.hpp"
 
 namespace unbruised {
 
@@ -39,8 +40,8 @@ class ContactLanes {
 
   /// Opens all contacts of a lane and sets its layers, pads and friction.
   void load(int lane, const Scenario& scenario, const std::array<double, 3>& product_center_m);
-  /// Puts a statically loaded support contact into a lane.
-  void set_support_force(int lane, int candidate, double normal_force_N, double penetration_m);
+  /// Puts the contacts of a product at rest on its support into a lane.
+  void set_rest(int lane, const StaticRest& rest);
   void set_anchor_to_place(int lane, const LaneArray& u);
   /// Forgets the anchors' travel so far (start of the lift).
   void reset_travel(int lane);
@@ -91,6 +92,9 @@ class ContactLanes {
   [[nodiscard]] Lane yield_ratio(int pad, const Lane& yield_stress) const;
   /// Forces of one lane per surface, for traces: normal and tangents, on the product along x, y, z.
   [[nodiscard]] std::array<double, 3> surface_force(int surface, int lane) const;
+
+  /// Force of one surface on the product along an axis.
+  [[nodiscard]] Lane force_along(int surface, std::size_t axis) const;
 
   /// Appends the register's changes of the last step in `lane`.
   void record_events(int lane, double step_start_s, const WilsonTheta& wilson,

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/lanes/lane_solve.hpp"
+#include "core/algebra/lane_solve.hpp"
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
 
 /// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
 constexpr std::array<int, kSurfaceCount> kFacingSide = {0, 1, 4};
+
+constexpr std::size_t kPadAxis = 0;
 
 /// Cell compliance x E / (1 - nu^2) / width of the rectangle. Calibrated: with it Hertz's force at a given
 /// approach is met within 15 % from five cells per radius on, be it a particle or a cell that stands under the
@@ -31,33 +34,14 @@ PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice
   strip.yield_factor = 1.31;
   flat.area_factor = 12.0;
   flat.yield_factor = 1.0;
-  switch (parameters.shape) {
-    case Shape::box:
-      return flat;
-    case Shape::cylinder:
-      return parameters.axis == Axis::x ? flat : strip;
-    default:
-      break;
-  }
-  const std::array<double, 3>& size = parameters.size_m;
-  PatchForm ellipse = hertz_patch({0.5 * size[1] * size[1] / size[0], 0.5 * size[2] * size[2] / size[0]},
+  const TrueShape shape(parameters);
+  const int curvatures = shape.curvatures(kPadAxis);
+  if (curvatures == 0) return flat;
+  if (curvatures == 1) return strip;
+  PatchForm ellipse = hertz_patch({shape.pole_radius_m(kPadAxis, 1), shape.pole_radius_m(kPadAxis, 2)},
                                   plane_strain_modulus(parameters));
   ellipse.pole_m = {lattice.center_m[1], lattice.center_m[2]};
   return ellipse;
-}
-
-/// Half the chord of the shape along `axis` through a place in the plane normal to it (relative to the centre);
-/// negative where the line misses the shape.
-double half_chord_m(const LatticeParameters& p, std::size_t axis, const std::array<double, 3>& place) {
-  double rest = 1.0;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const bool round = p.shape == Shape::cylinder ? d != static_cast<std::size_t>(p.axis) : p.shape != Shape::box;
-    if (d != axis && round) rest -= 4.0 * place[d] * place[d] / (p.size_m[d] * p.size_m[d]);
-  }
-  if (rest < 0.0) return -1.0;
-  const bool round_axis =
-      p.shape == Shape::cylinder ? axis != static_cast<std::size_t>(p.axis) : p.shape != Shape::box;
-  return 0.5 * p.size_m[axis] * (round_axis ? std::sqrt(rest) : 1.0);
 }
 
 /// Heights of the true surface around the particle; places outside the body never touch.
@@ -69,18 +53,17 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
     const auto along = static_cast<std::size_t>(tangents[t]);
     place[along] = c.place_m[t] - lattice.center_m[along];
   }
-  const double here = half_chord_m(parameters, axis, place);
+  const TrueShape shape(parameters);
+  const double here = shape.half_chord_m(axis, place);
   for (int q = 0; q < kReliefPlaces; ++q) {
     std::array<double, 3> there = place;
     const auto offset = relief_offset(q);
     for (std::size_t t = 0; t < 2; ++t) there[static_cast<std::size_t>(tangents[t])] += offset[t] * c.extent_m[t];
-    const double chord = half_chord_m(parameters, axis, there);
+    const double chord = shape.half_chord_m(axis, there);
     c.relief_m[static_cast<std::size_t>(q)] = chord < 0.0 ? 1e3 : here - chord;
   }
   // A face without curvature along both directions, edges included, is flat.
-  const bool curved = parameters.shape != Shape::box &&
-                      !(parameters.shape == Shape::cylinder && axis == static_cast<std::size_t>(parameters.axis));
-  c.flat = !curved;
+  c.flat = shape.curvatures(axis) == 0;
   if (c.flat) {
     c.relief_m.fill(0.0);
   } else {
@@ -129,6 +112,44 @@ void number_nodes(ContactModel& contact) {
   contact.first_candidate.push_back(static_cast<int>(contact.candidate.size()));
 }
 
+/// Fills `compliance` and `reach` from the factored effective stiffness.
+/// @param slot elimination position of each freedom (3 per particle), -1 where it is fixed
+void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact) {
+  const std::size_t m = contact.node_count();
+  std::vector<int> freedoms;
+  for (int node : contact.node) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int at = slot[3 * static_cast<std::size_t>(node) + axis];
+      if (at >= 0) freedoms.push_back(factor.permutation[at]);
+    }
+  }
+  contact.reach = reach(factor, freedoms);
+  contact.compliance.assign(9 * m * m, 0.0);
+  LaneArray x(static_cast<std::size_t>(factor.size));
+  const std::size_t columns = 3 * m;
+  for (std::size_t first = 0; first < columns; first += kLanes) {
+    x.fill(0.0);
+    const std::size_t count = std::min<std::size_t>(kLanes, columns - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t column = first + k;
+      const int at = slot[3 * static_cast<std::size_t>(contact.node[column / 3]) + column % 3];
+      if (at >= 0) x.at(static_cast<std::size_t>(at), static_cast<int>(k)) = 1.0;
+    }
+    solve_forward(factor, contact.reach, x.data());
+    solve_backward(factor, contact.reach, x.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t column = first + k;
+      for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const int at = slot[3 * static_cast<std::size_t>(contact.node[i]) + axis];
+          const double value = at >= 0 ? x.at(static_cast<std::size_t>(at), static_cast<int>(k)) : 0.0;
+          contact.compliance[9 * (i * m + column / 3) + 3 * axis + column % 3] = value;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa) {
@@ -171,7 +192,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
     const double sign = normal_sign(surface);  // the surface lies at the low end where its force points up
     // Of the true shape: with an even number of particles across, none stands on it.
     const double pole = lattice.center_m[static_cast<std::size_t>(axis)] - sign * 0.5 * parameters.size_m[axis];
-    if (surface < 2) contact.pole_m[surface] = pole;
+    if (is_pad(surface)) contact.pole_m[surface] = pole;
     const double depth = kCandidateDepth * parameters.size_m[axis];
     for (const SurfacePoint& point : points) {
       if (sign * (point.position_m - pole) > depth) continue;
@@ -199,7 +220,7 @@ ContactModel network_contact(const NetworkParameters& parameters) {
     const NetworkParticle& particle = parameters.particle[i];
     if (particle.contact_stiffness_N_m <= 0.0) continue;
     ContactCandidate candidate;
-    candidate.surface = static_cast<int>(Surface::support);
+    candidate.surface = kSupport;
     candidate.node = static_cast<int>(i);
     candidate.surface_m = particle.position_m[2];
     candidate.stiffness_N_m = particle.contact_stiffness_N_m;
@@ -211,40 +232,12 @@ ContactModel network_contact(const NetworkParameters& parameters) {
   return contact;
 }
 
-void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact) {
-  const std::size_t m = contact.node_count();
-  std::vector<int> freedoms;
-  for (int node : contact.node) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int at = slot[3 * static_cast<std::size_t>(node) + axis];
-      if (at >= 0) freedoms.push_back(factor.permutation[at]);
-    }
-  }
-  contact.reach = reach(factor, freedoms);
-  contact.compliance.assign(9 * m * m, 0.0);
-  LaneArray x(static_cast<std::size_t>(factor.size));
-  const std::size_t columns = 3 * m;
-  for (std::size_t first = 0; first < columns; first += kLanes) {
-    x.fill(0.0);
-    const std::size_t count = std::min<std::size_t>(kLanes, columns - first);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t column = first + k;
-      const int at = slot[3 * static_cast<std::size_t>(contact.node[column / 3]) + column % 3];
-      if (at >= 0) x.at(static_cast<std::size_t>(at), static_cast<int>(k)) = 1.0;
-    }
-    solve_forward(factor, contact.reach, x.data());
-    solve_backward(factor, contact.reach, x.data());
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t column = first + k;
-      for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const int at = slot[3 * static_cast<std::size_t>(contact.node[i]) + axis];
-          const double value = at >= 0 ? x.at(static_cast<std::size_t>(at), static_cast<int>(k)) : 0.0;
-          contact.compliance[9 * (i * m + column / 3) + 3 * axis + column % 3] = value;
-        }
-      }
-    }
-  }
+ContactModel product_contact(const ProductParameters& product, const BodyModel& body, double pressure_patch_m) {
+  ContactModel contact =
+      body.lattice ? lattice_contact(std::get<LatticeParameters>(product), *body.lattice, pressure_patch_m)
+                   : network_contact(std::get<NetworkParameters>(product));
+  fill_compliance(body.factor, body.slot, contact);
+  return contact;
 }
 
 }  // namespace unbruised

@@ -8,24 +8,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/lanes/supernodes.hpp"
-#include "core/product/lattice.hpp"
+#include "core/body/body_model.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/surface/surfaces.hpp"
 
 namespace unbruised {
-
-/// The surfaces a product can touch.
-enum class Surface : int { left_pad = 0, right_pad = 1, support = 2 };
-inline constexpr int kSurfaceCount = 3;
-
-/// Axis of a surface's normal: pads face along x, the support along z.
-constexpr int normal_axis(int surface) { return surface == static_cast<int>(Surface::support) ? 2 : 0; }
-/// Sign of the force a surface can exert on the product along its normal axis.
-constexpr double normal_sign(int surface) { return surface == static_cast<int>(Surface::right_pad) ? -1.0 : 1.0; }
-/// The two axes in the plane of a surface.
-constexpr std::array<int, 2> tangent_axes(int surface) {
-  return surface == static_cast<int>(Surface::support) ? std::array<int, 2>{0, 1} : std::array<int, 2>{1, 2};
-}
 
 /// The true surface over a particle's tributary rectangle is sampled at this many places, so that a curved contact
 /// grows smoothly and not particle by particle.
@@ -114,8 +101,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
 /// Candidates of a network: the particles with a contact stiffness, against the support.
 ContactModel network_contact(const NetworkParameters& parameters);
 
-/// Fills `compliance` and `reach` from the factored effective stiffness.
-/// @param slot elimination position of each freedom (3 per particle), -1 where it is fixed
-void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact);
+/// The contact model of a factored body, with its compliance W and reach.
+ContactModel product_contact(const ProductParameters& product, const BodyModel& body, double pressure_patch_m);
 
 }  // namespace unbruised

@@ -1,13 +1,6 @@
 #include "core/gripper/finger_lanes.hpp"
 
 namespace unbruised {
-namespace {
-
-/// Closing direction of a finger along x.
-constexpr double kDirection[2] = {1.0, -1.0};
-
-}  // namespace
-
 void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s) {
   const GripperParameters values = gripper.value_or(GripperParameters{});
   for (State& s : state_) {
@@ -33,17 +26,17 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
   inverse_stiffness_ = Lane(1.0) / stiffness_;
   inverse_driven_ = Lane(1.0) / (stiffness_ + a1_ * gain_);
   compliance_ = select(centric_, Lane(0.5) * inverse_stiffness_, inverse_stiffness_);
-  for (int finger = 0; finger < 2; ++finger) {
+  for (int finger = 0; finger < kFingerCount; ++finger) {
     State& s = state_[finger];
     s.viscous = w.viscous(s.way, s.speed, s.acceleration);
     // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
     const Lane inertial =
-        select(centric_, Lane(0.0), Lane(kDirection[finger]) * mass_ * command.palm_acceleration_x_m_s2);
+        select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command.palm_acceleration_x_m_s2);
     s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - inertial;
   }
 }
 
-Lane FingerLanes::contact_share(int finger, const std::array<Lane, 2>& force) const {
+Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>& force) const {
   return select(centric_, Lane(0.5) * (force[0] + force[1]), force[finger]);
 }
 
@@ -54,18 +47,19 @@ Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
   return max(-command_.force_limit_N, min(command_.force_limit_N, wanted));
 }
 
-Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, 2>& force) const {
+Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const {
   // Solving with the linear drive first and clamping its force is exact: the balance is monotone in the way.
   const Lane contact = contact_share(finger, force);
   return (state_[finger].free_force - contact + drive_at_theta(finger, contact)) * inverse_stiffness_;
 }
 
-void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, 2>& force_theta, const Mask& running) {
-  for (int finger = 0; finger < 2; ++finger) {
+void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCount>& force_theta,
+                          const Mask& running) {
+  for (int finger = 0; finger < kFingerCount; ++finger) {
     State& s = state_[finger];
     const Lane contact = contact_share(finger, force_theta);
     const Lane inertial =
-        select(centric_, Lane(0.0), Lane(kDirection[finger]) * mass_ * command_.palm_acceleration_x_m_s2);
+        select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
     const Lane drive_theta = drive_at_theta(finger, contact) - inertial;
     const Lane drive = w.at_end(s.drive, drive_theta);
     Lane way = s.way, speed = s.speed, acceleration = s.acceleration;
@@ -80,6 +74,12 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, 2>& force
     s.acceleration = select(running, acceleration, s.acceleration);
     s.drive = select(running, drive, s.drive);
   }
+}
+
+Lane FingerLanes::furthest_way() const {
+  Lane furthest = state_[0].way;
+  for (const State& s : state_) furthest = max(furthest, s.way);
+  return furthest;
 }
 
 Lane FingerLanes::kinetic_energy() const {

@@ -11,6 +11,7 @@
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/surface/surfaces.hpp"
 
 namespace unbruised {
 
@@ -30,17 +31,20 @@ class FingerLanes {
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
 
   /// Closing way at t + theta dt of `finger` when the contacts press with `force` on fingers 0 and 1.
-  [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, 2>& force) const;
+  [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const;
 
   /// Bound on d way / d force for the contact solver's local steps (drive saturated).
   [[nodiscard]] const Lane& compliance() const { return compliance_; }
 
   /// Moves to t + dt under the contact forces at t + theta dt, in the lanes of `running`.
-  void advance(const WilsonTheta& wilson, const std::array<Lane, 2>& force_theta, const Mask& running);
+  void advance(const WilsonTheta& wilson, const std::array<Lane, kFingerCount>& force_theta, const Mask& running);
 
   [[nodiscard]] Lane way(int finger) const { return state_[finger].way; }
   [[nodiscard]] Lane speed(int finger) const { return state_[finger].speed; }
   [[nodiscard]] Lane acceleration(int finger) const { return state_[finger].acceleration; }
+
+  /// Closing way of the finger that is furthest in.
+  [[nodiscard]] Lane furthest_way() const;
 
   /// Energy of motion relative to the palm, [J].
   [[nodiscard]] Lane kinetic_energy() const;
@@ -57,10 +61,10 @@ class FingerLanes {
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
-  [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, 2>& force) const;
+  [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, kFingerCount>& force) const;
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
 
-  std::array<State, 2> state_;
+  std::array<State, kFingerCount> state_;
   Lane mass_{1.0}, viscous_{0.0}, gain_{1.0};
   Mask centric_{true};
   Lane stiffness_{1.0};  ///< a0 m + a1 c

@@ -34,11 +34,6 @@ struct WilsonTheta {
   [[nodiscard]] T viscous(const T& u, const T& v, const T& a) const {
     return T(a1) * u + T(2.0) * v + T(a3) * a;
   }
-  /// Velocity at t + theta dt.
-  template <class T>
-  [[nodiscard]] T velocity_at_theta(const T& u_theta, const T& u, const T& v, const T& a) const {
-    return T(a1) * u_theta - viscous(u, v, a);
-  }
   /// Moves (u, v, a) from t to t + dt, given the displacement at t + theta dt.
   template <class T>
   void advance(const T& u_theta, T& u, T& v, T& a) const {

@@ -50,7 +50,6 @@ class HandlingCycle {
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
   [[nodiscard]] double hold_end_s() const { return hold_end_s_; }
-  [[nodiscard]] double transfer_end_s() const { return transfer_end_s_; }
   [[nodiscard]] double lower_end_s() const { return lower_end_s_; }
   [[nodiscard]] double release_start_s() const { return release_start_s_; }
   [[nodiscard]] double release_end_s() const { return release_end_s_; }

@@ -3,20 +3,12 @@
 /// @file
 /// The full record of one scenario: motion, signals and contact events.
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-namespace unbruised {
+#include "core/contact/contact_event.hpp"
 
-/// A change of one contact in the contact state register.
-struct ContactEvent {
-  enum class Kind : std::int8_t { make = 0, break_ = 1, stick = 2, slip = 3 };
-  double time_s = 0.0;  ///< interpolated inside the step
-  int node = 0;         ///< particle index
-  int surface = 0;      ///< 0 left pad, 1 right pad, 2 support
-  Kind kind = Kind::make;
-};
+namespace unbruised {
 
 /// One recorded signal, shape [time, columns...] in row-major order.
 struct TraceSignal {

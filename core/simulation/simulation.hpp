@@ -12,6 +12,7 @@
 
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
+#include "core/scenario/factor_key.hpp"
 #include "core/scenario/rules.hpp"
 #include "core/scenario/scenario.hpp"
 
@@ -19,10 +20,6 @@ namespace unbruised {
 
 /// Scenarios that advance together; every scenario, alone or not, runs in a batch of this width.
 int lane_count();
-
-/// Everything that fixes the factored matrix, as bytes that compare equal exactly when the factor can be
-/// shared: geometry, mass, stiffness, damping, time step, theta.
-std::string factor_key(const Scenario& scenario);
 
 /// What a model will cost, known without factoring it.
 struct ModelSize {
@@ -44,8 +41,6 @@ class Model {
   [[nodiscard]] std::size_t freedom_count() const;
   [[nodiscard]] std::size_t contact_candidate_count() const;
   [[nodiscard]] std::size_t factor_entry_count() const;  ///< entries of L
-  [[nodiscard]] std::size_t memory_bytes() const;        ///< of the model
-  [[nodiscard]] std::size_t lane_memory_bytes() const;   ///< of one lane's state
   [[nodiscard]] double max_frequency_Hz() const;         ///< Gershgorin bound on the fastest mode
 
   struct Parts;  ///< defined inside core

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/product/lattice.hpp"
+#include "core/body/lattice.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/known_scenarios.hpp"

@@ -1,6 +1,6 @@
 #include "studies/execution/build_info.hpp"
 
-#include "core/integration/sparse_cholesky.hpp"
+#include "core/algebra/sparse_cholesky.hpp"
 #include "studies/text/joined.hpp"
 
 #if defined(__GLIBC__)

@@ -36,6 +36,24 @@ const std::vector<std::string> kStudiesFloors = {"text",    "statistics", "goals
                                                  "results", "scenarios",  "execution", "findings",
                                                  "kinds",   "estimate",   "report",    "cli"};
 
+/// Whom each folder of core may include, besides itself.
+const std::map<std::string, std::vector<std::string>> kCoreArrows = {
+    {"scenario", {}},
+    {"lanes", {}},
+    {"integration", {}},
+    {"surface", {"lanes"}},
+    {"algebra", {"lanes"}},
+    {"motion", {"scenario"}},
+    {"body", {"scenario", "lanes", "algebra", "integration"}},
+    {"material", {"scenario", "lanes", "integration", "body"}},
+    {"gripper", {"scenario", "lanes", "integration", "surface"}},
+    {"contact", {"scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
+    {"outcome", {"scenario", "motion", "contact"}},
+    {"simulation",
+     {"scenario", "lanes", "algebra", "integration", "motion", "body", "material", "surface", "gripper", "contact",
+      "outcome"}},
+};
+
 std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
@@ -128,9 +146,55 @@ TEST(Architecture, FoldersOfStudiesSeeOnlyTheFloorsBelow) {
   });
 }
 
-TEST(Architecture, CholmodStaysInIntegration) {
-  expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)",
-                             {"core/integration/"});
+std::string folder_of(const std::string& path) {
+  const std::size_t start = path.find('/') + 1;
+  return path.substr(start, path.find('/', start) - start);
+}
+
+/// Is an include line of core allowed by the table?
+bool is_allowed_in_core(const IncludeLine& include) {
+  const std::string from = folder_of(include.file), to = folder_of(include.target);
+  const auto arrows = kCoreArrows.find(from);
+  return arrows != kCoreArrows.end() && (from == to || contains(arrows->second, to));
+}
+
+TEST(Architecture, FoldersOfCoreSeeOnlyWhomTheTableAllows) {
+  for_every_include([](const IncludeLine& include) {
+    if (!include.file.starts_with("core/") || !include.target.starts_with("core/")) return;
+    EXPECT_TRUE(is_allowed_in_core(include)) << place(include) << ": no arrow from " << folder_of(include.file);
+  });
+}
+
+TEST(Architecture, TheTableOfCoreHasNoCircle) {
+  // Taking away folders that see none of the rest has to end with nothing left.
+  std::map<std::string, std::vector<std::string>> rest = kCoreArrows;
+  for (bool progress = true; progress;) {
+    progress = false;
+    for (auto it = rest.begin(); it != rest.end(); ++it) {
+      const bool free = std::none_of(it->second.begin(), it->second.end(),
+                                     [&](const std::string& seen) { return rest.contains(seen); });
+      if (!free) continue;
+      rest.erase(it);
+      progress = true;
+      break;
+    }
+  }
+  EXPECT_TRUE(rest.empty()) << rest.begin()->first << " is part of a circle";
+}
+
+TEST(Architecture, APlantedArrowAgainstTheTableIsSeen) {
+  IncludeLine planted{};
+  planted.file = "core/body/lattice.hpp";
+  planted.target = "core/contact/contact_model.hpp";
+  EXPECT_FALSE(is_allowed_in_core(planted));
+  planted.target = "core/scenario/true_shape.hpp";
+  EXPECT_TRUE(is_allowed_in_core(planted));
+  planted.file = "core/unknown/file.hpp";
+  EXPECT_FALSE(is_allowed_in_core(planted)) << "a folder without a row";
+}
+
+TEST(Architecture, CholmodStaysInAlgebra) {
+  expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)", {"core/algebra/"});
 }
 
 TEST(Architecture, NloptIsIncludedByOneFileOfTheOptimizer) {
@@ -188,7 +252,7 @@ TEST(Architecture, CoreHasNoFilesThreadsClockOrChance) {
     // The one clock of core: part times for benchmarks, which no result depends on.
     if (include.file == "core/lanes/part_timer.hpp" && include.target == "chrono") return;
     // METIS has one random state per process; models are built by several threads.
-    if (include.file == "core/integration/sparse_cholesky.cpp" && include.target == "mutex") return;
+    if (include.file == "core/algebra/sparse_cholesky.cpp" && include.target == "mutex") return;
     EXPECT_FALSE(contains(banned, include.target)) << place(include) << ": core has no use for it";
   });
 }

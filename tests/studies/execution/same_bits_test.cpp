@@ -79,6 +79,8 @@ void expect_balances(const Results& results) {
     // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20
     // steps per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
     EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3) << "scenario " << id;
+    // Impacts are damped numerically: 4 % at 2 ms where little work is put in, up to 15 % as shipped.
+    EXPECT_GT(result.metrics[Metric::energy_balance_error], -0.2) << "scenario " << id;
   }
   std::printf("largest impulse balance error %.3g, energy balance errors %.3g to %.3g\n", impulse, least_energy,
               energy);

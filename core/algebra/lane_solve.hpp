@@ -1,0 +1,24 @@
+#pragma once
+
+/// @file
+/// Triangular solves with a packed factor for all lanes at once. Vectors are in elimination order, shape
+/// [factor.size, kLanes].
+
+#include <span>
+
+#include "core/algebra/supernodes.hpp"
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// x = L^-1 x.
+void solve_forward(const SupernodalFactor& factor, double* x);
+/// x = L^-T x.
+void solve_backward(const SupernodalFactor& factor, double* x);
+
+/// The same on the supernodes of `reach` only (ascending): forwards for an x that is zero elsewhere, backwards for
+/// those entries of the solution; other entries of x are neither read nor written.
+void solve_forward(const SupernodalFactor& factor, std::span<const int> reach, double* x);
+void solve_backward(const SupernodalFactor& factor, std::span<const int> reach, double* x);
+
+}  // namespace unbruised

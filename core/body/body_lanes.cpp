@@ -1,0 +1,182 @@
+#include "core/body/body_lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/algebra/lane_matrix.hpp"
+#include "core/algebra/lane_solve.hpp"
+
+namespace unbruised {
+
+BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson) : body_(body), w_(wilson) {
+  const std::size_t freedoms = 3 * body.particle_count;
+  for (LaneArray* array : {&u_, &v_, &a_, &u_theta_, &viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
+  for (LaneArray* array : {&rhs_, &x_, &x_reach_}) *array = LaneArray(static_cast<std::size_t>(body.factor.size));
+}
+
+void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
+  u_theta_.clear_lane(lane);
+  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    u_.at(i, lane) = state.displacement_m[i];
+    v_.at(i, lane) = state.velocity_m_s[i];
+    a_.at(i, lane) = state.acceleration_m_s2[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    gravity_[i].set(lane, gravity_m_s2[i]);
+    double sum = 0.0;
+    for (std::size_t p = 0; p < body_.particle_count; ++p) sum += body_.mass_kg[p] * u_.at(3 * p + i, lane);
+    mass_u_[i].set(lane, sum);
+  }
+  fresh_.set(lane, true);
+  damping_power_.set(lane, 0.0);
+  damped_.set(lane, 0.0);
+}
+
+void BodyLanes::begin_step(const Mask& running) {
+  const std::size_t freedoms = 3 * body_.particle_count;
+  for (std::size_t i = 0; i < freedoms; ++i) viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
+  const bool proportional = body_.C.value.empty();
+  multiply_two(proportional ? body_.K : body_.C, viscous_, v_, c_viscous_, c_v_);
+  const Lane factor(proportional ? body_.relaxation_time_s : 1.0);
+  Lane power(0.0);
+  for (std::size_t i = 0; i < freedoms; ++i) {
+    const int slot = body_.slot[i];
+    if (slot < 0) continue;
+    const Lane mass(body_.mass_kg[i / 3]);
+    const Lane vi = v_.get(i);
+    power += factor * vi * c_v_.get(i);
+    rhs_.put(static_cast<std::size_t>(slot),
+             mass * (w_.inertial(u_.get(i), vi, a_.get(i)) + gravity_[i % 3]) + factor * c_viscous_.get(i));
+  }
+  // v'Cv by the trapezoid rule over time.
+  damped_ = select(fresh_, Lane(-0.5 * w_.dt) * power, damped_);
+  fresh_ = Mask(false);
+  damped_ += select(running, Lane(w_.dt) * power, Lane(0.0));
+  damping_power_ = power;
+  for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
+    if (body_.slot[i] < 0) continue;
+    const auto at = static_cast<std::size_t>(body_.slot[i]);
+    rhs_.put(at, rhs_.get(at) + Lane(body_.rest_force_N[i]));
+  }
+}
+
+void BodyLanes::add_force(int lane, std::size_t freedom, double force_N) {
+  const int slot = body_.slot[freedom];
+  if (slot >= 0) rhs_.at(static_cast<std::size_t>(slot), lane) += force_N;
+}
+
+void BodyLanes::start_solve(const LaneArray* load) {
+  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    const int slot = body_.slot[i];
+    if (slot < 0) continue;
+    const auto at = static_cast<std::size_t>(slot);
+    x_.put(at, load != nullptr ? rhs_.get(at) + load->get(i) : rhs_.get(at));
+  }
+  solve_forward(body_.factor, x_.data());
+}
+
+void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<const int> particles,
+                                      LaneArray& base) {
+  for (int s : reach) {
+    const Supernode& node = body_.factor.supernode[s];
+    std::copy_n(x_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes,
+                x_reach_.row(static_cast<std::size_t>(node.first_column)));
+  }
+  solve_backward(body_.factor, reach, x_reach_.data());
+  for (std::size_t i = 0; i < 3 * particles.size(); ++i) {
+    const int slot = body_.slot[3 * static_cast<std::size_t>(particles[i / 3]) + i % 3];
+    base.put(i, slot >= 0 ? x_reach_.get(static_cast<std::size_t>(slot)) : Lane(0.0));
+  }
+}
+
+void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> particles,
+                            std::span<const int> active, const LaneArray& force) {
+  for (int s : reach) {
+    const Supernode& node = body_.factor.supernode[s];
+    std::fill_n(x_reach_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes, 0.0);
+  }
+  for (int index : active) {
+    const auto i = static_cast<std::size_t>(index);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int slot = body_.slot[3 * static_cast<std::size_t>(particles[i]) + axis];
+      if (slot >= 0) x_reach_.put(static_cast<std::size_t>(slot), force.get(3 * i + axis));
+    }
+  }
+  solve_forward(body_.factor, reach, x_reach_.data());
+  for (int s : reach) {
+    const Supernode& node = body_.factor.supernode[s];
+    const auto first = static_cast<std::size_t>(node.first_column);
+    for (std::size_t c = first; c < first + static_cast<std::size_t>(node.column_count); ++c) {
+      x_.put(c, x_.get(c) + x_reach_.get(c));
+    }
+  }
+}
+
+void BodyLanes::finish_solve(const Mask& lanes) {
+  solve_backward(body_.factor, x_.data());
+  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    const int slot = body_.slot[i];
+    if (slot >= 0) u_theta_.put(i, select(lanes, x_.get(static_cast<std::size_t>(slot)), u_theta_.get(i)));
+  }
+}
+
+void BodyLanes::advance(const Mask& running) {
+  for (std::size_t i = 0; i < 3; ++i) mass_u_[i] = mass_a_[i] = turn_[i] = Lane(0.0);
+  for (std::size_t p = 0; p < body_.particle_count; ++p) {
+    const Lane mass(body_.mass_kg[p]);
+    Lane moved[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t i = 3 * p + axis;
+      Lane ui = u_.get(i), vi = v_.get(i), ai = a_.get(i);
+      const Lane old_u = ui, old_v = vi, old_a = ai;
+      w_.advance(u_theta_.get(i), ui, vi, ai);
+      ui = select(running, ui, old_u);
+      ai = select(running, ai, old_a);
+      if (body_.slot[i] < 0) {
+        ui = ai = Lane(0.0);
+        vi = Lane(0.0);
+      }
+      u_.put(i, ui);
+      v_.put(i, select(running, vi, old_v));
+      a_.put(i, ai);
+      moved[axis] = mass * ui;
+      mass_u_[axis] += moved[axis];
+      mass_a_[axis] += mass * ai;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      turn_[axis] += Lane(body_.position_m[p][j] - body_.center_of_mass_m[j]) * moved[k] -
+                     Lane(body_.position_m[p][k] - body_.center_of_mass_m[k]) * moved[j];
+    }
+  }
+}
+
+double BodyLanes::rotation_rad(int lane) const {
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double angle = 0.0;
+    for (std::size_t j = 0; j < 3; ++j) angle += body_.inverse_inertia[3 * i + j] * turn_[j][lane];
+    square += angle * angle;
+  }
+  return std::sqrt(square);
+}
+
+std::array<double, 3> BodyLanes::momentum(int lane) const {
+  std::array<double, 3> sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t p = 0; p < body_.particle_count; ++p) sum[i] += body_.mass_kg[p] * v_.at(3 * p + i, lane);
+  }
+  return sum;
+}
+
+double BodyLanes::kinetic_energy_J(int lane) const {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    energy += 0.5 * body_.mass_kg[i / 3] * v_.at(i, lane) * v_.at(i, lane);
+  }
+  return energy;
+}
+
+double BodyLanes::damped_J(int lane) const { return damped_[lane] + 0.5 * w_.dt * damping_power_[lane]; }
+
+}  // namespace unbruised

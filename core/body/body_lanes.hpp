@@ -1,0 +1,77 @@
+#pragma once
+
+/// @file
+/// The motion of the product, all lanes at once: state, the step's linear equations, and their solution with what
+/// others add to the right-hand side.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/body/body_model.hpp"
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// The state of one lane, [3n] each.
+struct BodyState {
+  std::vector<double> displacement_m, velocity_m_s, acceleration_m_s2;
+};
+
+class BodyLanes {
+ public:
+  /// Both have to outlive this.
+  BodyLanes(const BodyModel& body, const WilsonTheta& wilson);
+
+  void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2);
+
+  /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
+  void begin_step(const Mask& running);
+  /// Adds a force at t + theta dt to the right-hand side of one lane.
+  void add_force(int lane, std::size_t freedom, double force_N);
+
+  /// Forward through the factor. @param load added to the right-hand side, rows 3 x particle + axis; may be null
+  void start_solve(const LaneArray* load);
+  /// The displacement that would come without contact, at the listed particles: rows 3 x index + axis of `base`.
+  /// @param reach supernodes these particles touch
+  void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base);
+  /// Adds contact forces to the running solve. @param active indices into `particles` and blocks of `force`
+  void add_contact(std::span<const int> reach, std::span<const int> particles, std::span<const int> active,
+                   const LaneArray& force);
+  /// Backward through the factor: the displacement at t + theta dt in `lanes`.
+  void finish_solve(const Mask& lanes);
+
+  /// Moves the state to t + dt in the lanes of `running`, and its sums.
+  void advance(const Mask& running);
+
+  [[nodiscard]] const LaneArray& u() const { return u_; }
+  [[nodiscard]] const LaneArray& v() const { return v_; }
+  [[nodiscard]] const LaneArray& a() const { return a_; }
+  [[nodiscard]] const LaneArray& u_theta() const { return u_theta_; }
+  [[nodiscard]] const std::array<Lane, 3>& gravity() const { return gravity_; }
+  /// sum m u and sum m a.
+  [[nodiscard]] const std::array<Lane, 3>& mass_u() const { return mass_u_; }
+  [[nodiscard]] const std::array<Lane, 3>& mass_a() const { return mass_a_; }
+  /// Small rotation of the body about its centre of mass [rad].
+  [[nodiscard]] double rotation_rad(int lane) const;
+  /// sum m v.
+  [[nodiscard]] std::array<double, 3> momentum(int lane) const;
+  [[nodiscard]] double kinetic_energy_J(int lane) const;
+  /// v'Cv since load, by the trapezoid rule.
+  [[nodiscard]] double damped_J(int lane) const;
+
+ private:
+  const BodyModel& body_;
+  const WilsonTheta& w_;
+  LaneArray u_, v_, a_, u_theta_;        ///< [3n]
+  LaneArray viscous_, c_viscous_, c_v_;  ///< a1 u + 2 v + a3 a; C times it; C v
+  LaneArray rhs_, x_, x_reach_;          ///< elimination order
+  std::array<Lane, 3> gravity_{Lane(0.0), Lane(0.0), Lane(0.0)};
+  std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
+  std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};
+  std::array<Lane, 3> turn_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m r x u
+  Mask fresh_{false};                                          ///< loaded and not stepped yet
+  Lane damping_power_{0.0}, damped_{0.0};
+};
+
+}  // namespace unbruised

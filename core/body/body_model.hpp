@@ -1,0 +1,58 @@
+#pragma once
+
+/// @file
+/// The product as everything that fixes its factored matrix: particles, K, C, M, the factor, static shapes.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/algebra/block_matrix.hpp"
+#include "core/algebra/supernodes.hpp"
+#include "core/body/lattice.hpp"
+#include "core/body/lattice_stiffness.hpp"
+#include "core/body/network.hpp"
+#include "core/body/static_solver.hpp"
+#include "core/integration/wilson_theta.hpp"
+
+namespace unbruised {
+
+/// Read-only once built; shared by all lanes and threads.
+struct BodyModel {
+  std::size_t particle_count = 0;
+  std::vector<std::array<double, 3>> position_m;
+  std::vector<double> mass_kg;
+  std::vector<std::array<bool, 3>> fixed;
+  double total_mass_kg = 0;
+  std::array<double, 3> center_of_mass_m{};
+  /// Inverse of the inertia tensor about the centre of mass (pseudo-inverse), row-major.
+  std::array<double, 9> inverse_inertia{};
+
+  BlockMatrix K;
+  BlockMatrix C;                   ///< empty for lattices: C = relaxation_time_s K
+  double relaxation_time_s = 0.0;  ///< lattices
+  std::optional<Lattice> lattice;
+  std::optional<CellStiffness> cell;
+  std::vector<SpringGeometry> springs;  ///< networks
+  std::vector<double> rest_force_N;     ///< networks, [3n]
+
+  SupernodalFactor factor;                ///< of K + a0 M + a1 C
+  std::vector<int> slot;                  ///< freedom (3 per particle) -> elimination position, -1: fixed
+  std::unique_ptr<StaticSolver> statics;  ///< lattices, and networks that can yield
+  double max_frequency_Hz = 0;            ///< Gershgorin bound on the fastest mode
+
+  /// Is any freedom held?
+  [[nodiscard]] bool is_anchored() const;
+  /// Smallest extent of a lattice's particles [m]; of a network, which has no body to measure closeness with, so
+  /// large that all its few contacts are near.
+  [[nodiscard]] double smallest_extent_m() const;
+};
+
+/// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
+/// @throws std::invalid_argument for products that break a rule
+std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
+                                    std::string& error);
+
+}  // namespace unbruised

@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file
+/// The state in which a product lies on its support before anything happens.
+
+#include <vector>
+
+#include "core/body/static_solver.hpp"
+#include "core/contact/contact_model.hpp"
+
+namespace unbruised {
+
+/// The static state of a product that lies on the support.
+struct StaticRest {
+  std::vector<double> displacement_m;  ///< [3n]
+  std::vector<double> normal_force_N;  ///< per contact candidate, zero but on the support
+  std::vector<double> penetration_m;   ///< of the particle into the layer of the support, per contact candidate
+};
+
+/// Equilibrium on a frictionless support with a compliant layer. Immutable once built.
+class SupportRest {
+ public:
+  /// Both have to outlive this.
+  SupportRest(const StaticSolver& statics, const ContactModel& contact);
+
+  /// @param gravity_m_s2 magnitude along -z
+  /// @param layer_stiffness_N_m3 stiffness of the support's layer per area
+  [[nodiscard]] StaticRest under_gravity(double gravity_m_s2, double layer_stiffness_N_m3) const;
+
+ private:
+  const StaticSolver& statics_;
+  const ContactModel& contact_;
+  std::vector<int> support_candidate_;  ///< candidates on the support
+  std::vector<double> compliance_;      ///< of the shifted matrix in their normal freedoms, [k, k]
+};
+
+}  // namespace unbruised

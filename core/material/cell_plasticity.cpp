@@ -1,0 +1,198 @@
+#include "core/material/cell_plasticity.hpp"
+
+#include <limits>
+
+namespace unbruised {
+namespace {
+
+/// Plastic strain that a further solve would still move by less than this counts as converged: a millionth of the
+/// strain (1 %) at which limits are usually set.
+constexpr double kTolerance = 1e-8;
+
+}  // namespace
+
+CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell)
+    : lattice_(lattice), volume_m3_(cell.volume_m3) {
+  for (std::size_t axis = 0; axis < 3; ++axis) gradient_[axis] = 1.0 / (4.0 * lattice.cell_extent_m[axis]);
+  shear_modulus_ = Lane(cell.D[21]);  // D_44
+  const std::size_t cells = lattice.cell.size();
+  touched_.assign(cells, 0);
+  strain_ = LaneArray(6 * cells);
+  strain_theta_ = LaneArray(6 * cells);
+  accumulated_ = LaneArray(cells);
+  accumulated_theta_ = LaneArray(cells);
+  load_ = LaneArray(3 * lattice.position_m.size());
+  load_theta_ = LaneArray(3 * lattice.position_m.size());
+}
+
+void CellPlasticity::load(int lane, const Scenario& scenario) {
+  const auto& p = std::get<LatticeParameters>(scenario.product);
+  if (p.yield_stress_Pa && p.tangent_modulus_Pa) {
+    yield_stress_.set(lane, *p.yield_stress_Pa);
+    hardening_.set(lane,
+                   p.youngs_modulus_Pa * *p.tangent_modulus_Pa / (p.youngs_modulus_Pa - *p.tangent_modulus_Pa));
+  } else {
+    yield_stress_.set(lane, std::numeric_limits<double>::infinity());
+    hardening_.set(lane, 0.0);
+  }
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
+    if (touched_[cell] == 0) continue;
+    for (std::size_t i = 0; i < 6; ++i)
+      strain_.at(6 * cell + i, lane) = strain_theta_.at(6 * cell + i, lane) = 0.0;
+    accumulated_.at(cell, lane) = accumulated_theta_.at(cell, lane) = 0.0;
+  }
+  load_.clear_lane(lane);
+  load_theta_.clear_lane(lane);
+  clear_account(lane);
+}
+
+void CellPlasticity::begin_step() { flowing_ = false; }
+
+void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {
+  const Lane volume(volume_m3_);
+  const Lane g[3] = {Lane(gradient_[0]) * volume, Lane(gradient_[1]) * volume, Lane(gradient_[2]) * volume};
+  // Traction-like parts: row i of the stress times the gradient along each axis.
+  constexpr int kVoigt[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  Lane part[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) part[i][j] = stress[kVoigt[i][j]] * g[j];
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto row = 3 * static_cast<std::size_t>(lattice_.cell[cell][corner]);
+    for (int i = 0; i < 3; ++i) {
+      Lane force = load_theta_.get(row + i);
+      for (int j = 0; j < 3; ++j) force = ((corner >> j) & 1) != 0 ? force + part[i][j] : force - part[i][j];
+      load_theta_.put(row + i, force);
+    }
+  }
+}
+
+void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change,
+                              Lane& strain2) {
+  // Mean displacement gradient: differences of opposite faces, du_i/dx_j = (sum_+ u_i - sum_- u_i) / (4 h_j).
+  Lane gradient[3][3];
+  for (int i = 0; i < 3; ++i) {
+    Lane u[8];
+    for (int corner = 0; corner < 8; ++corner) {
+      u[corner] = u_theta.get(3 * static_cast<std::size_t>(lattice_.cell[cell][corner]) + i);
+    }
+    const Lane d01 = u[1] - u[0], d23 = u[3] - u[2], d45 = u[5] - u[4], d67 = u[7] - u[6];
+    const Lane s01 = u[1] + u[0], s23 = u[3] + u[2], s45 = u[5] + u[4], s67 = u[7] + u[6];
+    gradient[i][0] = Lane(gradient_[0]) * ((d01 + d23) + (d45 + d67));
+    gradient[i][1] = Lane(gradient_[1]) * ((s23 - s01) + (s67 - s45));
+    gradient[i][2] = Lane(gradient_[2]) * ((s45 + s67) - (s01 + s23));
+  }
+  const Lane half(0.5);
+  Lane e[6] = {gradient[0][0],
+               gradient[1][1],
+               gradient[2][2],
+               half * (gradient[1][2] + gradient[2][1]),
+               half * (gradient[0][2] + gradient[2][0]),
+               half * (gradient[0][1] + gradient[1][0])};
+  const Lane shear2 = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
+  strain2 = max(strain2, e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + shear2 + shear2);
+  const Lane mean = (e[0] + e[1] + e[2]) * Lane(1.0 / 3.0);
+  for (int i = 0; i < 3; ++i) e[i] -= mean;
+  const bool touched = touched_[cell] != 0;
+  Lane accumulated(0.0);
+  Lane old[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  if (touched) {
+    accumulated = accumulated_.get(cell);
+    for (std::size_t i = 0; i < 6; ++i) {
+      old[i] = strain_.get(6 * cell + i);
+      e[i] -= old[i];
+    }
+  }
+  const Lane twice_shear = shear_modulus_ + shear_modulus_;
+  const Lane norm2 =
+      e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + Lane(2.0) * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
+  const Lane equivalent = twice_shear * sqrt(Lane(1.5) * norm2);
+  const Lane excess = equivalent - (yield_stress_ + hardening_ * accumulated);
+  const Mask yielding = active & (excess > Lane(0.0));
+  if (!touched && none(yielding)) return;
+  touched_[cell] = 1;
+  const Lane flow = select(yielding, excess / (Lane(3.0) * shear_modulus_ + hardening_), Lane(0.0));
+  const Lane scale = Lane(1.5) * flow * twice_shear / max(equivalent, Lane(1e-300));
+  Lane stress[6];
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Lane before = strain_theta_.get(6 * cell + i);
+    const Lane after = select(active, old[i] + scale * e[i], before);
+    stress[i] = twice_shear * (after - before);
+    strain_theta_.put(6 * cell + i, after);
+  }
+  const Lane before = accumulated_theta_.get(cell);
+  const Lane after = select(active, accumulated + flow, before);
+  accumulated_theta_.put(cell, after);
+  const Lane moved = abs(after - before);
+  change = max(change, moved);
+  Mask any_stress = Mask(false);
+  for (const Lane& s : stress) any_stress = any_stress | (abs(s) > Lane(0.0));
+  if (any(any_stress)) {
+    flowing_ = true;
+    add_load(cell, stress);
+  }
+}
+
+Mask CellPlasticity::update(const LaneArray& u_theta, const Mask& active) {
+  Lane change(0.0), strain2(0.0);
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) map_cell(cell, u_theta, active, change, strain2);
+  largest_strain_ = select(active, sqrt(strain2), largest_strain_);
+  return active & (change > Lane(kTolerance));
+}
+
+void CellPlasticity::end_step(const WilsonTheta& w, const Mask& running) {
+  if (!flowing_) return;
+  const Lane volume(volume_m3_);
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
+    if (touched_[cell] == 0) continue;
+    for (std::size_t i = 6 * cell; i < 6 * cell + 6; ++i) {
+      const Lane next = select(running, w.at_end(strain_.get(i), strain_theta_.get(i)), strain_.get(i));
+      strain_.put(i, next);
+      strain_theta_.put(i, next);
+    }
+    const Lane before = accumulated_.get(cell);
+    const Lane after = select(running, w.at_end(before, accumulated_theta_.get(cell)), before);
+    accumulated_.put(cell, after);
+    accumulated_theta_.put(cell, after);
+    const Lane flow = after - before;
+    const Lane stored = Lane(0.5) * hardening_ * (after + before) * flow * volume;
+    plastic_work_ += select(flow > Lane(0.0), stored + yield_stress_ * flow * volume, Lane(0.0));
+    hardening_energy_ += stored;
+    largest_plastic_ = max(largest_plastic_, after);
+  }
+  for (std::size_t i = 0; i < load_.rows(); ++i) {
+    const Lane next = select(running, w.at_end(load_.get(i), load_theta_.get(i)), load_.get(i));
+    load_.put(i, next);
+    load_theta_.put(i, next);
+  }
+}
+
+double CellPlasticity::self_energy(int lane) const {
+  double energy = 0.0;
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
+    if (touched_[cell] == 0) continue;
+    double norm2 = 0.0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double e = strain_.at(6 * cell + i, lane);
+      norm2 += (i < 3 ? 1.0 : 2.0) * e * e;
+    }
+    energy += volume_m3_ * shear_modulus_[lane] * norm2;
+  }
+  return energy;
+}
+
+std::optional<double> CellPlasticity::volume_above_m3(int lane, double threshold) const {
+  double volume = 0.0;
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
+    if (touched_[cell] != 0 && accumulated_.at(cell, lane) > threshold) volume += volume_m3_;
+  }
+  return volume;
+}
+
+std::vector<double> CellPlasticity::plastic_load_N(int lane) const {
+  std::vector<double> force(load_.rows());
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = load_.at(i, lane);
+  return force;
+}
+
+}  // namespace unbruised

@@ -1,0 +1,40 @@
+#include "core/material/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/material/cell_plasticity.hpp"
+#include "core/material/spring_plasticity.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Adds nothing to K and C.
+class ElasticMaterial final : public Material {
+ public:
+  explicit ElasticMaterial(std::size_t particle_count) : particle_count_(particle_count) {}
+
+  void load(int, const Scenario&) override {}
+  [[nodiscard]] const LaneArray* load_theta() const override { return nullptr; }
+  void begin_step() override {}
+  Mask update(const LaneArray&, const Mask&) override { return Mask(false); }
+  void end_step(const WilsonTheta&, const Mask&) override {}
+  [[nodiscard]] double self_energy(int) const override { return 0.0; }
+  [[nodiscard]] std::vector<double> plastic_load_N(int) const override {
+    return std::vector<double>(3 * particle_count_, 0.0);
+  }
+  [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override { return std::nullopt; }
+
+ private:
+  std::size_t particle_count_;
+};
+
+}  // namespace
+
+std::unique_ptr<Material> make_material(const BodyModel& body) {
+  if (body.lattice) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell);
+  if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body.springs, body.particle_count);
+  return std::make_unique<ElasticMaterial>(body.particle_count);
+}
+
+}  // namespace unbruised

@@ -1,0 +1,61 @@
+#pragma once
+
+/// @file
+/// What a material adds to the elastic product: a load on the right-hand side that follows the displacement, and
+/// the account of what it takes. The factor never changes.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/body/body_model.hpp"
+#include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane.hpp"
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// All lanes of one material; energies in J since load.
+class Material {
+ public:
+  virtual ~Material() = default;
+
+  virtual void load(int lane, const Scenario& scenario) = 0;
+
+  /// The load that holds at t + theta dt so far, rows 3 x particle + axis; null: there never is one.
+  [[nodiscard]] virtual const LaneArray* load_theta() const = 0;
+  /// Starts a step from the state at t.
+  virtual void begin_step() = 0;
+  /// Follows the displacement at t + theta dt in the lanes of `active`.
+  /// @return the lanes whose load still moved by more than the tolerance: they must be solved again
+  virtual Mask update(const LaneArray& u_theta, const Mask& active) = 0;
+  /// Moves the state to t + dt in the lanes of `running`.
+  virtual void end_step(const WilsonTheta& wilson, const Mask& running) = 0;
+
+  /// Largest strain, sqrt(e:e), at the last update; 0 where it is not measured.
+  [[nodiscard]] const Lane& largest_strain() const { return largest_strain_; }
+  /// Largest accumulated plastic strain.
+  [[nodiscard]] const Lane& largest_plastic_strain() const { return largest_plastic_; }
+  /// Plastic work, and the part of it that hardening stores.
+  [[nodiscard]] const Lane& plastic_work() const { return plastic_work_; }
+  [[nodiscard]] const Lane& hardening_energy() const { return hardening_energy_; }
+  /// Energy of the plastic strains themselves: with it the elastic energy is 1/2 u K u - u f_p + this.
+  [[nodiscard]] virtual double self_energy(int lane) const = 0;
+  /// The load of the present plastic strain of one lane, [3n].
+  [[nodiscard]] virtual std::vector<double> plastic_load_N(int lane) const = 0;
+  /// Volume with more accumulated plastic strain than `threshold`; none: the material has no volume.
+  [[nodiscard]] virtual std::optional<double> volume_above_m3(int lane, double threshold) const = 0;
+
+ protected:
+  void clear_account(int lane) {
+    for (Lane* value : {&largest_strain_, &largest_plastic_, &plastic_work_, &hardening_energy_})
+      value->set(lane, 0.0);
+  }
+  Lane largest_strain_{0.0}, largest_plastic_{0.0}, plastic_work_{0.0}, hardening_energy_{0.0};
+};
+
+/// The material of a body: plasticity at cells or springs, or none.
+/// @param body has to outlive the material
+std::unique_ptr<Material> make_material(const BodyModel& body);
+
+}  // namespace unbruised

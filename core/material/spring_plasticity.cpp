@@ -1,0 +1,103 @@
+#include "core/material/spring_plasticity.hpp"
+
+#include <cmath>
+
+namespace unbruised {
+namespace {
+
+/// Converged when a further solve would move a spring's plastic elongation by less than this share of its length.
+constexpr double kTolerance = 1e-9;
+
+}  // namespace
+
+SpringPlasticity::SpringPlasticity(const std::vector<SpringGeometry>& springs, std::size_t particle_count)
+    : springs_(springs) {
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    if (std::isfinite(springs[s].yield_force)) yielding_spring_.push_back(static_cast<int>(s));
+  }
+  for (LaneArray* rows : {&elongation_, &elongation_theta_, &accumulated_, &accumulated_theta_}) {
+    *rows = LaneArray(yielding_spring_.size());
+  }
+  load_ = LaneArray(3 * particle_count);
+  load_theta_ = LaneArray(3 * particle_count);
+}
+
+void SpringPlasticity::load(int lane, const Scenario&) {
+  for (LaneArray* rows :
+       {&elongation_, &elongation_theta_, &accumulated_, &accumulated_theta_, &load_, &load_theta_}) {
+    rows->clear_lane(lane);
+  }
+  clear_account(lane);
+}
+
+Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
+  Mask pending(false);
+  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
+    const SpringGeometry& spring = springs_[yielding_spring_[i]];
+    const auto a = 3 * static_cast<std::size_t>(spring.a);
+    const auto b = 3 * static_cast<std::size_t>(spring.b);
+    Lane elongation(0.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      elongation += Lane(spring.direction[axis]) * (u_theta.get(b + axis) - u_theta.get(a + axis));
+    }
+    const Lane k(spring.stiffness);
+    const Lane trial = k * (elongation - elongation_.get(i));
+    const Lane excess =
+        abs(trial) - Lane(spring.yield_force) - Lane(spring.hardening_ratio) * k * accumulated_.get(i);
+    const Lane flow = max(excess, Lane(0.0)) / (k * Lane(1.0 + spring.hardening_ratio));
+    const Lane signed_flow = select(trial < Lane(0.0), -flow, flow);
+    const Lane before = elongation_theta_.get(i);
+    const Lane after = select(active, elongation_.get(i) + signed_flow, before);
+    elongation_theta_.put(i, after);
+    accumulated_theta_.put(i, select(active, accumulated_.get(i) + flow, accumulated_theta_.get(i)));
+    const Lane change = after - before;
+    pending = pending | (active & (abs(change) > Lane(kTolerance * spring.rest_length)));
+    const Lane force = k * change;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Lane part = Lane(spring.direction[axis]) * force;
+      load_theta_.put(b + axis, load_theta_.get(b + axis) + part);
+      load_theta_.put(a + axis, load_theta_.get(a + axis) - part);
+    }
+  }
+  return pending;
+}
+
+void SpringPlasticity::end_step(const WilsonTheta& w, const Mask& running) {
+  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
+    const SpringGeometry& spring = springs_[yielding_spring_[i]];
+    const Lane elongation =
+        select(running, w.at_end(elongation_.get(i), elongation_theta_.get(i)), elongation_.get(i));
+    elongation_.put(i, elongation);
+    elongation_theta_.put(i, elongation);
+    const Lane before = accumulated_.get(i);
+    const Lane after = select(running, w.at_end(before, accumulated_theta_.get(i)), before);
+    accumulated_.put(i, after);
+    accumulated_theta_.put(i, after);
+    const Lane stored = Lane(0.5 * spring.hardening_ratio * spring.stiffness) * (after * after - before * before);
+    hardening_energy_ += stored;
+    plastic_work_ += stored + Lane(spring.yield_force) * (after - before);
+    largest_plastic_ = max(largest_plastic_, after / Lane(spring.rest_length));
+  }
+  for (std::size_t i = 0; i < load_.rows(); ++i) {
+    const Lane next = select(running, w.at_end(load_.get(i), load_theta_.get(i)), load_.get(i));
+    load_.put(i, next);
+    load_theta_.put(i, next);
+  }
+}
+
+double SpringPlasticity::self_energy(int lane) const {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
+    const double e = elongation_.at(i, lane);
+    energy += 0.5 * springs_[yielding_spring_[i]].stiffness * e * e;
+  }
+  return energy;
+}
+
+std::vector<double> SpringPlasticity::plastic_load_N(int lane) const {
+  std::vector<double> force(load_.rows());
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = load_.at(i, lane);
+  return force;
+}
+
+}  // namespace unbruised

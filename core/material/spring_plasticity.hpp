@@ -1,0 +1,38 @@
+#pragma once
+
+/// @file
+/// Yield of single springs of a network, all lanes at once: f = k (e - e_p), |f| <= F_y + h k p, with plastic
+/// elongation e_p as initial elongation on the right-hand side and p its accumulated amount (docs/theory.md,
+/// "Permanent deformation").
+
+#include <vector>
+
+#include "core/body/network.hpp"
+#include "core/material/material.hpp"
+
+namespace unbruised {
+
+class SpringPlasticity final : public Material {
+ public:
+  SpringPlasticity(const std::vector<SpringGeometry>& springs, std::size_t particle_count);
+
+  void load(int lane, const Scenario& scenario) override;
+  [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
+  void begin_step() override {}
+  /// Return mapping of every spring. Plastic strain: accumulated plastic elongation over rest length.
+  Mask update(const LaneArray& u_theta, const Mask& active) override;
+  void end_step(const WilsonTheta& wilson, const Mask& running) override;
+
+  /// sum 1/2 k e_p^2.
+  [[nodiscard]] double self_energy(int lane) const override;
+  [[nodiscard]] std::vector<double> plastic_load_N(int lane) const override;
+  [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override { return std::nullopt; }
+
+ private:
+  const std::vector<SpringGeometry>& springs_;
+  std::vector<int> yielding_spring_;  ///< springs with a finite yield force
+  LaneArray elongation_, elongation_theta_, accumulated_, accumulated_theta_;
+  LaneArray load_, load_theta_;
+};
+
+}  // namespace unbruised

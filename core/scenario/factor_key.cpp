@@ -1,0 +1,58 @@
+#include "core/scenario/factor_key.hpp"
+
+#include <array>
+#include <cstring>
+#include <optional>
+
+#include "core/scenario/fields.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Appends values as bytes; equal bytes mean equal keys.
+class KeyWriter {
+ public:
+  template <class T>
+  void operator()(const char*, Decides decides, const T& value) {
+    if (decides == Decides::model) add(value);
+  }
+  void add(double value) {
+    value += 0.0;  // -0 and 0 are the same
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    key_.append(bytes, sizeof value);
+  }
+  template <class T>
+  requires std::is_integral_v<T> || std::is_enum_v<T>
+  void add(T value) { add(static_cast<double>(value)); }
+  void add(const std::optional<double>& value) {
+    add(value ? 1.0 : 0.0);
+    add(value.value_or(0.0));
+  }
+  template <class T, std::size_t N>
+  void add(const std::array<T, N>& values) {
+    for (const T& value : values) add(value);
+  }
+  /// Of the loads, which decide a run only.
+  template <class T>
+  void add(const std::vector<T>&) {}
+  [[nodiscard]] std::string take() { return std::move(key_); }
+
+ private:
+  std::string key_;
+};
+
+}  // namespace
+
+std::string factor_key(const Scenario& scenario) {
+  KeyWriter key;
+  key.add(scenario.product.index());
+  if (const auto* network = std::get_if<NetworkParameters>(&scenario.product)) {
+    key.add(network->particle.size());
+    key.add(network->spring.size());
+  }
+  visit_fields(scenario, key);
+  return key.take();
+}
+
+}  // namespace unbruised

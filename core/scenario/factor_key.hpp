@@ -1,0 +1,16 @@
+#pragma once
+
+/// @file
+/// Which scenarios can share a factored matrix.
+
+#include <string>
+
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// Everything that fixes the model, as bytes that compare equal exactly when it can be shared: all fields that
+/// core/scenario/fields.hpp marks with `Decides::model`.
+std::string factor_key(const Scenario& scenario);
+
+}  // namespace unbruised

@@ -1,0 +1,36 @@
+#pragma once
+
+/// @file
+/// The true shape of a lattice product: its one definition, asked by the lattice for its cells and by contact for
+/// the surface. With q the place from the centre over the half extents, a place is inside where the sum of q^2
+/// over the round axes is at most 1.
+
+#include <array>
+#include <cstddef>
+
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+class TrueShape {
+ public:
+  explicit TrueShape(const LatticeParameters& parameters);
+
+  /// Does the surface curve along this axis?
+  [[nodiscard]] bool is_round(std::size_t axis) const { return round_[axis]; }
+  /// Along how many of the two directions across it does the side that faces `axis` curve?
+  [[nodiscard]] int curvatures(std::size_t axis) const;
+  /// Half the chord along `axis` through a place relative to the centre (its own component along the axis does not
+  /// count) [m]; negative where the line misses the shape.
+  [[nodiscard]] double half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const;
+  /// Radius of curvature at the pole of `axis` along another, round one [m].
+  [[nodiscard]] double pole_radius_m(std::size_t axis, std::size_t along) const {
+    return 0.5 * size_m_[along] * size_m_[along] / size_m_[axis];
+  }
+
+ private:
+  std::array<double, 3> size_m_;
+  std::array<bool, 3> round_{};
+};
+
+}  // namespace unbruised

@@ -1,0 +1,89 @@
+#include "core/simulation/balances.hpp"
+
+#include <cmath>
+
+namespace unbruised {
+
+void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
+  for (Lane& force : palm_force_) force.set(lane, 0.0);
+  for (Lane* sum : {&palm_work_, &gravity_work_}) sum->set(lane, 0.0);
+  const auto at = static_cast<std::size_t>(lane);
+  impulse_[at] = Impulse{};
+  impulse_[at].initial_momentum = view.body.momentum(lane);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t p = 0; p < view.model.body.particle_count; ++p) {
+      impulse_[at].outer_force_N[i] += view.model.body.mass_kg[p] * view.body.a().at(3 * p + i, lane);
+    }
+  }
+  initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
+  double kinetic = view.body.kinetic_energy_J(lane);
+  if (scenario.gripper) kinetic += view.fingers.kinetic_energy()[lane];
+  positive_work_.set(lane, kinetic);
+}
+
+void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
+                         const CarrierMotion& after, const Mask& running) {
+  Lane gravity(0.0), palm(0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    gravity += view.body.gravity()[i] * (view.body.mass_u()[i] - old_mass_u[i]);
+    Lane force(0.0);
+    for (int surface = 0; surface < kSurfaceCount; ++surface) {
+      if (is_pad(surface)) force += view.contact.force_along(surface, i);
+    }
+    palm += Lane(0.5) * (palm_force_[i] + force) * (after.palm[i].place_m - before.palm[i].place_m);
+    palm_force_[i] = force;
+  }
+  gravity_work_ += select(running, gravity, Lane(0.0));
+  palm_work_ += select(running, palm, Lane(0.0));
+  positive_work_ += select(running, max(gravity, Lane(0.0)) + max(palm, Lane(0.0)), Lane(0.0));
+}
+
+void Balances::book_impulse(int lane, const LaneView& view) {
+  Impulse& account = impulse_[static_cast<std::size_t>(lane)];
+  for (std::size_t i = 0; i < 3; ++i) {
+    double force = view.body.gravity()[i][lane] * view.model.body.total_mass_kg;
+    for (int surface = 0; surface < kSurfaceCount; ++surface)
+      force += view.contact.surface_force(surface, lane)[i];
+    account.impulse[i] += 0.5 * view.model.wilson->dt * (account.outer_force_N[i] + force);
+    account.outer_force_N[i] = force;
+  }
+}
+
+double Balances::impulse_mismatch(int lane, const LaneView& view) const {
+  const Impulse& account = impulse_[static_cast<std::size_t>(lane)];
+  const std::array<double, 3> momentum = view.body.momentum(lane);
+  double mismatch = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double error = momentum[i] - account.initial_momentum[i] - account.impulse[i];
+    mismatch += error * error;
+  }
+  return std::sqrt(mismatch);
+}
+
+void Balances::measure(int lane, double time_s, const LaneView& view, const Scenario& scenario,
+                       Metrics& metrics) const {
+  const BodyModel& product = view.model.body;
+  double gravity_size = 0.0;
+  for (const Lane& g : view.body.gravity()) gravity_size += g[lane] * g[lane];
+  if (!product.is_anchored() && gravity_size > 0.0 && product.lattice) {
+    metrics[Metric::impulse_balance_error] =
+        impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
+  }
+  const bool driven = scenario.gripper.has_value();
+  const double dissipated = view.body.damped_J(lane)                                                         //
+                            + view.contact.dissipated()[lane]                                                //
+                            + (view.material.plastic_work()[lane] - view.material.hardening_energy()[lane])  //
+                            + (driven ? view.fingers.dissipated()[lane] : 0.0);
+  const double work = gravity_work_[lane]  //
+                      + palm_work_[lane]   //
+                      + (driven ? view.fingers.work()[lane] : 0.0);
+  const double put_in = positive_work_[lane] + (driven ? view.fingers.positive_work()[lane] : 0.0);
+  metrics[Metric::energy_input_J] = put_in;
+  // Work of loads is not booked.
+  const auto* network = std::get_if<NetworkParameters>(&scenario.product);
+  if (!(put_in > 0.0) || (network != nullptr && !network->load.empty())) return;
+  const double stored = view.stored_energy_J(lane, scenario) - initial_energy_J_[static_cast<std::size_t>(lane)];
+  metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
+}
+
+}  // namespace unbruised

@@ -1,0 +1,42 @@
+#pragma once
+
+/// @file
+/// The accounts of energy and of impulse. Each contributor has one line: what stores, what dissipates, what works.
+
+#include <array>
+
+#include "core/simulation/lane_view.hpp"
+
+namespace unbruised {
+
+class Balances {
+ public:
+  /// Opens the accounts of a lane whose state is loaded.
+  void load(int lane, const LaneView& view, const Scenario& scenario);
+
+  /// Books what gravity and the palm did over the step that brought the carriers from `before` to `after`; forces
+  /// are linear over the step.
+  /// @param old_mass_u sum m u at the start of the step
+  void book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
+                 const CarrierMotion& after, const Mask& running);
+  /// Books the impulse of everything outside the product over the last step of one lane.
+  void book_impulse(int lane, const LaneView& view);
+
+  /// Fills the balance metrics at the end of a run.
+  void measure(int lane, double time_s, const LaneView& view, const Scenario& scenario, Metrics& metrics) const;
+
+ private:
+  struct Impulse {
+    std::array<double, 3> initial_momentum{};
+    std::array<double, 3> impulse{};
+    std::array<double, 3> outer_force_N{};  ///< on the product as a whole, at the start of the step
+  };
+  [[nodiscard]] double impulse_mismatch(int lane, const LaneView& view) const;
+
+  std::array<Impulse, kLanes> impulse_;
+  std::array<double, kLanes> initial_energy_J_{};
+  std::array<Lane, 3> palm_force_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< of the pads on the product, at the start
+  Lane palm_work_{0.0}, gravity_work_{0.0}, positive_work_{0.0};
+};
+
+}  // namespace unbruised

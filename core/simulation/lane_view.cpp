@@ -1,0 +1,108 @@
+#include "core/simulation/lane_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/body/rigid_motion.hpp"
+#include "core/outcome/damage_limits.hpp"
+#include "core/scenario/opening.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Cells with more accumulated plastic strain than this count as bruised where no limit is set.
+constexpr double kBruisedStrain = 0.01;
+
+}  // namespace
+
+double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
+  const BodyModel& product = model.body;
+  const std::size_t freedoms = 3 * product.particle_count;
+  std::vector<double> displacement(freedoms), force(freedoms);
+  for (std::size_t i = 0; i < freedoms; ++i) displacement[i] = body.u().at(i, lane);
+  multiply(product.K, std::span<const double>(displacement), std::span<double>(force));
+  const std::vector<double> plastic = material.plastic_load_N(lane);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < freedoms; ++i) {
+    energy += 0.5 * product.mass_kg[i / 3] * body.v().at(i, lane) * body.v().at(i, lane);
+    energy += displacement[i] * (0.5 * force[i] - plastic[i]);
+    if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
+  }
+  energy += material.self_energy(lane) + material.hardening_energy()[lane];
+  return energy + contact.stored_energy()[lane] + (scenario.gripper ? fingers.kinetic_energy()[lane] : 0.0);
+}
+
+StepObservation LaneView::observe(int lane, const Scenario& scenario, double time_s) const {
+  const WilsonTheta& w = *model.wilson;
+  StepObservation seen;
+  seen.time_s = time_s;
+  seen.register_time_s = time_s + (w.theta - 1.0) * w.dt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    seen.center_motion_m[i] = body.mass_u()[i][lane] / model.body.total_mass_kg;
+    seen.center_acceleration_m_s2[i] = body.mass_a()[i][lane] / model.body.total_mass_kg;
+    seen.palm_m[i] = carriers.palm[i].place_m[lane];
+  }
+  seen.plastic_strain = material.largest_plastic_strain()[lane];
+  seen.absorbed_energy_J = material.plastic_work()[lane];
+  if (!scenario.gripper) return seen;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const SurfaceTally& tally = contact.tally()[f];
+    FingerObservation& finger = seen.finger[f];
+    finger.normal_N = tally.normal[lane];
+    finger.tangent_N = {tally.tangent[0][lane], tally.tangent[1][lane]};
+    finger.closed_contacts = tally.closed[lane];
+    finger.sliding_contacts = tally.sliding[lane];
+    finger.travel_sum_m = tally.travel[lane];
+    for (std::size_t i = 0; i < 3; ++i) seen.torque_N_m[i] += tally.torque[i][lane];
+  }
+  seen.patch_pressure_Pa = contact.patch_pressure()[lane];
+  const double closing = fingers.way(0)[lane] + fingers.way(1)[lane];
+  seen.compression_m = closing - 2.0 * approach_gap_m(scenario);
+  seen.end_of_stroke = fingers.furthest_way()[lane] >= scenario.gripper->stroke_m;
+  return seen;
+}
+
+TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {
+  TraceRow row;
+  row.time_s = time_s;
+  row.lane = lane;
+  row.gripper = scenario.gripper.has_value();
+  row.yields = can_yield(scenario);
+  for (std::size_t surface = 0; surface < kSurfaceCount; ++surface) {
+    row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);
+    row.closed[surface] = contact.tally()[surface].closed[lane];
+    row.sliding[surface] = contact.tally()[surface].sliding[lane];
+  }
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    row.finger_way_m[f] = fingers.way(static_cast<int>(f))[lane];
+    row.finger_speed_m_s[f] = fingers.speed(static_cast<int>(f))[lane];
+  }
+  for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = carriers.palm[i].place_m[lane];
+  row.plastic_strain = material.largest_plastic_strain()[lane];
+  row.stored_energy_J = stored_energy_J(lane, scenario);
+  row.contact_energy_J = contact.stored_energy()[lane];
+  return row;
+}
+
+void LaneView::measure_permanent_set(int lane, const LimitParameters& limits, Metrics& metrics) const {
+  metrics[Metric::permanent_set_max_m] = metrics[Metric::permanent_set_rms_m] = 0.0;
+  if (const auto bruised = material.volume_above_m3(lane, limits.plastic_strain.value_or(kBruisedStrain))) {
+    metrics[Metric::bruised_volume_m3] = *bruised;
+  }
+  if (!(material.largest_plastic_strain()[lane] > 0.0)) return;
+  const BodyModel& product = model.body;
+  std::vector<double> shape = product.statics->free_shape(material.plastic_load_N(lane));
+  if (!product.is_anchored()) remove_rigid_motion(product.position_m, shape);
+  double largest = 0.0, sum = 0.0;
+  for (std::size_t p = 0; p < product.particle_count; ++p) {
+    const double square =
+        shape[3 * p] * shape[3 * p] + shape[3 * p + 1] * shape[3 * p + 1] + shape[3 * p + 2] * shape[3 * p + 2];
+    largest = std::max(largest, square);
+    sum += square;
+  }
+  metrics[Metric::permanent_set_max_m] = std::sqrt(largest);
+  metrics[Metric::permanent_set_rms_m] = std::sqrt(sum / static_cast<double>(product.particle_count));
+}
+
+}  // namespace unbruised

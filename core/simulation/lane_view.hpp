@@ -1,0 +1,36 @@
+#pragma once
+
+/// @file
+/// What observers of a step may look at: the parts of a lane simulation, read-only, and what they say of one lane.
+
+#include "core/body/body_lanes.hpp"
+#include "core/contact/contact_lanes.hpp"
+#include "core/gripper/finger_lanes.hpp"
+#include "core/material/material.hpp"
+#include "core/outcome/handling_record.hpp"
+#include "core/simulation/model_parts.hpp"
+#include "core/simulation/trace_recorder.hpp"
+#include "core/surface/carrier_motion.hpp"
+
+namespace unbruised {
+
+struct LaneView {
+  const Model::Parts& model;
+  const BodyLanes& body;
+  const Material& material;
+  const ContactLanes& contact;
+  const FingerLanes& fingers;
+  const CarrierMotion& carriers;  ///< at the present time
+
+  /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
+  /// strains [J].
+  [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
+  /// What the outcome is decided from; yield ratios are the caller's to fill.
+  [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
+  /// The signals of a trace that are read from the state.
+  [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;
+  /// Fills the metrics of the shape that the plastic strain leaves.
+  void measure_permanent_set(int lane, const LimitParameters& limits, Metrics& metrics) const;
+};
+
+}  // namespace unbruised

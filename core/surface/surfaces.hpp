@@ -1,0 +1,44 @@
+#pragma once
+
+/// @file
+/// What a product can touch. The list of surfaces and the geometry of each stand here and nowhere else: by whom it
+/// is carried, along which axis its normal points, to which side it pushes.
+
+#include <array>
+
+namespace unbruised {
+
+/// Numbers of the surfaces, as in traces and contact events. The pads come first: pad f belongs to finger f.
+inline constexpr int kLeftPad = 0, kRightPad = 1, kSupport = 2;
+inline constexpr int kSurfaceCount = 3;
+/// Fingers of a parallel jaw, and so pads.
+inline constexpr int kFingerCount = 2;
+
+/// Who moves a surface.
+enum class Carrier {
+  finger,  ///< of the same number as the surface, on top of the palm's motion
+  cell,
+};
+
+struct SurfaceGeometry {
+  Carrier carrier;
+  int normal_axis;
+  /// Of the force it can exert on the product along its normal axis; a finger closes in this direction.
+  double normal_sign;
+  std::array<int, 2> tangent_axes;
+};
+
+inline constexpr std::array<SurfaceGeometry, kSurfaceCount> kSurfaces = {{
+    {Carrier::finger, 0, 1.0, {1, 2}},   // left pad
+    {Carrier::finger, 0, -1.0, {1, 2}},  // right pad
+    {Carrier::cell, 2, 1.0, {0, 1}},     // support
+}};
+
+constexpr const SurfaceGeometry& geometry_of(int surface) { return kSurfaces[static_cast<std::size_t>(surface)]; }
+/// Is it a pad?
+constexpr bool is_pad(int surface) { return geometry_of(surface).carrier == Carrier::finger; }
+constexpr int normal_axis(int surface) { return geometry_of(surface).normal_axis; }
+constexpr double normal_sign(int surface) { return geometry_of(surface).normal_sign; }
+constexpr std::array<int, 2> tangent_axes(int surface) { return geometry_of(surface).tangent_axes; }
+
+}  // namespace unbruised

@@ -133,11 +133,9 @@ void print_scene(const Row& row) {
   std::printf(
       "cube512: 5 cm cube, 8 x 8 x 8 particles, E 100 kPa, 0.125 kg; gripped with 5 N, lifted 10 cm, held to 1 "
       "s.\n"
-      "%zu particles, %zu freedoms, %zu candidate contacts, %zu entries in L; batches of %d lanes.\n"
-      "Memory: %.2f MB for the model, shared by all threads, and %.1f kB per lane.\n",
+      "%zu particles, %zu freedoms, %zu candidate contacts, %zu entries in L; batches of %d lanes.\n",
       row.model->particle_count(), row.model->freedom_count(), row.model->contact_candidate_count(),
-      row.model->factor_entry_count(), lane_count(), 1e-6 * static_cast<double>(row.model->memory_bytes()),
-      1e-3 * static_cast<double>(row.model->lane_memory_bytes()));
+      row.model->factor_entry_count(), lane_count());
 }
 
 void print_outcomes(const std::vector<Row>& rows) {

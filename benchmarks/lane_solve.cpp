@@ -23,6 +23,7 @@
 #include "benchmarks/pack_types.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "core/algebra/lane_solve_kernels.hpp"
+#include "core/algebra/shifted_entries.hpp"
 #include "core/algebra/sparse_cholesky.hpp"
 #include "core/algebra/supernodes.hpp"
 #include "core/body/lattice.hpp"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/algebra/lane_matrix.hpp"
+#include "core/algebra/shifted_entries.hpp"
 #include "core/body/lattice.hpp"
 #include "core/body/lattice_stiffness.hpp"
 #include "core/body/static_solver.hpp"

@@ -62,7 +62,7 @@ TEST_F(HeavyNewStudy, OfEveryKindRuns) {
     ASSERT_EQ(make(kind).status, 0) << kind;
     std::string sets = " --set product.cell_size_m=0.0125 simulation.time_step_s=2e-3";
     if (kind == "optimize" || kind == "robust" || kind == "pareto") sets += " search.budget=16 search.starts=2";
-    if (kind == "pareto") sets += " search.points=2";
+    if (kind == "pareto") sets += " search.points=2 search.budget=48";
     if (kind == "sample" || kind == "robust" || kind == "compare") {
       sets += " sampling.count=8 sampling.factor_groups=2";
     }

@@ -14,6 +14,7 @@ import itertools
 import math
 import os
 import sys
+import textwrap
 
 import h5py
 import numpy as np
@@ -103,6 +104,9 @@ def axis_label(key, units):
 def value_label(key, value, units):
     if isinstance(value, str):
         return os.path.splitext(os.path.basename(value))[0].replace("_", " ")
+    if units == "Pa" and abs(value) >= 1e3:
+        mega = abs(value) >= 1e6
+        return f"{words_of(key)} {value / (1e6 if mega else 1e3):.4g} {'MPa' if mega else 'kPa'}"
     return f"{words_of(key)} {value:.4g} {UNITS.get(units, units)}".rstrip()
 
 
@@ -339,10 +343,12 @@ def headline(figure, data, more):
     """Title, answer below it, remarks; returns the height of the block in inches."""
     height = figure.get_figheight()
     figure.text(0.015, 1 - 0.14 / height, data["name"].replace("_", " "), fontsize=16, fontweight="bold", va="top")
-    lines = [answer(data)] + remarks(data) + more
+    lines = textwrap.wrap(answer(data), int(11.5 * figure.get_figwidth()))
+    answer_lines = len(lines)
+    lines += remarks(data) + more
     for k, line in enumerate(lines):
-        figure.text(0.015, 1 - (0.50 + 0.23 * k) / height, line, fontsize=9.5 if k else 11, va="top",
-                    color=SOFT_INK if k else INK)
+        figure.text(0.015, 1 - (0.50 + 0.23 * k) / height, line, fontsize=11 if k < answer_lines else 9.5, va="top",
+                    color=INK if k < answer_lines else SOFT_INK)
     return 0.52 + 0.23 * len(lines)
 
 
@@ -362,15 +368,16 @@ def draw(data, plt):
     across = len(panels) if len(panels) <= 4 else math.ceil(len(panels) / 2)
     lines = math.ceil(len(panels) / across)
     tall = 1.6 if is_map and not free_key else (4.9 if lines == 1 else 3.0)
-    figure, all_axes = plt.subplots(lines, across, figsize=(10.0 if across < 4 else 12.0, lines * tall + 2.2),
+    title = 0.17 * max(0, len(panel_keys) - 1) if across > 1 else 0.0
+    figure, all_axes = plt.subplots(lines, across, figsize=(10.0 if across < 4 else 12.0, lines * (tall + title) + 2.2),
                                     sharex=True, sharey=True, squeeze=False)
     for axes, combination in itertools.zip_longest(all_axes.flat, panels):
         if combination is None:
             axes.set_visible(False)
             continue
         (draw_map_panel if is_map else draw_window_panel)(axes, data, panel_keys, combination, free_key)
-        axes.set_title(",  ".join(value_label(key, value, columns[key]["units"])
-                                  for key, value in zip(panel_keys, combination)), loc="left")
+        axes.set_title(("\n" if across > 1 else ",  ").join(value_label(key, value, columns[key]["units"])
+                                                             for key, value in zip(panel_keys, combination)), loc="left")
         axes.label_outer()
     top, height = headline(figure, data, more), figure.get_figheight()
     figure.tight_layout(rect=(0.005, 0.46 / height, 0.995, 1 - top / height), h_pad=1.2, w_pad=1.2)

@@ -48,6 +48,10 @@ struct BodyModel {
   /// Smallest extent of a lattice's particles [m]; of a network, which has no body to measure closeness with, so
   /// large that all its few contacts are near.
   [[nodiscard]] double smallest_extent_m() const;
+  /// Middle of a lattice's true shape; of a network the centre of mass.
+  [[nodiscard]] const std::array<double, 3>& center_m() const {
+    return lattice ? lattice->center_m : center_of_mass_m;
+  }
 };
 
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.

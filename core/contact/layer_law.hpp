@@ -9,8 +9,6 @@
 
 namespace unbruised {
 
-inline Lane max0(const Lane& x) { return max(x, Lane(0.0)); }
-
 /// A layer over its tributary places, per unit of stiffness: force and its slope over the penetration p.
 /// With depths d_q = p - relief_q and rate = tau p', force = (1/Q) sum_q [d_q > 0] (d_q + clamp(rate, -d_q, d_q)):
 /// the viscous part is never larger than the elastic one, so that the force is continuous where a place touches

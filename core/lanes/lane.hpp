@@ -178,6 +178,9 @@ using Mask = MaskPack<kLanes>;
 [[gnu::always_inline]] inline Lane load(const double* from) { return Lane::load(from); }
 [[gnu::always_inline]] inline void store(double* to, const Lane& value) { value.store(to); }
 
+/// The positive part.
+[[gnu::always_inline]] inline Lane max0(const Lane& x) { return max(x, Lane(0.0)); }
+
 /// Memory aligned for lanes.
 template <class T>
 struct LaneAllocator {
@@ -215,6 +218,22 @@ class LaneArray {
 
  private:
   std::vector<double, LaneAllocator<double>> values_;
+};
+
+/// Rows of masks.
+class MaskArray {
+ public:
+  MaskArray() = default;
+  explicit MaskArray(std::size_t rows) : masks_(rows, Mask(false)) {}
+  [[nodiscard]] const Mask& get(std::size_t i) const { return masks_[i]; }
+  void put(std::size_t i, const Mask& mask) { masks_[i] = mask; }
+  [[nodiscard]] bool at(std::size_t i, int lane) const { return masks_[i][lane]; }
+  void clear_lane(int lane) {
+    for (Mask& mask : masks_) mask.set(lane, false);
+  }
+
+ private:
+  std::vector<Mask, LaneAllocator<Mask>> masks_;
 };
 
 }  // namespace unbruised

@@ -28,7 +28,7 @@ void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_ma
     gravity += view.body.gravity()[i] * (view.body.mass_u()[i] - old_mass_u[i]);
     Lane force(0.0);
     for (int surface = 0; surface < kSurfaceCount; ++surface) {
-      if (is_pad(surface)) force += view.contact.force_along(surface, i);
+      if (is_pad(surface)) force += view.contact.tally()[surface].force(surface)[i];
     }
     palm += Lane(0.5) * (palm_force_[i] + force) * (after.palm[i].place_m - before.palm[i].place_m);
     palm_force_[i] = force;

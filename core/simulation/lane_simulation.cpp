@@ -94,7 +94,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       initial(parts),
       body(parts.body, w),
       material(make_material(parts.body)),
-      contact(parts.contact, parts.body.smallest_extent_m()),
+      contact(parts.contact, parts.body, w),
       view{parts, body, *material, contact, fingers, now},
       base(3 * parts.contact.node_count()) {}
 
@@ -116,7 +116,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   fingers.load(lane, scenario.gripper,
                scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s);
-  contact.load(lane, scenario, parts.body.lattice ? parts.body.lattice->center_m : parts.body.center_of_mass_m);
+  contact.load(lane, scenario);
   material->load(lane, scenario);
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     yield_stress.set(lane, lattice->yield_stress_Pa.value_or(1.0));
@@ -124,7 +124,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   const InitialState state = initial.of(scenario);
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
-  contact.set_anchor_to_place(lane, body.u());
+  contact.set_anchors(lane, body.u());
   running.set(lane, true);
   balances.load(lane, view, scenario);
 }
@@ -221,16 +221,18 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     body.solve_without_contact(touch.reach, touch.node, base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step(w, body.u(), body.v(), body.a(), now, theta, fingers, base, lanes);
+      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, fingers}, lanes);
     } else {
       contact.rebase(base, lanes);
     }
     if (!contact.idle()) {
       sweeps += contact.solve(fingers, lanes);
-      abort_lanes(contact.unsolved(), "the contact forces did not converge within a step");
+      abort_lanes(contact.sweep().unsolved(), "the contact forces did not converge within a step");
     }
     timer.lap(times.contact_s);
-    if (!contact.idle()) body.add_contact(touch.reach, touch.node, contact.active_nodes(), contact.node_force());
+    if (!contact.idle()) {
+      body.add_contact(touch.reach, touch.node, contact.sweep().active_nodes(), contact.sweep().node_force());
+    }
   }
   body.finish_solve(lanes);
   timer.lap(times.solve_s);
@@ -239,8 +241,8 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
 void LaneSimulation::Impl::advance_state() {
   const std::array<Lane, 3> old_mass_u = body.mass_u();
   body.advance(running);
-  fingers.advance(w, contact.pad_force_theta(), running);
-  contact.end_step(w, body.u_theta(), body.u(), parts.body.position_m, next, running);
+  fingers.advance(w, contact.sweep().pad_force(), running);
+  contact.end_step({body.u_theta(), body.u(), theta, next}, running);
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
@@ -270,7 +272,7 @@ void LaneSimulation::Impl::observe_lane(int lane, const std::array<Lane, kFinger
   bool goes_on = r.record.observe(seen, r.cycle);
   check_validity(lane, time);
   if (r.trace != nullptr) {
-    contact.record_events(lane, start, w, r.trace->events);
+    contact.record_events(lane, start, r.trace->events);
     record(lane, seen);
   }
   goes_on = goes_on && !r.record.aborted();
@@ -284,7 +286,7 @@ void LaneSimulation::Impl::follow_cycle(int lane, double start_s, double time_s)
   if (touch <= 1.0) r.cycle.contact_made(start_s + touch * w.theta * w.dt);
   if (r.lift_started || time_s < r.cycle.lift_start_s()) return;
   r.lift_started = true;
-  contact.reset_travel(lane);
+  contact.forget_travel(lane);
 }
 
 /// Ends runs whose numbers are not finite or whose deformation linear strain does not describe.

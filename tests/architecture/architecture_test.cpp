@@ -41,7 +41,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"scenario", {}},
     {"lanes", {}},
     {"integration", {}},
-    {"surface", {"lanes"}},
+    {"surface", {"scenario", "lanes"}},
     {"algebra", {"lanes"}},
     {"motion", {"scenario"}},
     {"body", {"scenario", "lanes", "algebra", "integration"}},

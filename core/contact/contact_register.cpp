@@ -1,0 +1,110 @@
+#include "core/contact/contact_register.hpp"
+
+#include <algorithm>
+
+#include "core/contact/layer_law.hpp"
+
+namespace unbruised {
+
+ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
+  const std::size_t n = model.candidate.size();
+  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
+                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0],
+                          &travel[1], &share, &gap_now, &gap_free}) {
+    *rows = LaneArray(n);
+  }
+  for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) *rows = MaskArray(n);
+}
+
+void ContactRegister::clear(int lane) {
+  for (LaneArray* rows :
+       {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1], &penetration,
+        &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0], &travel[1], &share}) {
+    rows->clear_lane(lane);
+  }
+  for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) rows->clear_lane(lane);
+}
+
+void ContactRegister::set_rest(int lane, const StaticRest& rest) {
+  for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
+    if (!(rest.normal_force_N[c] > 0.0)) continue;
+    penetration.at(c, lane) = rest.penetration_m[c];
+    normal.at(c, lane) = normal_theta.at(c, lane) = rest.normal_force_N[c];
+    share.at(c, lane) = 1.0;
+  }
+}
+
+void ContactRegister::set_anchors(int lane, const LaneArray& u) {
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    const auto tangents = tangent_axes(model_.candidate[c].surface);
+    const auto node = 3 * static_cast<std::size_t>(model_.candidate[c].node);
+    for (std::size_t t = 0; t < 2; ++t) {
+      anchor[t].at(c, lane) = u.at(node + static_cast<std::size_t>(tangents[t]), lane);
+    }
+  }
+}
+
+void ContactRegister::forget_travel(int lane) {
+  for (LaneArray& way : travel) way.clear_lane(lane);
+}
+
+Lane ContactRegister::layer_stiffness(std::size_t c, const SurfaceLane& surface) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
+  return surface.stiffness_N_m3 * Lane(candidate.area_m2) * share.get(c);
+}
+
+Lane ContactRegister::normal_stiffness(std::size_t c, const SurfaceLane& surface) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
+  return Lane(candidate.area_m2) * share.get(c) /
+         (Lane(1.0) / surface.stiffness_N_m3 + Lane(candidate.cell_compliance_m_Pa));
+}
+
+Lane ContactRegister::elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& p) const {
+  return normal_stiffness(c, surface) * layer_law(model_.candidate[c], p, Lane(0.0), Lane(0.0)).force;
+}
+
+Lane ContactRegister::stored_energy(const SurfaceLanes& surfaces) const {
+  Lane energy(0.0);
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    const ContactCandidate& candidate = model_.candidate[c];
+    const SurfaceLane& surface = surfaces[candidate.surface];
+    const Mask closed = is_closed(c);
+    // A viscous layer that recovers more slowly than the particle leaves is still pressed when it carries nothing.
+    const Mask pressed = (surface.relaxation_s > Lane(0.0)) & (penetration.get(c) > Lane(0.0));
+    if (none(closed | pressed)) continue;
+    const Lane press = normal_stiffness(c, surface);
+    const Lane n = normal.get(c), t1 = tangent[0].get(c), t2 = tangent[1].get(c);
+    const Lane in_place = press * squared_depth(candidate, penetration.get(c)) * Lane(0.5);
+    Lane stored = in_place;
+    if (candidate.flat) stored = select(pressed, in_place, Lane(0.5) * n * n / max(press, Lane(1e-300)));
+    const Lane sheared = Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer_stiffness(c, surface), Lane(1e-300));
+    energy += select(closed, stored + sheared, select(pressed, stored, Lane(0.0)));
+  }
+  return energy;
+}
+
+void ContactRegister::append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& w,
+                                    std::vector<ContactEvent>& events) const {
+  using Kind = ContactEvent::Kind;
+  const ContactCandidate& candidate = model_.candidate[c];
+  const bool was = was_closed.at(c, lane);
+  const bool is = normal_theta.at(c, lane) > 0.0;
+  if (is != was) {
+    const double gap = std::max(0.0, gap_now.at(c, lane));
+    const double way = gap - gap_free.at(c, lane);
+    double fraction = 0.5;
+    if (is) fraction = way > 0.0 ? gap / way : 0.0;
+    const double time_s = step_start_s + w.theta * w.dt * std::clamp(fraction, 0.0, 1.0);
+    events.push_back({time_s, candidate.node, candidate.surface, is ? Kind::make : Kind::break_});
+  }
+  const bool slid = was && was_sliding.at(c, lane);
+  const bool slides = is && sliding.at(c, lane);
+  if (is && slid != slides) {
+    events.push_back(
+        {step_start_s + w.theta * w.dt, candidate.node, candidate.surface, slides ? Kind::slip : Kind::stick});
+  }
+}
+
+}  // namespace unbruised

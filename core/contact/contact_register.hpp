@@ -1,0 +1,69 @@
+#pragma once
+
+/// @file
+/// The contact state register: what is known of every candidate, all lanes at once. It remembers forces, anchors
+/// and penetrations from step to step; the sweep finds those at t + theta dt, and the end of the step takes them
+/// over.
+
+#include <array>
+#include <vector>
+
+#include "core/contact/contact_event.hpp"
+#include "core/contact/contact_model.hpp"
+#include "core/contact/static_rest.hpp"
+#include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane.hpp"
+#include "core/surface/surface_lanes.hpp"
+
+namespace unbruised {
+
+class ContactRegister {
+ public:
+  /// The model has to outlive the register.
+  explicit ContactRegister(const ContactModel& model);
+
+  /// Opens all contacts of a lane.
+  void clear(int lane);
+  /// Puts the contacts of a product at rest on its support into a lane.
+  void set_rest(int lane, const StaticRest& rest);
+  /// Lets a lane's anchors stand where the particles are.
+  void set_anchors(int lane, const LaneArray& u);
+  /// Forgets how far a lane's anchors have travelled.
+  void forget_travel(int lane);
+
+  /// Does the contact carry force at t + theta dt?
+  [[nodiscard]] Mask is_closed(std::size_t c) const { return normal_theta.get(c) > Lane(0.0); }
+
+  /// Stiffness of the layer over the part of the rectangle that the surface covers; a third of it in shear [N/m].
+  [[nodiscard]] Lane layer_stiffness(std::size_t c, const SurfaceLane& surface) const;
+  /// The same along the normal, with the compliance of the cell in series [N/m].
+  [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
+  /// Force of the layer at rest at this penetration [N].
+  [[nodiscard]] Lane elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& penetration) const;
+  /// Stored in the layers, [J].
+  [[nodiscard]] Lane stored_energy(const SurfaceLanes& surfaces) const;
+
+  /// Appends one candidate's changes of the last step in `lane`.
+  void append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& wilson,
+                     std::vector<ContactEvent>& events) const;
+
+  // Per candidate, kept from step to step.
+  LaneArray normal;                  ///< force at the start of the step
+  std::array<LaneArray, 2> tangent;  ///< along tangent_axes(surface)
+  LaneArray normal_theta;            ///< at t + theta dt
+  std::array<LaneArray, 2> tangent_theta;
+  LaneArray penetration, penetration_theta;  ///< of the particle's place; meaningful while closed
+  LaneArray viscous;                         ///< viscous part of `normal`; 0 where the layer has none
+  std::array<LaneArray, 2> anchor, travel;
+  LaneArray share;  ///< of the tributary rectangle that the surface covers
+  MaskArray sliding;
+  // Per candidate, of the present step.
+  MaskArray near;                     ///< takes part in the solve
+  MaskArray was_closed, was_sliding;  ///< at the last step's t + theta dt
+  LaneArray gap_now, gap_free;        ///< at the start of the step, and at t + theta dt without contact forces
+
+ private:
+  const ContactModel& model_;
+};
+
+}  // namespace unbruised

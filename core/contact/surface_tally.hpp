@@ -1,0 +1,46 @@
+#pragma once
+
+/// @file
+/// Resultants of the surfaces at the end of a step, all lanes at once.
+
+#include <array>
+#include <cstddef>
+
+#include "core/contact/contact_model.hpp"
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// What one surface does to the product, per lane.
+struct SurfaceTally {
+  Lane normal{0.0};
+  std::array<Lane, 2> tangent{Lane(0.0), Lane(0.0)};  ///< along tangent_axes(surface), on the product
+  Lane closed{0.0};                                   ///< contacts that carry force
+  Lane sliding{0.0};                                  ///< of these, at the friction cone
+  Lane travel{0.0};                                   ///< net way of the anchors, summed over closed contacts
+  std::array<Lane, 2> first{Lane(0.0), Lane(0.0)};    ///< moments of the normal force over the plane
+  std::array<Lane, 3> second{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< yy, zz, yz
+  std::array<Lane, 3> torque{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< about the palm centre, on the product
+
+  /// Force on the product along x, y, z.
+  [[nodiscard]] std::array<Lane, 3> force(int surface) const;
+
+  /// Adds the moments of one candidate's normal force over the plane.
+  /// @param penetration of the particle's place, which says where in the rectangle the force sits
+  void add_moments(const ContactCandidate& candidate, const Lane& normal_force, const Lane& penetration);
+  /// Adds the torque of a force on the product about the point its arm is measured from.
+  void add_torque(const std::array<Lane, 3>& arm, const std::array<Lane, 3>& force, const Mask& running);
+};
+
+/// x, y, z of a force given along the normal and the tangents of a surface.
+[[gnu::always_inline]] inline std::array<Lane, 3> along_axes(int surface, const Lane& normal, const Lane& tangent1,
+                                                             const Lane& tangent2) {
+  const auto tangents = tangent_axes(surface);
+  std::array<Lane, 3> force;
+  force[static_cast<std::size_t>(normal_axis(surface))] = Lane(normal_sign(surface)) * normal;
+  force[static_cast<std::size_t>(tangents[0])] = tangent1;
+  force[static_cast<std::size_t>(tangents[1])] = tangent2;
+  return force;
+}
+
+}  // namespace unbruised

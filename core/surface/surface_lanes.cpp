@@ -1,0 +1,59 @@
+#include "core/surface/surface_lanes.hpp"
+
+#include "core/scenario/opening.hpp"
+
+namespace unbruised {
+namespace {
+
+double pad_friction(const ProductParameters& product) {
+  return std::visit([](const auto& parameters) { return parameters.friction; }, product);
+}
+
+}  // namespace
+
+void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product) {
+  const CellParameters& cell = scenario.cell;
+  for (int pad = 0; pad < kFingerCount; ++pad) {
+    SurfaceLane& surface = surface_[pad];
+    surface.present.set(lane, scenario.gripper.has_value());
+    surface.friction.set(lane, pad_friction(scenario.product));
+    surface.center_m[0].set(lane, product.center_m[1] + cell.grip_offset_m);
+    surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
+    if (!scenario.gripper) continue;
+    const GripperParameters& gripper = *scenario.gripper;
+    surface.stiffness_N_m3.set(lane, gripper.pad_modulus_Pa / gripper.pad_thickness_m);
+    surface.relaxation_s.set(lane, gripper.pad_relaxation_time_s);
+    surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
+    for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, gripper.pad_size_m[t]);
+  }
+  SurfaceLane& support = surface_[kSupport];
+  support.present.set(lane, cell.support);
+  support.friction.set(lane, cell.support_friction);
+  support.stiffness_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
+  support.relaxation_s.set(lane, cell.support_relaxation_time_s);
+}
+
+AxisMotion SurfaceLanes::motion(int surface, const CarrierMotion& carriers, const AxisMotion& closing) const {
+  AxisMotion motion = carrier_of(surface, carriers)[normal_axis(surface)];
+  motion.place_m = place(surface, carriers, closing.place_m);
+  if (is_pad(surface)) {
+    motion.velocity_m_s += Lane(normal_sign(surface)) * closing.velocity_m_s;
+    motion.acceleration_m_s2 += Lane(normal_sign(surface)) * closing.acceleration_m_s2;
+  }
+  return motion;
+}
+
+Lane SurfaceLanes::share_covered(int surface, const CarrierMotion& carriers, const std::array<Lane, 2>& place_m,
+                                 const std::array<double, 2>& extent_m) const {
+  Lane share(1.0);
+  if (!is_pad(surface)) return share;
+  const SurfaceLane& pad = surface_[surface];
+  const auto tangents = tangent_axes(surface);
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Lane place = place_m[t] - carrier_of(surface, carriers)[tangents[t]].place_m - pad.center_m[t];
+    share *= overlap(place, Lane(0.5 * extent_m[t]), Lane(0.5) * pad.size_m[t]) * Lane(1.0 / extent_m[t]);
+  }
+  return share;
+}
+
+}  // namespace unbruised

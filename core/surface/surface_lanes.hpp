@@ -1,0 +1,72 @@
+#pragma once
+
+/// @file
+/// The surfaces of every lane: the layer, the friction and the frame of each, and how it moves with its carrier.
+
+#include <array>
+
+#include "core/lanes/lane.hpp"
+#include "core/scenario/scenario.hpp"
+#include "core/surface/carrier_motion.hpp"
+#include "core/surface/surfaces.hpp"
+
+namespace unbruised {
+
+/// One surface, per lane.
+struct SurfaceLane {
+  Mask present{false};
+  Lane friction{1.0};
+  Lane stiffness_N_m3{1.0};  ///< of the layer, per area
+  Lane relaxation_s{0.0};    ///< of the layer
+  Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
+  std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< of a pad, along its tangent axes
+  std::array<Lane, 2> size_m{Lane(1.0), Lane(1.0)};    ///< of a pad, along its tangent axes
+};
+
+/// Where the product stands between the surfaces of one lane.
+struct ProductPlace {
+  std::array<double, 3> center_m{};
+  std::array<double, kFingerCount> pole_m{};  ///< outermost place along the normal axis of each pad
+};
+
+class SurfaceLanes {
+ public:
+  /// Sets the surfaces of a lane up for a scenario.
+  void load(int lane, const Scenario& scenario, const ProductPlace& product);
+
+  [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
+
+  /// Place along the normal axis.
+  /// @param way that its finger has closed; not looked at where no finger carries it
+  [[nodiscard, gnu::always_inline]] Lane place(int surface, const CarrierMotion& carriers, const Lane& way) const;
+  /// Place, velocity and acceleration along the normal axis.
+  /// @param closing motion of its finger; not looked at where no finger carries it
+  [[nodiscard]] AxisMotion motion(int surface, const CarrierMotion& carriers, const AxisMotion& closing) const;
+  /// Share of a rectangle that lies under the surface; 1 where the surface has no edge.
+  /// @param place_m, extent_m of the rectangle's centre and sides along the tangent axes
+  [[nodiscard]] Lane share_covered(int surface, const CarrierMotion& carriers, const std::array<Lane, 2>& place_m,
+                                   const std::array<double, 2>& extent_m) const;
+
+ private:
+  std::array<SurfaceLane, kSurfaceCount> surface_;
+};
+
+/// How the carrier of a surface moves.
+inline const std::array<AxisMotion, 3>& carrier_of(int surface, const CarrierMotion& carriers) {
+  return is_pad(surface) ? carriers.palm : carriers.cell;
+}
+
+// Asked for in every sweep over every contact.
+inline Lane SurfaceLanes::place(int surface, const CarrierMotion& carriers, const Lane& way) const {
+  const Lane& carried = carrier_of(surface, carriers)[normal_axis(surface)].place_m;
+  if (!is_pad(surface)) return carried;
+  return surface_[surface].rest_place_m + Lane(normal_sign(surface)) * way + carried;
+}
+
+/// Length of the overlap of a piece of width `extent` around `place` with one of width `size` around 0; not
+/// negative.
+[[gnu::always_inline]] inline Lane overlap(const Lane& place, const Lane& half_extent, const Lane& half_size) {
+  return max0(min(place + half_extent, half_size) - max(place - half_extent, -half_size));
+}
+
+}  // namespace unbruised

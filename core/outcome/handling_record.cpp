@@ -72,16 +72,16 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
       not_grasped_.at(now.time_s, "no contact in twice the time of the stroke");
     return !not_grasped_.happened();
   }
-  if (now.time_s < cycle.lift_start_s()) return true;
+  if (now.time_s < cycle.plan().lift_start_s()) return true;
   const bool touching = now.finger[0].closed_contacts > 0 || now.finger[1].closed_contacts > 0;
   if (!grasp_checked_) {
     grasp_checked_ = true;
     if (!(now.finger[0].closed_contacts > 0 && now.finger[1].closed_contacts > 0)) {
-      not_grasped_.at(cycle.lift_start_s(), "not both fingers touch at the end of the grip phase");
+      not_grasped_.at(cycle.plan().lift_start_s(), "not both fingers touch at the end of the grip phase");
     }
   }
   // From the first step that looks past the start of the release on, an open contact is no drop.
-  if (now.register_time_s < cycle.release_start_s()) {
+  if (now.register_time_s < cycle.plan().release_start_s()) {
     if (!touching) dropped_.at(now.time_s, "no finger contact between lift and release");
     observe_carrying(now, cycle);
   }
@@ -109,7 +109,7 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
 void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingCycle& cycle) {
   const double normal_N = 0.5 * (now.finger[0].normal_N + now.finger[1].normal_N);
   const double step_s = now.time_s - impulse_time_s_;
-  const double counted_s = std::clamp(cycle.release_start_s() - impulse_time_s_, 0.0, step_s);
+  const double counted_s = std::clamp(cycle.plan().release_start_s() - impulse_time_s_, 0.0, step_s);
   if (counted_s > 0.0) {
     const double end_N = impulse_normal_N_ + (normal_N - impulse_normal_N_) * counted_s / step_s;
     metrics[Metric::grip_impulse_N_s] += 0.5 * (impulse_normal_N_ + end_N) * counted_s;
@@ -125,7 +125,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
   }
   raise(Metric::slip_max_m, slip);
   if (metrics[Metric::slip_max_m] > limits_.slip_m) slipped_.at(now.time_s, "slip_max_m > limits.slip_m");
-  if (now.time_s <= cycle.lower_end_s()) {
+  if (now.time_s <= cycle.plan().lower_end_s()) {
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
     for (const FingerObservation& finger : now.finger) {
@@ -145,7 +145,8 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
 }
 
 void HandlingRecord::observe_hold(const StepObservation& now, const HandlingCycle& cycle) {
-  if (hold_s_ <= 0.0 || now.time_s < cycle.lift_end_s() + 0.75 * hold_s_ || now.time_s > cycle.hold_end_s())
+  if (hold_s_ <= 0.0 || now.time_s < cycle.plan().lift_end_s() + 0.75 * hold_s_ ||
+      now.time_s > cycle.plan().hold_end_s())
     return;
   std::array<double, 3> place{};
   for (std::size_t i = 0; i < 3; ++i) place[i] = now.center_motion_m[i] - now.palm_m[i];
@@ -176,9 +177,9 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
     result.metrics[Metric::hold_drift_m_s] = norm(way) / (drift_to_s_ - drift_from_s_);
   }
   if (cycle.has_contact()) result.metrics[Metric::first_contact_time_s] = cycle.first_contact_s();
-  if (has_gripper_ && cycle.lift_start_s() < HandlingCycle::kNever) {
-    result.metrics[Metric::lift_time_s] = cycle.lift_start_s();
-    result.metrics[Metric::cycle_time_s] = cycle.release_end_s();
+  if (has_gripper_ && cycle.plan().lift_start_s() < kNever) {
+    result.metrics[Metric::lift_time_s] = cycle.plan().lift_start_s();
+    result.metrics[Metric::cycle_time_s] = cycle.plan().release_end_s();
   }
   const auto set = [&](Outcome outcome, const Crossing& crossing) {
     result.outcome = outcome;

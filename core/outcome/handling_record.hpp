@@ -61,9 +61,9 @@ class HandlingRecord {
 
  private:
   struct Crossing {
-    double time_s = HandlingCycle::kNever;
+    double time_s = kNever;
     std::string cause;
-    [[nodiscard]] bool happened() const { return time_s < HandlingCycle::kNever; }
+    [[nodiscard]] bool happened() const { return time_s < kNever; }
     void at(double time, std::string_view why) {
       if (!happened()) *this = {time, std::string(why)};
     }

@@ -5,6 +5,8 @@
 #include "core/lanes/part_timer.hpp"
 #include "core/simulation/balances.hpp"
 #include "core/simulation/initial_state.hpp"
+#include "core/simulation/lane_drives.hpp"
+#include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
 
 namespace unbruised {
@@ -12,26 +14,6 @@ namespace {
 
 /// Plastic flow is solved again at most this often within a step; deep flow needs some ten.
 constexpr int kMaxPlasticRounds = 60;
-
-/// One lane's scenario and its clock.
-struct LaneRun {
-  bool busy = false;
-  Scenario scenario;
-  HandlingCycle cycle;
-  HandlingRecord record;
-  std::int64_t step = 0;
-  bool lift_started = false;
-  Trace* trace = nullptr;
-  double contact_sweeps = 0;
-  double plastic_rounds = 0;
-};
-
-/// Place, velocity and acceleration along one axis of one lane.
-void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>& values) {
-  motion.place_m.set(lane, values[0]);
-  motion.velocity_m_s.set(lane, values[1]);
-  motion.acceleration_m_s2.set(lane, values[2]);
-}
 
 }  // namespace
 
@@ -44,16 +26,15 @@ struct LaneSimulation::Impl {
   void step();
 
   // The parts of a step, in order.
-  void command_drives();
+  void follow_plans();
   void add_network_loads();
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
   void advance_state();
   void observe_lanes();
 
-  void set_carriers(int lane, const HandlingCycle& cycle, double time_s, CarrierMotion& motion) const;
   void abort_lanes(const Mask& lanes, const char* cause);
-  void follow_cycle(int lane, double start_s, double time_s);
+  void tell_cycle(int lane, double start_s, double time_s);
   void check_validity(int lane, double time_s);
   void observe_lane(int lane, const std::array<Lane, kFingerCount>& yield_ratio);
   void finish(int lane, double time_s);
@@ -133,7 +114,7 @@ void LaneSimulation::Impl::step() {
   finished.clear();
   if (none(running)) return;
   timer = PartTimer(timing);
-  command_drives();
+  follow_plans();
   fingers.begin_step(w, command);
   body.begin_step(running);
   add_network_loads();
@@ -144,32 +125,14 @@ void LaneSimulation::Impl::step() {
   timer.lap(times.update_s);
 }
 
-void LaneSimulation::Impl::set_carriers(int lane, const HandlingCycle& cycle, double time_s,
-                                        CarrierMotion& motion) const {
-  const PalmState palm = cycle.palm(time_s);
-  for (std::size_t i = 0; i < 3; ++i) {
-    set_motion(motion.palm[i], lane, {palm.position_m[i], palm.velocity_m_s[i], palm.acceleration_m_s2[i]});
-  }
-  // The plane under the product is another one once the product is lifted; neither of them moves.
-  set_motion(motion.cell[2], lane, {cycle.support_height_m(time_s), 0.0, 0.0});
-}
-
-void LaneSimulation::Impl::command_drives() {
+void LaneSimulation::Impl::follow_plans() {
   for (int lane = 0; lane < kLanes; ++lane) {
     const LaneRun& r = run_of(lane);
     if (!r.busy) continue;
-    const double t_theta = static_cast<double>(r.step) * w.dt + w.theta * w.dt;
-    set_carriers(lane, r.cycle, t_theta, theta);
-    set_carriers(lane, r.cycle, static_cast<double>(r.step + 1) * w.dt, next);
+    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), theta);
+    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), next);
     if (!r.scenario.gripper) continue;
-    command.palm_acceleration_x_m_s2.set(lane, theta.palm[0].acceleration_m_s2[lane]);
-    command.force_limit_N.set(lane, r.cycle.force_limit_N(t_theta));
-    double speed = r.cycle.set_speed_m_s(t_theta);
-    // End stops: inwards at the end of the stroke, outwards where the fingers started.
-    const double way = fingers.furthest_way()[lane];
-    if (speed > 0.0 && way >= r.scenario.gripper->stroke_m) speed = 0.0;
-    if (speed < 0.0 && way <= 0.0) speed = 0.0;
-    command.set_speed_m_s.set(lane, speed);
+    command_drives(lane, r.cycle.plan(), *r.scenario.gripper, r.theta_time_s(w), fingers, theta, command);
   }
 }
 
@@ -179,9 +142,8 @@ void LaneSimulation::Impl::add_network_loads() {
     if (!r.busy) continue;
     const auto* network = std::get_if<NetworkParameters>(&r.scenario.product);
     if (network == nullptr || network->load.empty()) continue;
-    const std::vector<double> at_t = network_load_N(*network, static_cast<double>(r.step) * w.dt);
-    const std::vector<double> at_next =
-        network_load_N(*network, static_cast<double>(r.step + 1) * w.dt, JumpSide::left);
+    const std::vector<double> at_t = network_load_N(*network, r.time_s(w));
+    const std::vector<double> at_next = network_load_N(*network, r.end_time_s(w), JumpSide::left);
     for (std::size_t i = 0; i < at_t.size(); ++i) {
       body.add_force(lane, i, at_t[i] + w.theta * (at_next[i] - at_t[i]));
     }
@@ -209,7 +171,7 @@ void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
   for (int lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     LaneRun& r = run_of(lane);
-    r.record.abort(Outcome::diverged, cause, static_cast<double>(r.step) * w.dt);
+    r.record.abort(Outcome::diverged, cause, r.time_s(w));
   }
 }
 
@@ -260,12 +222,12 @@ void LaneSimulation::Impl::observe_lanes() {
 void LaneSimulation::Impl::observe_lane(int lane, const std::array<Lane, kFingerCount>& yield_ratio) {
   LaneRun& r = run_of(lane);
   ++times.lane_steps;
-  const double start = static_cast<double>(r.step) * w.dt;
+  const double start = r.time_s(w);
   ++r.step;
-  const double time = static_cast<double>(r.step) * w.dt;
+  const double time = r.time_s(w);
   r.contact_sweeps += sweeps[lane];
   r.plastic_rounds += rounds[lane];
-  if (r.scenario.gripper) follow_cycle(lane, start, time);
+  tell_cycle(lane, start, time);
   StepObservation seen = view.observe(lane, r.scenario, time);
   for (std::size_t f = 0; f < kFingerCount; ++f) seen.finger[f].yield_ratio = yield_ratio[f][lane];
   balances.book_impulse(lane, view);
@@ -276,17 +238,14 @@ void LaneSimulation::Impl::observe_lane(int lane, const std::array<Lane, kFinger
     record(lane, seen);
   }
   goes_on = goes_on && !r.record.aborted();
-  if (!goes_on || time >= r.cycle.end_s() - 1e-9 * w.dt) finish(lane, time);
+  if (!goes_on || time >= r.cycle.plan().end_s() - 1e-9 * w.dt) finish(lane, time);
 }
 
-/// Tells the cycle of the first contact, and contact of the start of the lift.
-void LaneSimulation::Impl::follow_cycle(int lane, double start_s, double time_s) {
-  LaneRun& r = run_of(lane);
-  const double touch = contact.first_touch()[lane];
-  if (touch <= 1.0) r.cycle.contact_made(start_s + touch * w.theta * w.dt);
-  if (r.lift_started || time_s < r.cycle.lift_start_s()) return;
-  r.lift_started = true;
-  contact.forget_travel(lane);
+/// Tells the cycle what the step showed; anchors travel from the start of the lift on.
+void LaneSimulation::Impl::tell_cycle(int lane, double start_s, double time_s) {
+  std::optional<double> touch_s;
+  if (const double touch = contact.first_touch()[lane]; touch <= 1.0) touch_s = start_s + touch * w.theta * w.dt;
+  if (run_of(lane).cycle.observe(time_s, touch_s) == CycleEvent::lift_started) contact.forget_travel(lane);
 }
 
 /// Ends runs whose numbers are not finite or whose deformation linear strain does not describe.
@@ -325,11 +284,12 @@ void LaneSimulation::Impl::record(int lane, const StepObservation& seen) {
   const double every = r.scenario.simulation.trace_interval_s.value_or(w.dt);
   const auto stride = std::max<std::int64_t>(1, std::llround(every / w.dt));
   if (r.step % stride != 0) return;
-  TraceRow row = view.trace_row(lane, r.scenario, static_cast<double>(r.step) * w.dt);
+  TraceRow row = view.trace_row(lane, r.scenario, r.time_s(w));
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const FingerObservation& finger = seen.finger[f];
     row.yield_ratio[f] = finger.yield_ratio;
-    if (r.lift_started && finger.closed_contacts > 0) row.slip_m[f] = finger.travel_sum_m / finger.closed_contacts;
+    if (r.cycle.lift_started() && finger.closed_contacts > 0)
+      row.slip_m[f] = finger.travel_sum_m / finger.closed_contacts;
   }
   row.phase = r.cycle.phase(row.time_s);
   row.patch_pressure_Pa = seen.patch_pressure_Pa;

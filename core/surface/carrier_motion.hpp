@@ -15,6 +15,13 @@ struct AxisMotion {
   Lane place_m{0.0}, velocity_m_s{0.0}, acceleration_m_s2{0.0};
 };
 
+/// Sets place, velocity and acceleration in one lane.
+inline void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>& values) {
+  motion.place_m.set(lane, values[0]);
+  motion.velocity_m_s.set(lane, values[1]);
+  motion.acceleration_m_s2.set(lane, values[2]);
+}
+
 /// The carriers of surfaces at one time, each along x, y, z: the palm carries the fingers with their pads, the
 /// cell the support.
 struct CarrierMotion {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/motion/profile.hpp"
+#include "core/motion/motion_plan.hpp"
 #include "core/scenario/opening.hpp"
 #include "studies/execution/build_info.hpp"
 
@@ -17,11 +16,6 @@ constexpr double kVectorsPerLane = 24.0;
 /// Doubles that a particle of a lattice costs in the model: springs, cells, indices.
 constexpr double kDoublesPerParticle = 300.0;
 
-double duration_of(const StrategyParameters& strategy, double distance_m, double acceleration_m_s2) {
-  if (distance_m == 0.0 || !(acceleration_m_s2 > 0.0) || !(strategy.speed_m_s > 0.0)) return 0.0;
-  return MotionProfile::plan(strategy.profile, distance_m, acceleration_m_s2, strategy.speed_m_s).duration_s();
-}
-
 }  // namespace
 
 LaneStepRate measured_lane_step_rate() {
@@ -31,19 +25,9 @@ LaneStepRate measured_lane_step_rate() {
 
 double simulated_duration_s(const Scenario& scenario) {
   if (!scenario.gripper) return scenario.simulation.duration_s.value_or(0.0);
-  const StrategyParameters& s = scenario.strategy;
-  const CellParameters& cell = scenario.cell;
-  const double lift = s.lift_acceleration_m_s2;
-  const double gap = approach_gap_m(scenario);
-  const double approach = s.approach_speed_m_s > 0.0 ? gap / s.approach_speed_m_s : 0.0;
-  const double release = s.release_speed_m_s > 0.0 ? gap / s.release_speed_m_s : 0.0;
-  const double lower_m = cell.lift_height_m - cell.place_height_m - s.release_height_m;
-  const double whole =
-      approach + s.grip_ramp_s + s.settle_s + duration_of(s, cell.lift_height_m, lift) + s.hold_s +
-      duration_of(s, std::hypot(cell.transfer_m[0], cell.transfer_m[1]),
-                  s.transfer_acceleration_m_s2.value_or(lift)) +
-      duration_of(s, lower_m, s.lower_acceleration_m_s2.value_or(lift)) + s.place_settle_s + release + s.recover_s;
-  return std::min(whole, scenario.simulation.duration_s.value_or(std::numeric_limits<double>::infinity()));
+  const StrategyParameters& strategy = scenario.strategy;
+  const double approach_s = approach_gap_m(scenario) / strategy.approach_speed_m_s;
+  return MotionPlan(scenario, strategy.ramp_from_start ? 0.0 : approach_s).end_s();
 }
 
 double estimated_steps(const Scenario& scenario) {

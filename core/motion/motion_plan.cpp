@@ -1,0 +1,80 @@
+#include "core/motion/motion_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scenario/opening.hpp"
+
+namespace unbruised {
+
+MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
+    : strategy_(scenario.strategy), place_height_m_(scenario.cell.place_height_m), ramp_start_s_(ramp_start_s) {
+  if (scenario.gripper) {
+    const StrategyParameters& s = strategy_;
+    const CellParameters& cell = scenario.cell;
+    // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
+    pressing_speed_m_s_ =
+        std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / scenario.gripper->drive_gain_N_s_m);
+    lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
+    const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
+    if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};
+    transfer_ = MotionProfile::plan(s.profile, way,
+                                    s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+    lower_ = MotionProfile::plan(s.profile, cell.place_height_m + s.release_height_m - cell.lift_height_m,
+                                 s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+    if (ramp_start_s < kNever) schedule(scenario);
+  }
+  if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
+}
+
+void MotionPlan::schedule(const Scenario& scenario) {
+  const StrategyParameters& s = strategy_;
+  lift_start_s_ = ramp_start_s_ + s.grip_ramp_s + s.settle_s;
+  lift_end_s_ = lift_start_s_ + lift_.duration_s();
+  hold_end_s_ = lift_end_s_ + s.hold_s;
+  transfer_end_s_ = hold_end_s_ + transfer_.duration_s();
+  lower_end_s_ = transfer_end_s_ + lower_.duration_s();
+  release_start_s_ = lower_end_s_ + s.place_settle_s;
+  release_end_s_ = release_start_s_ + approach_gap_m(scenario) / s.release_speed_m_s;
+  end_s_ = release_end_s_ + s.recover_s;
+}
+
+CyclePhase MotionPlan::phase_after_contact(double time_s) const {
+  const std::array<double, 6> ends_s = {lift_start_s_,   lift_end_s_,      hold_end_s_,
+                                        transfer_end_s_, release_start_s_, release_end_s_};
+  const auto end = std::upper_bound(ends_s.begin(), ends_s.end(), time_s);
+  return static_cast<CyclePhase>(1 + (end - ends_s.begin()));
+}
+
+PalmState MotionPlan::palm(double time_s) const {
+  PalmState palm;
+  if (time_s <= lift_start_s_) return palm;
+  const auto up = lift_.at(time_s - lift_start_s_);
+  const auto across = transfer_.at(time_s - hold_end_s_);
+  const auto down = lower_.at(time_s - transfer_end_s_);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    palm.position_m[axis] = transfer_direction_[axis] * across.position_m;
+    palm.velocity_m_s[axis] = transfer_direction_[axis] * across.velocity_m_s;
+    palm.acceleration_m_s2[axis] = transfer_direction_[axis] * across.acceleration_m_s2;
+  }
+  palm.position_m[2] = up.position_m + down.position_m;
+  palm.velocity_m_s[2] = up.velocity_m_s + down.velocity_m_s;
+  palm.acceleration_m_s2[2] = up.acceleration_m_s2 + down.acceleration_m_s2;
+  return palm;
+}
+
+double MotionPlan::force_limit_N(double time_s) const {
+  const StrategyParameters& s = strategy_;
+  if (time_s < ramp_start_s_) return s.contact_force_N;
+  const double share = s.grip_ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / s.grip_ramp_s) : 1.0;
+  return s.contact_force_N + share * (s.grip_force_N - s.contact_force_N);
+}
+
+double MotionPlan::set_speed_m_s(double time_s) const {
+  if (time_s >= release_start_s_) return -strategy_.release_speed_m_s;
+  return time_s >= ramp_start_s_ ? pressing_speed_m_s_ : strategy_.approach_speed_m_s;
+}
+
+double MotionPlan::support_height_m(double time_s) const { return time_s >= lift_end_s_ ? place_height_m_ : 0.0; }
+
+}  // namespace unbruised

@@ -1,0 +1,71 @@
+#pragma once
+
+/// @file
+/// The plan of one handling cycle: grip, lift, hold, transfer, lower, release, recover. Times are real numbers;
+/// everything is fixed by the scenario and the time at which the grip is ramped up. A plan never changes: the
+/// simulator follows one, and the estimate of a run's cost reads its end.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "core/motion/profile.hpp"
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// Motion of the palm along x, y, z from where it stood during the approach.
+struct PalmState {
+  std::array<double, 3> position_m{};
+  std::array<double, 3> velocity_m_s{};
+  std::array<double, 3> acceleration_m_s2{};
+};
+
+/// The phases in their order; the codes stand in results files.
+enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover };
+inline constexpr std::array<std::string_view, 8> kCyclePhaseWords = {"approach", "grip",  "lift",    "hold",
+                                                                     "transfer", "lower", "release", "recover"};
+
+/// A time that does not come.
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+class MotionPlan {
+ public:
+  MotionPlan() = default;
+  /// @param ramp_start_s when the drive's force limit begins to rise; kNever: the fingers only approach
+  MotionPlan(const Scenario& scenario, double ramp_start_s);
+
+  /// The phase at a time after the first contact; lower lasts until the fingers open.
+  [[nodiscard]] CyclePhase phase_after_contact(double time_s) const;
+  [[nodiscard]] PalmState palm(double time_s) const;
+  /// Largest drive force per finger.
+  [[nodiscard]] double force_limit_N(double time_s) const;
+  /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
+  [[nodiscard]] double set_speed_m_s(double time_s) const;
+  /// Height of the plane under the product.
+  [[nodiscard]] double support_height_m(double time_s) const;
+
+  [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
+  [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
+  [[nodiscard]] double hold_end_s() const { return hold_end_s_; }
+  [[nodiscard]] double lower_end_s() const { return lower_end_s_; }
+  [[nodiscard]] double release_start_s() const { return release_start_s_; }
+  [[nodiscard]] double release_end_s() const { return release_end_s_; }
+  /// End of the run.
+  [[nodiscard]] double end_s() const { return end_s_; }
+
+ private:
+  void schedule(const Scenario& scenario);
+
+  StrategyParameters strategy_{};
+  double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises
+  double place_height_m_ = 0.0;
+  MotionProfile lift_, transfer_, lower_;
+  std::array<double, 2> transfer_direction_{0.0, 0.0};
+  double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever, hold_end_s_ = kNever;
+  double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
+  double end_s_ = kNever;
+};
+
+}  // namespace unbruised

@@ -1,0 +1,20 @@
+#pragma once
+
+/// @file
+/// What a plan asks of one lane at a time: where the carriers are, and what the drives are told.
+
+#include "core/gripper/finger_lanes.hpp"
+#include "core/motion/motion_plan.hpp"
+#include "core/surface/carrier_motion.hpp"
+
+namespace unbruised {
+
+/// Puts the carriers of a lane where the plan has them at `time_s`.
+void set_carriers(int lane, const MotionPlan& plan, double time_s, CarrierMotion& motion);
+
+/// Tells the drives of a lane what the plan wants at `time_s`.
+/// @param carriers at that time
+void command_drives(int lane, const MotionPlan& plan, const GripperParameters& gripper, double time_s,
+                    const FingerLanes& fingers, const CarrierMotion& carriers, DriveCommand& command);
+
+}  // namespace unbruised

@@ -1,0 +1,146 @@
+// The phase machine and its plan: what the first contact fixes, and where the palm is when.
+
+#include "core/motion/handling_cycle.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace unbruised {
+namespace {
+
+/// Round numbers, so that the times of the plan can be added up by hand.
+Scenario scene() {
+  Scenario scenario;
+  scenario.gripper = GripperParameters{};
+  scenario.gripper->stroke_m = 0.04;
+  scenario.gripper->drive_gain_N_s_m = 100.0;
+  scenario.cell.approach_gap_m = 0.01;
+  scenario.cell.lift_height_m = 0.1;
+  scenario.cell.transfer_m = {0.3, 0.4};
+  scenario.cell.place_height_m = 0.02;
+  StrategyParameters& s = scenario.strategy;
+  s.profile = ProfileKind::trapezoid;
+  s.approach_speed_m_s = 0.05;
+  s.contact_force_N = 0.5;
+  s.grip_force_N = 2.5;
+  s.grip_ramp_s = 0.2;
+  s.settle_s = 0.1;
+  s.lift_acceleration_m_s2 = 1.6;
+  s.speed_m_s = 10.0;  // never reached: a way L takes 2 sqrt(L / a)
+  s.hold_s = 0.5;
+  s.release_height_m = 0.01;
+  s.place_settle_s = 0.05;
+  s.release_speed_m_s = 0.1;
+  s.recover_s = 0.3;
+  return scenario;
+}
+
+double way_s(double distance_m) { return 2.0 * std::sqrt(distance_m / 1.6); }
+
+/// Times are sums of some ten numbers of order one: round-off only.
+constexpr double kSum = 1e-14;
+
+TEST(HandlingCycle, ApproachesUntilTheFirstContactWhichFixesEverything) {
+  HandlingCycle cycle(scene());
+  EXPECT_EQ(cycle.observe(1.0, std::nullopt), CycleEvent::none);
+  EXPECT_EQ(cycle.phase(100.0), CyclePhase::approach);
+  EXPECT_EQ(cycle.plan().end_s(), kNever);
+  EXPECT_FALSE(cycle.has_contact());
+  cycle.observe(2.0, 1.5);
+  EXPECT_EQ(cycle.first_contact_s(), 1.5);
+  const MotionPlan& plan = cycle.plan();
+  EXPECT_NEAR(plan.lift_start_s(), 1.8, kSum);
+  EXPECT_NEAR(plan.lift_end_s(), 1.8 + way_s(0.1), kSum);
+  EXPECT_NEAR(plan.hold_end_s(), plan.lift_end_s() + 0.5, kSum);
+  EXPECT_NEAR(plan.lower_end_s(), plan.hold_end_s() + way_s(0.5) + way_s(0.07), kSum);
+  EXPECT_NEAR(plan.release_start_s(), plan.lower_end_s() + 0.05, kSum);
+  EXPECT_NEAR(plan.release_end_s(), plan.release_start_s() + 0.1, kSum);
+  EXPECT_NEAR(plan.end_s(), plan.release_end_s() + 0.3, kSum);
+  cycle.observe(3.0, 2.5);
+  EXPECT_EQ(cycle.first_contact_s(), 1.5) << "a later contact changes nothing";
+}
+
+TEST(HandlingCycle, TellsTheStartOfTheLiftOnce) {
+  HandlingCycle cycle(scene());
+  EXPECT_EQ(cycle.observe(1.0, 1.0), CycleEvent::none);
+  EXPECT_EQ(cycle.observe(1.29, std::nullopt), CycleEvent::none);
+  EXPECT_FALSE(cycle.lift_started());
+  EXPECT_EQ(cycle.observe(1.31, std::nullopt), CycleEvent::lift_started);
+  EXPECT_TRUE(cycle.lift_started());
+  EXPECT_EQ(cycle.observe(1.32, std::nullopt), CycleEvent::none);
+}
+
+TEST(HandlingCycle, ARampFromTheStartIsPlannedBeforeAnyContact) {
+  Scenario scenario = scene();
+  scenario.strategy.ramp_from_start = true;
+  HandlingCycle cycle(scenario);
+  EXPECT_NEAR(cycle.plan().lift_start_s(), 0.3, kSum);
+  cycle.observe(0.1, 0.1);
+  EXPECT_NEAR(cycle.plan().lift_start_s(), 0.3, kSum) << "the contact does not move the plan";
+  EXPECT_EQ(cycle.phase(0.05), CyclePhase::approach);
+  EXPECT_EQ(cycle.phase(0.2), CyclePhase::grip);
+}
+
+TEST(HandlingCycle, GoesThroughThePhasesInTheirOrder) {
+  HandlingCycle cycle(scene());
+  cycle.observe(1.0, 1.0);
+  const MotionPlan& plan = cycle.plan();
+  const double tiny = 1e-6;
+  EXPECT_EQ(cycle.phase(1.0 - tiny), CyclePhase::approach);
+  EXPECT_EQ(cycle.phase(1.0), CyclePhase::grip);
+  EXPECT_EQ(cycle.phase(plan.lift_start_s()), CyclePhase::lift);
+  EXPECT_EQ(cycle.phase(plan.lift_end_s()), CyclePhase::hold);
+  EXPECT_EQ(cycle.phase(plan.hold_end_s()), CyclePhase::transfer);
+  EXPECT_EQ(cycle.phase(plan.lower_end_s()), CyclePhase::lower);
+  EXPECT_EQ(cycle.phase(plan.release_start_s()), CyclePhase::release);
+  EXPECT_EQ(cycle.phase(plan.release_end_s()), CyclePhase::recover);
+}
+
+TEST(HandlingCycle, GivesUpAfterTwiceTheStrokeAndASecond) {
+  EXPECT_DOUBLE_EQ(HandlingCycle(scene()).approach_deadline_s(), 2.0 * 0.04 / 0.05 + 1.0);
+}
+
+TEST(MotionPlan, CarriesThePalmUpAcrossAndDown) {
+  const MotionPlan plan(scene(), 0.0);
+  EXPECT_EQ(plan.palm(plan.lift_start_s()).position_m[2], 0.0);
+  EXPECT_NEAR(plan.palm(plan.hold_end_s()).position_m[2], 0.1, kSum);
+  const PalmState end = plan.palm(plan.release_start_s());
+  EXPECT_NEAR(end.position_m[0], 0.3, kSum);
+  EXPECT_NEAR(end.position_m[1], 0.4, kSum);
+  EXPECT_NEAR(end.position_m[2], 0.03, kSum) << "the target and the height of the release";
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(end.velocity_m_s[i], 0.0);
+  // Half way across a trapezoid that never reaches its limit the speed is sqrt(L a).
+  const PalmState across = plan.palm(plan.hold_end_s() + 0.5 * way_s(0.5));
+  EXPECT_NEAR(std::hypot(across.velocity_m_s[0], across.velocity_m_s[1]), std::sqrt(0.5 * 1.6), kSum);
+  EXPECT_EQ(plan.support_height_m(plan.lift_start_s()), 0.0);
+  EXPECT_EQ(plan.support_height_m(plan.lower_end_s()), 0.02);
+}
+
+TEST(MotionPlan, RaisesTheForceLimitLinearlyAndAimsAtASpeedThatReachesIt) {
+  const MotionPlan plan(scene(), 1.0);
+  EXPECT_EQ(plan.force_limit_N(0.9), 0.5);
+  EXPECT_NEAR(plan.force_limit_N(1.1), 1.5, kSum);
+  EXPECT_EQ(plan.force_limit_N(1.3), 2.5);
+  EXPECT_EQ(plan.set_speed_m_s(0.9), 0.05);
+  EXPECT_EQ(plan.set_speed_m_s(1.1), 0.05) << "2 F / gain = 0.05 m/s is no more than the approach";
+  EXPECT_EQ(plan.set_speed_m_s(plan.release_start_s()), -0.1);
+  Scenario weak = scene();
+  weak.gripper->drive_gain_N_s_m = 50.0;
+  EXPECT_EQ(MotionPlan(weak, 1.0).set_speed_m_s(1.1), 0.1);
+}
+
+TEST(MotionPlan, EndsAtTheDurationWhereThatComesFirst) {
+  Scenario scenario = scene();
+  scenario.simulation.duration_s = 1.25;
+  EXPECT_EQ(MotionPlan(scenario, 0.0).end_s(), 1.25);
+  EXPECT_EQ(MotionPlan(scenario, kNever).end_s(), 1.25);
+  scenario.gripper.reset();
+  EXPECT_EQ(MotionPlan(scenario, kNever).end_s(), 1.25);
+  scenario = scene();
+  scenario.simulation.duration_s = 100.0;
+  EXPECT_LT(MotionPlan(scenario, 0.0).end_s(), 100.0);
+}
+
+}  // namespace
+}  // namespace unbruised

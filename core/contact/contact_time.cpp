@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/scenario/lattice_cells.hpp"
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
@@ -57,7 +58,7 @@ LayeredFace side_at_pad(const LatticeParameters& product, const GripperParameter
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[0],
-          .is_flat = product.shape == Shape::box || (product.shape == Shape::cylinder && product.axis == Axis::x),
+          .is_flat = TrueShape(product).curvatures(0) == 0,
           .flat_area_m2 = std::min(gripper.pad_size_m[0], product.size_m[1]) *
                           std::min(gripper.pad_size_m[1], product.size_m[2]),
           .radius_m = 0.25 * (product.size_m[1] + product.size_m[2]),
@@ -70,7 +71,7 @@ LayeredFace side_at_support(const LatticeParameters& product, const CellParamete
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[2],
-          .is_flat = product.shape == Shape::box || (product.shape == Shape::cylinder && product.axis == Axis::z),
+          .is_flat = TrueShape(product).curvatures(2) == 0,
           .flat_area_m2 = base_m2,
           .radius_m = 0.25 * (product.size_m[0] + product.size_m[1]),
           .largest_patch_m2 = base_m2,

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
+
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 
@@ -23,19 +24,7 @@ std::array<double, 3> lattice_cell_extent_m(const LatticeParameters& parameters)
   return {parameters.size_m[0] / count[0], parameters.size_m[1] / count[1], parameters.size_m[2] / count[2]};
 }
 
-double true_volume_m3(const LatticeParameters& parameters) {
-  const double box = parameters.size_m[0] * parameters.size_m[1] * parameters.size_m[2];
-  switch (parameters.shape) {
-    case Shape::box:
-      return box;
-    case Shape::sphere:
-    case Shape::ellipsoid:
-      return std::numbers::pi / 6.0 * box;
-    case Shape::cylinder:
-      return std::numbers::pi / 4.0 * box;
-  }
-  throw std::invalid_argument("true_volume_m3: unknown shape");
-}
+double true_volume_m3(const LatticeParameters& parameters) { return TrueShape(parameters).volume_m3(); }
 
 double lattice_mass_kg(const LatticeParameters& parameters) {
   if (parameters.mass_kg.has_value() == parameters.density_kg_m3.has_value()) {

@@ -1,8 +1,53 @@
 #include "core/scenario/true_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace unbruised {
+namespace {
+
+/// The ellipse or ellipsoid over the round axes, and a place in its positive octant.
+struct EllipsoidPlace {
+  std::array<double, 3> half_m{1.0, 1.0, 1.0};
+  std::array<double, 3> y{};  ///< 0 along axes that are not round
+  std::size_t shortest = 0;   ///< of the round axes
+
+  /// s + e^2 - e_shortest^2, under which the foot of the normal through y is e^2 y / that.
+  [[nodiscard]] double below(std::size_t d, double s) const {
+    return s + (half_m[d] * half_m[d] - half_m[shortest] * half_m[shortest]);
+  }
+  [[nodiscard]] double foot(std::size_t d, double s) const {
+    return y[d] == 0.0 ? 0.0 : half_m[d] * half_m[d] * y[d] / below(d, s);
+  }
+  /// Sum of (foot / e)^2: 1 where the foot lies on the surface; falls with s.
+  [[nodiscard]] double sum(double s) const {
+    double total = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double q = foot(d, s) / half_m[d];
+      total += q * q;
+    }
+    return total;
+  }
+};
+
+/// The foot on the surface of the normal through y (Eberly, "Distance from a point to an ellipse, an ellipsoid or
+/// a hyperellipsoid", 2013): s bisected to the last bit.
+std::array<double, 3> foot_of(const EllipsoidPlace& place) {
+  double low = 0.0, high = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) high = std::max(high, std::sqrt(3.0) * place.half_m[d] * place.y[d]);
+  // In the plane across the shortest axis, and so near the middle that the foot lies on that axis' side.
+  const bool above_middle = place.y[place.shortest] == 0.0 && place.sum(0.0) < 1.0;
+  for (double middle = 0.5 * high; !above_middle && low < middle && middle < high; middle = 0.5 * (low + high)) {
+    (place.sum(middle) > 1.0 ? low : high) = middle;
+  }
+  const double s = above_middle ? 0.0 : high;
+  std::array<double, 3> foot = {place.foot(0, s), place.foot(1, s), place.foot(2, s)};
+  if (above_middle) foot[place.shortest] = place.half_m[place.shortest] * std::sqrt(1.0 - place.sum(0.0));
+  return foot;
+}
+
+}  // namespace
 
 TrueShape::TrueShape(const LatticeParameters& parameters) : size_m_(parameters.size_m) {
   round_.fill(parameters.shape != Shape::box);
@@ -16,6 +61,23 @@ int TrueShape::curvatures(std::size_t axis) const {
   return count;
 }
 
+double TrueShape::volume_m3() const {
+  const double box = size_m_[0] * size_m_[1] * size_m_[2];
+  const auto round_axes = std::count(round_.begin(), round_.end(), true);
+  if (round_axes == 0) return box;
+  return std::numbers::pi / (round_axes == 3 ? 6.0 : 4.0) * box;
+}
+
+bool TrueShape::contains(const std::array<double, 3>& place_m) const {
+  double round_sum = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double q = 2.0 * place_m[d] / size_m_[d];
+    if (round_[d]) round_sum += q * q;
+    if (!round_[d] && std::abs(q) > 1.0) return false;
+  }
+  return round_sum <= 1.0;
+}
+
 double TrueShape::half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const {
   double rest = 1.0;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -23,6 +85,60 @@ double TrueShape::half_chord_m(std::size_t axis, const std::array<double, 3>& pl
   }
   if (rest < 0.0) return -1.0;
   return 0.5 * size_m_[axis] * (round_[axis] ? std::sqrt(rest) : 1.0);
+}
+
+/// Of the ellipse or ellipsoid over the round axes.
+NearestSurface TrueShape::nearest_round(const std::array<double, 3>& place_m) const {
+  EllipsoidPlace place;
+  double inside = 0.0;
+  bool first = true;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (!round_[d]) continue;
+    place.half_m[d] = 0.5 * size_m_[d];
+    place.y[d] = std::abs(place_m[d]);
+    inside += place.y[d] * place.y[d] / (place.half_m[d] * place.half_m[d]);
+    // Of equal ones an axis along which the place lies off the middle: the foot is then on its side.
+    const double so_far = place.half_m[place.shortest];
+    const bool off_middle = place.half_m[d] == so_far && place.y[d] > place.y[place.shortest];
+    if (first || place.half_m[d] < so_far || off_middle) place.shortest = d;
+    first = false;
+  }
+  const std::array<double, 3> foot = foot_of(place);
+  NearestSurface nearest{0.0, {0.0, 0.0, 0.0}};
+  double distance2 = 0.0, slope2 = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    distance2 += (place.y[d] - foot[d]) * (place.y[d] - foot[d]);
+    nearest.normal[d] = std::copysign(foot[d] / (place.half_m[d] * place.half_m[d]), place_m[d]);
+    slope2 += nearest.normal[d] * nearest.normal[d];
+  }
+  for (double& n : nearest.normal) n /= std::sqrt(slope2);
+  nearest.distance_m = (inside < 1.0 ? -1.0 : 1.0) * std::sqrt(distance2);
+  return nearest;
+}
+
+NearestSurface TrueShape::nearest(const std::array<double, 3>& place_m) const {
+  // The round axes together and each flat one bound the shape in directions that do not mix: outside, the
+  // distances add up by squares; inside, the nearest of them counts.
+  std::array<NearestSurface, 4> part;
+  std::size_t count = 0;
+  if (std::count(round_.begin(), round_.end(), true) > 0) part[count++] = nearest_round(place_m);
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (round_[d]) continue;
+    NearestSurface face{std::abs(place_m[d]) - 0.5 * size_m_[d], {0.0, 0.0, 0.0}};
+    face.normal[d] = std::copysign(1.0, place_m[d]);
+    part[count++] = face;
+  }
+  NearestSurface inner = part[0], outer{0.0, {0.0, 0.0, 0.0}};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (part[i].distance_m > inner.distance_m) inner = part[i];
+    const double out = std::max(0.0, part[i].distance_m);
+    outer.distance_m += out * out;
+    for (std::size_t d = 0; d < 3; ++d) outer.normal[d] += out * part[i].normal[d];
+  }
+  if (!(inner.distance_m > 0.0)) return inner;
+  outer.distance_m = std::sqrt(outer.distance_m);
+  for (double& n : outer.normal) n /= outer.distance_m;
+  return outer;
 }
 
 }  // namespace unbruised

@@ -3,7 +3,7 @@
 /// @file
 /// The true shape of a lattice product: its one definition, asked by the lattice for its cells and by contact for
 /// the surface. With q the place from the centre over the half extents, a place is inside where the sum of q^2
-/// over the round axes is at most 1.
+/// over the round axes is at most 1, and each other |q|.
 
 #include <array>
 #include <cstddef>
@@ -12,6 +12,13 @@
 
 namespace unbruised {
 
+/// The place of the surface that is nearest to some place.
+struct NearestSurface {
+  double distance_m = 0;                  ///< negative inside
+  std::array<double, 3> normal{0, 0, 1};  ///< outward, of length 1
+};
+
+/// Places are relative to the centre of the shape.
 class TrueShape {
  public:
   explicit TrueShape(const LatticeParameters& parameters);
@@ -20,15 +27,21 @@ class TrueShape {
   [[nodiscard]] bool is_round(std::size_t axis) const { return round_[axis]; }
   /// Along how many of the two directions across it does the side that faces `axis` curve?
   [[nodiscard]] int curvatures(std::size_t axis) const;
-  /// Half the chord along `axis` through a place relative to the centre (its own component along the axis does not
-  /// count) [m]; negative where the line misses the shape.
+  [[nodiscard]] double volume_m3() const;
+  [[nodiscard]] bool contains(const std::array<double, 3>& place_m) const;
+  /// Half the chord along `axis` through a place (its own component along the axis does not count) [m]; negative
+  /// where the line misses the shape.
   [[nodiscard]] double half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const;
   /// Radius of curvature at the pole of `axis` along another, round one [m].
   [[nodiscard]] double pole_radius_m(std::size_t axis, std::size_t along) const {
     return 0.5 * size_m_[along] * size_m_[along] / size_m_[axis];
   }
+  /// Distance and normal at a place; where several places are nearest, as in the middle, one of them.
+  [[nodiscard]] NearestSurface nearest(const std::array<double, 3>& place_m) const;
 
  private:
+  [[nodiscard]] NearestSurface nearest_round(const std::array<double, 3>& place_m) const;
+
   std::array<double, 3> size_m_;
   std::array<bool, 3> round_{};
 };

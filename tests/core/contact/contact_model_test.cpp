@@ -1,0 +1,159 @@
+// What a model knows of contact before anything moves: candidates, the relief of a curved side, compliance,
+// patches.
+
+#include "core/contact/contact_model.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/simulation/model_parts.hpp"
+#include "tests/core/simulation/scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+Scenario ball() {
+  Scenario scenario = small_box();
+  lattice_of(scenario).shape = Shape::sphere;
+  lattice_of(scenario).size_m = {0.04, 0.04, 0.04};
+  lattice_of(scenario).cell_size_m = 0.005;
+  return scenario;
+}
+
+/// Round-off of sums of some hundred areas.
+constexpr double kSum = 1e-12;
+
+TEST(ContactModel, AFlatSideIsSharedOutAmongItsCandidates) {
+  const auto model = build(small_box());
+  const ContactModel& contact = model->parts().contact;
+  std::array<double, kSurfaceCount> area{};
+  for (const ContactCandidate& c : contact.candidate) {
+    EXPECT_TRUE(c.flat);
+    EXPECT_EQ(c.cell_compliance_m_Pa, 0.0);
+    area[c.surface] += c.area_m2;
+  }
+  for (const double each : area) EXPECT_NEAR(each, 0.02 * 0.02, kSum * each);
+  EXPECT_EQ(contact.pole_m[kLeftPad], -contact.pole_m[kRightPad]);
+  EXPECT_DOUBLE_EQ(contact.pole_m[kRightPad], 0.01);
+}
+
+TEST(ContactModel, CandidatesAreListedByNodeAndSurface) {
+  const auto model = build(ball());
+  const ContactModel& contact = model->parts().contact;
+  ASSERT_EQ(contact.first_candidate.size(), contact.node_count() + 1);
+  for (std::size_t node = 0; node < contact.node_count(); ++node) {
+    for (int c = contact.first_candidate[node]; c < contact.first_candidate[node + 1]; ++c) {
+      EXPECT_EQ(contact.candidate[static_cast<std::size_t>(c)].node, contact.node[node]);
+      EXPECT_EQ(contact.candidate[static_cast<std::size_t>(c)].contact_node, static_cast<int>(node));
+    }
+  }
+}
+
+TEST(ContactModel, TheReliefOfABallIsItsSphere) {
+  const auto model = build(ball());
+  const Model::Parts& parts = model->parts();
+  const double radius = 0.02;
+  for (const ContactCandidate& c : parts.contact.candidate) {
+    EXPECT_FALSE(c.flat);
+    // From the centre of the ball, in the plane of the surface.
+    const auto tangents = tangent_axes(c.surface);
+    std::array<double, 2> middle{};
+    for (std::size_t t = 0; t < 2; ++t) middle[t] = c.place_m[t] - parts.body.center_m()[tangents[t]];
+    const double here = radius * radius - middle[0] * middle[0] - middle[1] * middle[1];
+    for (int q = 0; q < kReliefPlaces; ++q) {
+      const auto offset = relief_offset(q);
+      const double y = middle[0] + offset[0] * c.extent_m[0], z = middle[1] + offset[1] * c.extent_m[1];
+      const double there = radius * radius - y * y - z * z;
+      if (there < 0.0) {
+        EXPECT_GT(c.relief_m[q], 1.0) << "never touches";
+      } else {
+        // sqrt of differences of squares of centimetres: round-off of 1e-16 m, more where `there` vanishes.
+        EXPECT_NEAR(c.relief_m[q], std::sqrt(here) - std::sqrt(there), 1e-10);
+      }
+    }
+    const double modulus = 1e5 / (1.0 - 0.25 * 0.25);
+    EXPECT_NEAR(c.cell_compliance_m_Pa, 0.4 * c.extent_m[0] / modulus, kSum * c.cell_compliance_m_Pa);
+  }
+}
+
+TEST(ContactModel, TheComplianceIsSymmetricAndYieldsUnderEveryForce) {
+  const auto model = build(ball());
+  const ContactModel& contact = model->parts().contact;
+  const std::size_t m = contact.node_count();
+  double largest = 0.0;
+  for (const double value : contact.compliance) largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        const double there = contact.compliance[9 * (i * m + j) + k];
+        const double back = contact.compliance[9 * (j * m + i) + 3 * (k % 3) + k / 3];
+        // Solves with a factor of some thousand rows: relative round-off well below 1e-10.
+        ASSERT_NEAR(there, back, 1e-10 * largest);
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_GT(contact.compliance[9 * (i * m + i) + 4 * axis], 0.0);
+  }
+}
+
+TEST(ContactModel, APatchUnderUniformPressureMeasuresIt) {
+  Scenario scenario = small_box();
+  lattice_of(scenario).cell_size_m = 0.0025;
+  scenario.simulation.pressure_patch_m = 0.006;
+  const auto model = build(scenario);
+  const ContactModel& contact = model->parts().contact;
+  const double pressure_Pa = 1e3;
+  int inner = 0;
+  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
+    const ContactCandidate& center = contact.candidate[c];
+    const auto& middle = model->parts().body.center_m();
+    const auto tangents = tangent_axes(center.surface);
+    bool inside = true;
+    for (std::size_t t = 0; t < 2; ++t) {
+      // Patch and the rectangles it reaches into lie away from the edge, where rectangles are halved.
+      inside = inside && std::abs(center.place_m[t] - middle[tangents[t]]) < 0.01 - 0.003 - 0.0025;
+    }
+    if (!inside) continue;
+    ++inner;
+    double force = 0.0;
+    for (std::size_t p = contact.patch_start[c]; p < contact.patch_start[c + 1]; ++p) {
+      const PatchWeight& weight = contact.patch_weight[p];
+      force += weight.weight * pressure_Pa * contact.candidate[static_cast<std::size_t>(weight.candidate)].area_m2;
+    }
+    EXPECT_NEAR(force / contact.patch_area_m2, pressure_Pa, kSum * pressure_Pa);
+  }
+  EXPECT_GT(inner, 10);
+}
+
+TEST(ContactModel, TheHertzPatchOfABallIsItsCircle) {
+  // a^3 = 3 F R / (4 E*), so A = pi (3 F R / (4 E*))^(2/3).
+  const double radius_m = 0.02, modulus_Pa = 1e6;
+  const PatchForm form = hertz_patch({radius_m, radius_m}, modulus_Pa);
+  EXPECT_NEAR(form.hertz_area_m2_N23, std::numbers::pi * std::pow(0.75 * radius_m / modulus_Pa, 2.0 / 3.0),
+              kSum * form.hertz_area_m2_N23);
+  EXPECT_DOUBLE_EQ(form.semi_axis[0], form.semi_axis[1]);
+  // Turned by a quarter, the ellipse is the same one turned.
+  const PatchForm flat = hertz_patch({0.04, 0.02}, modulus_Pa), turned = hertz_patch({0.02, 0.04}, modulus_Pa);
+  EXPECT_EQ(flat.hertz_area_m2_N23, turned.hertz_area_m2_N23);
+  EXPECT_EQ(flat.semi_axis[0], turned.semi_axis[1]);
+  EXPECT_GT(flat.semi_axis[0], flat.semi_axis[1]) << "longer along the flatter side";
+}
+
+TEST(ContactModel, ParticlesOfANetworkTouchTheSupportThroughTheirOwnLayer) {
+  NetworkParameters network;
+  network.particle.resize(2);
+  network.particle[1].position_m = {0.1, 0.2, 0.3};
+  network.particle[1].contact_stiffness_N_m = 50.0;
+  const ContactModel contact = network_contact(network);
+  ASSERT_EQ(contact.candidate.size(), 1U);
+  EXPECT_EQ(contact.candidate[0].surface, kSupport);
+  EXPECT_EQ(contact.candidate[0].node, 1);
+  EXPECT_EQ(contact.candidate[0].surface_m, 0.3);
+  EXPECT_EQ(contact.candidate[0].stiffness_N_m, 50.0);
+}
+
+}  // namespace
+}  // namespace unbruised

@@ -1,0 +1,149 @@
+// The record alone, fed with observations written by hand: which outcome, when, and the sums it keeps.
+
+#include "core/outcome/handling_record.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace unbruised {
+namespace {
+
+constexpr double kStep_s = 0.01;
+
+/// Contact at 0.1 s, a lift from 0.3 s on.
+Scenario scene() {
+  Scenario scenario;
+  scenario.gripper = GripperParameters{};
+  scenario.cell.approach_gap_m = 0.01;
+  scenario.strategy.grip_ramp_s = 0.1;
+  scenario.strategy.settle_s = 0.1;
+  scenario.strategy.hold_s = 0.4;
+  scenario.limits.slip_m = 1e-3;
+  std::get<LatticeParameters>(scenario.product).friction = 0.5;
+  return scenario;
+}
+
+/// A product that both fingers hold with 2 N and 0.5 N along z each, and that does not slip.
+StepObservation held(double time_s) {
+  StepObservation seen;
+  seen.time_s = seen.register_time_s = time_s;
+  for (FingerObservation& finger : seen.finger) {
+    finger.normal_N = 2.0;
+    finger.tangent_N = {0.0, 0.5};
+    finger.closed_contacts = 4.0;
+  }
+  return seen;
+}
+
+/// Runs a cycle whose steps look like `held`, changed by `change`.
+ScenarioResult record_of(const Scenario& scenario, const std::function<void(StepObservation&)>& change) {
+  HandlingCycle cycle(scenario);
+  HandlingRecord record(scenario);
+  double time_s = 0.0;
+  for (int step = 1; time_s < cycle.plan().end_s(); ++step) {
+    time_s = step * kStep_s;
+    cycle.observe(time_s, time_s >= 0.1 ? std::optional(0.1) : std::nullopt);
+    StepObservation seen = held(time_s);
+    change(seen);
+    if (!record.observe(seen, cycle)) break;
+  }
+  return record.finish(cycle, time_s);
+}
+
+TEST(HandlingRecord, HoldsAndAddsUpTheImpulseOfTheGrip) {
+  const ScenarioResult result = record_of(scene(), [](StepObservation&) {});
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_EQ(result.metrics[Metric::first_contact_time_s], 0.1);
+  EXPECT_DOUBLE_EQ(result.metrics[Metric::lift_time_s], 0.3);
+  EXPECT_EQ(result.metrics[Metric::peak_finger_force_N], 2.0);
+  // mu N / T - 1
+  EXPECT_DOUBLE_EQ(result.metrics[Metric::friction_margin_min], 0.5 * 2.0 / 0.5 - 1.0);
+  // 2 N from the first step's end to the start of the release, and a ramp from 0 over the first step: 2 N x (t -
+  // dt/2).
+  const MotionPlan plan(scene(), 0.1);
+  EXPECT_NEAR(result.metrics[Metric::grip_impulse_N_s], 2.0 * (plan.release_start_s() - 0.5 * kStep_s), 1e-12);
+  EXPECT_EQ(result.metrics[Metric::hold_drift_m_s], 0.0);
+}
+
+TEST(HandlingRecord, MeasuresTheDriftOfTheLastQuarterOfTheHoldAgainstThePalm) {
+  const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
+    seen.palm_m = {0.0, 0.0, 0.1 * seen.time_s};
+    seen.center_motion_m = {0.0, 0.0, 0.1 * seen.time_s - 3e-6 * seen.time_s};
+  });
+  // A difference of places of 0.1 m over 0.1 s: round-off of 1e-16 m / s.
+  EXPECT_NEAR(result.metrics[Metric::hold_drift_m_s], 3e-6, 1e-14);
+}
+
+TEST(HandlingRecord, DropsWhereNoFingerTouchesBetweenLiftAndRelease) {
+  const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
+    if (seen.time_s < 0.5) return;
+    for (FingerObservation& finger : seen.finger) finger = FingerObservation{};
+  });
+  EXPECT_EQ(result.outcome, Outcome::dropped);
+  EXPECT_NEAR(result.outcome_time_s, 0.5, kStep_s);
+}
+
+TEST(HandlingRecord, AnOpenContactAfterTheStartOfTheReleaseIsNoDrop) {
+  const double release_s = MotionPlan(scene(), 0.1).release_start_s();
+  const ScenarioResult result = record_of(scene(), [&](StepObservation& seen) {
+    if (seen.register_time_s < release_s) return;
+    for (FingerObservation& finger : seen.finger) finger = FingerObservation{};
+  });
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+}
+
+TEST(HandlingRecord, DoesNotGraspWithOneFingerOrAtTheEndOfTheStroke) {
+  const ScenarioResult one = record_of(scene(), [](StepObservation& seen) { seen.finger[1] = {}; });
+  EXPECT_EQ(one.outcome, Outcome::not_grasped);
+  EXPECT_DOUBLE_EQ(one.outcome_time_s, 0.3);
+  const ScenarioResult end = record_of(scene(), [](StepObservation& seen) { seen.end_of_stroke = true; });
+  EXPECT_EQ(end.outcome, Outcome::not_grasped);
+  EXPECT_DOUBLE_EQ(end.outcome_time_s, kStep_s);
+}
+
+TEST(HandlingRecord, SlipComesBeforeDamageAndEachKeepsItsFirstTime) {
+  Scenario scenario = scene();
+  scenario.limits.finger_force_N = 3.0;
+  const auto press = [](StepObservation& seen) {
+    if (seen.time_s > 0.355) seen.finger[0].normal_N = 3.5;
+  };
+  const ScenarioResult damaged = record_of(scenario, press);
+  EXPECT_EQ(damaged.outcome, Outcome::damaged);
+  EXPECT_DOUBLE_EQ(damaged.outcome_time_s, 0.36);
+  const ScenarioResult slipped = record_of(scenario, [&](StepObservation& seen) {
+    press(seen);
+    if (seen.time_s > 0.455) seen.finger[1].travel_sum_m = 4.0 * 2e-3;  // of four contacts
+  });
+  EXPECT_EQ(slipped.outcome, Outcome::slipped);
+  EXPECT_DOUBLE_EQ(slipped.outcome_time_s, 0.46);
+  EXPECT_DOUBLE_EQ(slipped.metrics[Metric::slip_max_m], 2e-3);
+}
+
+TEST(HandlingRecord, AFingerThatSlidesAsAWholeHasTheMarginOfItsSlip) {
+  const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
+    seen.finger[0].sliding_contacts = 4.0;
+    seen.finger[0].travel_sum_m = 4.0 * 5e-4;
+  });
+  EXPECT_DOUBLE_EQ(result.metrics[Metric::friction_margin_min], -0.5) << "-slip / limits.slip_m";
+}
+
+TEST(HandlingRecord, AnAbortEndsAllOtherVerdictsAndANumberThatOverflowsIsNoMeasurement) {
+  HandlingRecord record(scene());
+  record.abort(Outcome::out_of_range, "too far", 0.2);
+  record.abort(Outcome::diverged, "later", 0.3);
+  const ScenarioResult aborted = record.finish(HandlingCycle(scene()), 0.4);
+  EXPECT_EQ(aborted.outcome, Outcome::out_of_range);
+  EXPECT_EQ(aborted.cause, "too far");
+  EXPECT_EQ(aborted.outcome_time_s, 0.2);
+  const ScenarioResult infinite = record_of(scene(), [](StepObservation& seen) {
+    seen.center_acceleration_m_s2 = {std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  });
+  EXPECT_EQ(infinite.outcome, Outcome::diverged);
+  EXPECT_TRUE(std::isnan(infinite.metrics[Metric::peak_acceleration_m_s2]));
+}
+
+}  // namespace
+}  // namespace unbruised

@@ -13,8 +13,8 @@ namespace {
 class KeyWriter {
  public:
   template <class T>
-  void operator()(const char*, Decides decides, const T& value) {
-    if (decides == Decides::model) add(value);
+  void operator()(const Field& field, const T& value) {
+    if (field.decides == Decides::model) add(value);
   }
   void add(double value) {
     value += 0.0;  // -0 and 0 are the same
@@ -51,7 +51,8 @@ std::string factor_key(const Scenario& scenario) {
     key.add(network->particle.size());
     key.add(network->spring.size());
   }
-  visit_fields(scenario, key);
+  visit_parameters(scenario,
+                   [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, key); });
   return key.take();
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
 /// @file
-/// Every field of the parameters, visited one by one with its name and what it decides. The structured bindings
-/// name all members of each struct: a field that is added and not visited does not compile.
+/// The one table of the parameters' fields: what each is called, what it decides, and in which range its numbers
+/// lie. `number_fields` and `factor_key` are read from it. The structured bindings name all members of each
+/// struct: a field that is added and not listed does not compile.
 
-#include <string>
+#include <string_view>
 #include <type_traits>
+#include <variant>
 
+#include "core/scenario/range.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -17,92 +20,196 @@ enum class Decides {
   run,    ///< what happens to one scenario; lanes with one factor may differ in it
 };
 
+struct Field {
+  std::string_view name;
+  Decides decides;
+  Range range = kAnyNumber;  ///< of each of its numbers
+};
+
+inline constexpr Range kIndex{.min = 0.0, .max = 2147483647.0};
+inline constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
+/// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
+inline constexpr Range kTheta{.min = 1.37, .max = 3.0};
+inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
+
 /// Is T, const or not, the parameter struct S?
 template <class T, class S>
 concept FieldsOf = std::is_same_v<std::remove_const_t<T>, S>;
+
+// visit_fields(parameters, visit) calls visit(Field, member) for each field, in the order of the struct.
 
 template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [shape, size_m, axis, cell_size_m, mass_kg, density_kg_m3, youngs_modulus_Pa, poisson_ratio,
          yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio, at_frequency_Hz, friction,
          initial_velocity_m_s] = p;
-  visit("shape", Decides::model, shape);
-  visit("size_m", Decides::model, size_m);
-  visit("axis", Decides::model, axis);
-  visit("cell_size_m", Decides::model, cell_size_m);
-  visit("mass_kg", Decides::model, mass_kg);
-  visit("density_kg_m3", Decides::model, density_kg_m3);
-  visit("youngs_modulus_Pa", Decides::model, youngs_modulus_Pa);
-  visit("poisson_ratio", Decides::model, poisson_ratio);
-  visit("yield_stress_Pa", Decides::run, yield_stress_Pa);
-  visit("tangent_modulus_Pa", Decides::run, tangent_modulus_Pa);
-  visit("relaxation_time_s", Decides::model, relaxation_time_s);
-  visit("loss_ratio", Decides::model, loss_ratio);
-  visit("at_frequency_Hz", Decides::model, at_frequency_Hz);
-  visit("friction", Decides::run, friction);
-  visit("initial_velocity_m_s", Decides::run, initial_velocity_m_s);
+  visit({"shape", Decides::model}, shape);
+  visit({"size_m", Decides::model, kPositive}, size_m);
+  visit({"axis", Decides::model}, axis);
+  visit({"cell_size_m", Decides::model, kPositive}, cell_size_m);
+  visit({"mass_kg", Decides::model, kPositive}, mass_kg);
+  visit({"density_kg_m3", Decides::model, kPositive}, density_kg_m3);
+  visit({"youngs_modulus_Pa", Decides::model, kPositive}, youngs_modulus_Pa);
+  visit({"poisson_ratio", Decides::model, kPoissonRatio}, poisson_ratio);
+  visit({"yield_stress_Pa", Decides::run, kPositive}, yield_stress_Pa);
+  visit({"tangent_modulus_Pa", Decides::run, kPositive}, tangent_modulus_Pa);
+  visit({"relaxation_time_s", Decides::model, kNotNegative}, relaxation_time_s);
+  visit({"loss_ratio", Decides::model, kNotNegative}, loss_ratio);
+  visit({"at_frequency_Hz", Decides::model, kPositive}, at_frequency_Hz);
+  visit({"friction", Decides::run, kNotNegative}, friction);
+  visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
 }
 
 template <FieldsOf<NetworkParticle> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [position_m, mass_kg, fixed, initial_displacement_m, initial_velocity_m_s, contact_stiffness_N_m] = p;
-  visit("position_m", Decides::model, position_m);
-  visit("mass_kg", Decides::model, mass_kg);
-  visit("fixed", Decides::model, fixed);
-  visit("initial_displacement_m", Decides::run, initial_displacement_m);
-  visit("initial_velocity_m_s", Decides::run, initial_velocity_m_s);
-  visit("contact_stiffness_N_m", Decides::model, contact_stiffness_N_m);
+  visit({"position_m", Decides::model, kAnyNumber}, position_m);
+  visit({"mass_kg", Decides::model, kNotNegative}, mass_kg);
+  visit({"fixed", Decides::model}, fixed);
+  visit({"initial_displacement_m", Decides::run, kAnyNumber}, initial_displacement_m);
+  visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
+  visit({"contact_stiffness_N_m", Decides::model, kNotNegative}, contact_stiffness_N_m);
 }
 
 template <FieldsOf<NetworkSpring> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [between, stiffness_N_m, damping_N_s_m, rest_length_m, yield_force_N, hardening_ratio] = p;
-  visit("between", Decides::model, between);
-  visit("stiffness_N_m", Decides::model, stiffness_N_m);
-  visit("damping_N_s_m", Decides::model, damping_N_s_m);
-  visit("rest_length_m", Decides::model, rest_length_m);
-  visit("yield_force_N", Decides::model, yield_force_N);
-  visit("hardening_ratio", Decides::model, hardening_ratio);
+  visit({"between", Decides::model, kIndex}, between);
+  visit({"stiffness_N_m", Decides::model, kNotNegative}, stiffness_N_m);
+  visit({"damping_N_s_m", Decides::model, kNotNegative}, damping_N_s_m);
+  visit({"rest_length_m", Decides::model, kPositive}, rest_length_m);
+  visit({"yield_force_N", Decides::model, kPositive}, yield_force_N);
+  visit({"hardening_ratio", Decides::model, kNotNegative}, hardening_ratio);
 }
 
 template <FieldsOf<NetworkLoad> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [particle, time_s, force_N] = p;
-  visit("particle", Decides::run, particle);
-  visit("time_s", Decides::run, time_s);
-  visit("force_N", Decides::run, force_N);
+  visit({"particle", Decides::run, kIndex}, particle);
+  visit({"time_s", Decides::run, kAnyNumber}, time_s);
+  visit({"force_N", Decides::run, kAnyNumber}, force_N);
 }
 
-/// Particles, springs and loads are visited through their own fields.
+/// Particles, springs and loads have fields of their own.
 template <FieldsOf<NetworkParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [particles, springs, loads, friction] = p;
-  for (auto& particle : particles) visit_fields(particle, visit);
-  for (auto& spring : springs) visit_fields(spring, visit);
-  for (auto& load : loads) visit_fields(load, visit);
-  visit("friction", Decides::run, friction);
+  visit({"friction", Decides::run, kNotNegative}, friction);
+}
+
+template <FieldsOf<GripperParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_relaxation_time_s,
+         drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N, max_speed_m_s, coupling, min_force_N, force_accuracy,
+         force_step_N, opening_m] = p;
+  visit({"finger_mass_kg", Decides::run, kPositive}, finger_mass_kg);
+  visit({"stroke_m", Decides::run, kPositive}, stroke_m);
+  visit({"pad_size_m", Decides::run, kPositive}, pad_size_m);
+  visit({"pad_thickness_m", Decides::run, kPositive}, pad_thickness_m);
+  visit({"pad_modulus_Pa", Decides::run, kPositive}, pad_modulus_Pa);
+  visit({"pad_relaxation_time_s", Decides::run, kNotNegative}, pad_relaxation_time_s);
+  visit({"drive_gain_N_s_m", Decides::run, kPositive}, drive_gain_N_s_m);
+  visit({"drive_viscous_N_s_m", Decides::run, kNotNegative}, drive_viscous_N_s_m);
+  visit({"max_force_N", Decides::run, kPositive}, max_force_N);
+  visit({"max_speed_m_s", Decides::run, kPositive}, max_speed_m_s);
+  visit({"coupling", Decides::run}, coupling);
+  visit({"min_force_N", Decides::run, kNotNegative}, min_force_N);
+  visit({"force_accuracy", Decides::run, kAccuracy}, force_accuracy);
+  visit({"force_step_N", Decides::run, kNotNegative}, force_step_N);
+  visit({"opening_m", Decides::run, kPositive}, opening_m);
+}
+
+template <FieldsOf<CellParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m,
+         support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
+         place_height_m] = p;
+  visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
+  visit({"support", Decides::run}, support);
+  visit({"support_friction", Decides::run, kNotNegative}, support_friction);
+  visit({"support_modulus_Pa", Decides::run, kPositive}, support_modulus_Pa);
+  visit({"support_thickness_m", Decides::run, kPositive}, support_thickness_m);
+  visit({"support_relaxation_time_s", Decides::run, kNotNegative}, support_relaxation_time_s);
+  visit({"approach_gap_m", Decides::run, kPositive}, approach_gap_m);
+  visit({"grip_height_m", Decides::run, kAnyNumber}, grip_height_m);
+  visit({"grip_offset_m", Decides::run, kAnyNumber}, grip_offset_m);
+  visit({"lift_height_m", Decides::run, kNotNegative}, lift_height_m);
+  visit({"transfer_m", Decides::run, kAnyNumber}, transfer_m);
+  visit({"place_height_m", Decides::run, kAnyNumber}, place_height_m);
+}
+
+template <FieldsOf<StrategyParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, profile,
+         lift_acceleration_m_s2, transfer_acceleration_m_s2, lower_acceleration_m_s2, speed_m_s, hold_s,
+         release_height_m, place_settle_s, release_speed_m_s, recover_s] = p;
+  visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
+  visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
+  visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
+  visit({"grip_ramp_s", Decides::run, kNotNegative}, grip_ramp_s);
+  visit({"ramp_from_start", Decides::run}, ramp_from_start);
+  visit({"settle_s", Decides::run, kNotNegative}, settle_s);
+  visit({"profile", Decides::run}, profile);
+  visit({"lift_acceleration_m_s2", Decides::run, kPositive}, lift_acceleration_m_s2);
+  visit({"transfer_acceleration_m_s2", Decides::run, kPositive}, transfer_acceleration_m_s2);
+  visit({"lower_acceleration_m_s2", Decides::run, kPositive}, lower_acceleration_m_s2);
+  visit({"speed_m_s", Decides::run, kPositive}, speed_m_s);
+  visit({"hold_s", Decides::run, kNotNegative}, hold_s);
+  visit({"release_height_m", Decides::run, kNotNegative}, release_height_m);
+  visit({"place_settle_s", Decides::run, kNotNegative}, place_settle_s);
+  visit({"release_speed_m_s", Decides::run, kPositive}, release_speed_m_s);
+  visit({"recover_s", Decides::run, kNotNegative}, recover_s);
+}
+
+template <FieldsOf<LimitParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [damage, permanent_set_m, plastic_strain, bruised_volume_m3, peak_pressure_Pa, absorbed_energy_J,
+         finger_force_N, contact_yield_ratio, slip_m] = p;
+  visit({"damage", Decides::run}, damage);
+  visit({"permanent_set_m", Decides::run, kNotNegative}, permanent_set_m);
+  visit({"plastic_strain", Decides::run, kNotNegative}, plastic_strain);
+  visit({"bruised_volume_m3", Decides::run, kNotNegative}, bruised_volume_m3);
+  visit({"peak_pressure_Pa", Decides::run, kNotNegative}, peak_pressure_Pa);
+  visit({"absorbed_energy_J", Decides::run, kNotNegative}, absorbed_energy_J);
+  visit({"finger_force_N", Decides::run, kNotNegative}, finger_force_N);
+  visit({"contact_yield_ratio", Decides::run, kNotNegative}, contact_yield_ratio);
+  visit({"slip_m", Decides::run, kPositive}, slip_m);
 }
 
 template <FieldsOf<SimulationParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [time_step_s, theta, duration_s, initial_acceleration, trace_interval_s, pressure_patch_m, max_strain,
          max_rotation_rad] = p;
-  visit("time_step_s", Decides::model, time_step_s);
-  visit("theta", Decides::model, theta);
-  visit("duration_s", Decides::run, duration_s);
-  visit("initial_acceleration", Decides::run, initial_acceleration);
-  visit("trace_interval_s", Decides::run, trace_interval_s);
-  visit("pressure_patch_m", Decides::model, pressure_patch_m);
-  visit("max_strain", Decides::run, max_strain);
-  visit("max_rotation_rad", Decides::run, max_rotation_rad);
+  visit({"time_step_s", Decides::model, kPositive}, time_step_s);
+  visit({"theta", Decides::model, kTheta}, theta);
+  visit({"duration_s", Decides::run, kPositive}, duration_s);
+  visit({"initial_acceleration", Decides::run}, initial_acceleration);
+  visit({"trace_interval_s", Decides::run, kPositive}, trace_interval_s);
+  visit({"pressure_patch_m", Decides::model, kPositive}, pressure_patch_m);
+  visit({"max_strain", Decides::run, kPositive}, max_strain);
+  visit({"max_rotation_rad", Decides::run, kPositive}, max_rotation_rad);
 }
 
-/// Product and numerics: gripper, cell, strategy and limits never enter a model, and are not visited.
+/// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its
+/// fields stand, [] for a place in a list, and the place (-1: no list).
 template <FieldsOf<Scenario> T, class Visit>
-void visit_fields(T& scenario, Visit&& visit) {
+void visit_parameters(T& scenario, Visit&& visit) {
   auto& [product, gripper, cell, strategy, limits, simulation] = scenario;
-  std::visit([&visit](auto& parameters) { visit_fields(parameters, visit); }, product);
-  visit_fields(simulation, visit);
+  if (auto* lattice = std::get_if<LatticeParameters>(&product)) visit("product.", -1, *lattice);
+  if (auto* network = std::get_if<NetworkParameters>(&product)) {
+    const auto each = [&visit](std::string_view prefix, auto& list) {
+      for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
+    };
+    each("product.particle[].", network->particle);
+    each("product.spring[].", network->spring);
+    each("product.load[].", network->load);
+    visit("product.", -1, *network);
+  }
+  if (gripper) visit("gripper.", -1, *gripper);
+  visit("cell.", -1, cell);
+  visit("strategy.", -1, strategy);
+  visit("limits.", -1, limits);
+  visit("simulation.", -1, simulation);
 }
 
 }  // namespace unbruised

@@ -4,14 +4,19 @@
 #include <array>
 #include <type_traits>
 
+#include "core/scenario/fields.hpp"
+
 namespace unbruised {
 namespace {
 
-constexpr Range kIndex{.min = 0.0, .max = 2147483647.0};
-constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
-/// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
-constexpr Range kTheta{.min = 1.37, .max = 3.0};
-constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
+/// Is T a number, an optional one, or a list of numbers?
+template <class T>
+inline constexpr bool kIsNumber =
+    std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, std::optional<double>>;
+template <class T, std::size_t N>
+inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
+template <class T>
+inline constexpr bool kIsNumber<std::vector<T>> = kIsNumber<T>;
 
 template <typename T>
 void visit_numbers(T& member, NumberPlace place, const NumberVisit& visit) {
@@ -26,179 +31,21 @@ void visit_numbers(T& member, NumberPlace place, const NumberVisit& visit) {
   }
 }
 
-template <auto member>
-void lattice(Scenario& scenario, const NumberVisit& visit) {
-  if (auto* p = std::get_if<LatticeParameters>(&scenario.product)) visit_numbers(p->*member, {}, visit);
-}
-template <auto list, auto member>
-void listed(Scenario& scenario, const NumberVisit& visit) {
-  auto* network = std::get_if<NetworkParameters>(&scenario.product);
-  if (network == nullptr) return;
-  auto& items = network->*list;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    visit_numbers(items[i].*member, {.index = static_cast<int>(i)}, visit);
-  }
-}
-template <auto member>
-void particle(Scenario& scenario, const NumberVisit& visit) {
-  listed<&NetworkParameters::particle, member>(scenario, visit);
-}
-template <auto member>
-void spring(Scenario& scenario, const NumberVisit& visit) {
-  listed<&NetworkParameters::spring, member>(scenario, visit);
-}
-template <auto member>
-void load(Scenario& scenario, const NumberVisit& visit) {
-  listed<&NetworkParameters::load, member>(scenario, visit);
-}
-void friction(Scenario& scenario, const NumberVisit& visit) {
-  std::visit([&](auto& product) { visit_numbers(product.friction, {}, visit); }, scenario.product);
-}
-template <auto member>
-void gripper(Scenario& scenario, const NumberVisit& visit) {
-  if (scenario.gripper) visit_numbers((*scenario.gripper).*member, {}, visit);
-}
-template <auto part, auto member>
-void part_of(Scenario& scenario, const NumberVisit& visit) {
-  visit_numbers(scenario.*part.*member, {}, visit);
+/// A scenario that has every struct of parameters but a network.
+Scenario with_all_of_a_lattice() {
+  Scenario scenario;
+  scenario.gripper = GripperParameters{};
+  return scenario;
 }
 
-using Fields = std::vector<NumberField>;
-
-Fields product_fields() {
-  using L = LatticeParameters;
-  using P = NetworkParticle;
-  using S = NetworkSpring;
-  using F = NetworkLoad;
-  return {
-      {"product.size_m", kPositive, lattice<&L::size_m>},
-      {"product.cell_size_m", kPositive, lattice<&L::cell_size_m>},
-      {"product.mass_kg", kPositive, lattice<&L::mass_kg>},
-      {"product.density_kg_m3", kPositive, lattice<&L::density_kg_m3>},
-      {"product.youngs_modulus_Pa", kPositive, lattice<&L::youngs_modulus_Pa>},
-      {"product.poisson_ratio", kPoissonRatio, lattice<&L::poisson_ratio>},
-      {"product.yield_stress_Pa", kPositive, lattice<&L::yield_stress_Pa>},
-      {"product.tangent_modulus_Pa", kPositive, lattice<&L::tangent_modulus_Pa>},
-      {"product.relaxation_time_s", kNotNegative, lattice<&L::relaxation_time_s>},
-      {"product.loss_ratio", kNotNegative, lattice<&L::loss_ratio>},
-      {"product.at_frequency_Hz", kPositive, lattice<&L::at_frequency_Hz>},
-      {"product.friction", kNotNegative, friction},
-      {"product.initial_velocity_m_s", kAnyNumber, lattice<&L::initial_velocity_m_s>},
-      {"product.particle[].position_m", kAnyNumber, particle<&P::position_m>},
-      {"product.particle[].mass_kg", kNotNegative, particle<&P::mass_kg>},
-      {"product.particle[].initial_displacement_m", kAnyNumber, particle<&P::initial_displacement_m>},
-      {"product.particle[].initial_velocity_m_s", kAnyNumber, particle<&P::initial_velocity_m_s>},
-      {"product.particle[].contact_stiffness_N_m", kNotNegative, particle<&P::contact_stiffness_N_m>},
-      {"product.spring[].between", kIndex, spring<&S::between>},
-      {"product.spring[].stiffness_N_m", kNotNegative, spring<&S::stiffness_N_m>},
-      {"product.spring[].damping_N_s_m", kNotNegative, spring<&S::damping_N_s_m>},
-      {"product.spring[].rest_length_m", kPositive, spring<&S::rest_length_m>},
-      {"product.spring[].yield_force_N", kPositive, spring<&S::yield_force_N>},
-      {"product.spring[].hardening_ratio", kNotNegative, spring<&S::hardening_ratio>},
-      {"product.load[].particle", kIndex, load<&F::particle>},
-      {"product.load[].time_s", kAnyNumber, load<&F::time_s>},
-      {"product.load[].force_N", kAnyNumber, load<&F::force_N>},
-  };
-}
-
-Fields gripper_fields() {
-  using G = GripperParameters;
-  return {
-      {"gripper.finger_mass_kg", kPositive, gripper<&G::finger_mass_kg>},
-      {"gripper.stroke_m", kPositive, gripper<&G::stroke_m>},
-      {"gripper.pad_size_m", kPositive, gripper<&G::pad_size_m>},
-      {"gripper.pad_thickness_m", kPositive, gripper<&G::pad_thickness_m>},
-      {"gripper.pad_modulus_Pa", kPositive, gripper<&G::pad_modulus_Pa>},
-      {"gripper.pad_relaxation_time_s", kNotNegative, gripper<&G::pad_relaxation_time_s>},
-      {"gripper.drive_gain_N_s_m", kPositive, gripper<&G::drive_gain_N_s_m>},
-      {"gripper.drive_viscous_N_s_m", kNotNegative, gripper<&G::drive_viscous_N_s_m>},
-      {"gripper.max_force_N", kPositive, gripper<&G::max_force_N>},
-      {"gripper.max_speed_m_s", kPositive, gripper<&G::max_speed_m_s>},
-      {"gripper.min_force_N", kNotNegative, gripper<&G::min_force_N>},
-      {"gripper.force_accuracy", kAccuracy, gripper<&G::force_accuracy>},
-      {"gripper.force_step_N", kNotNegative, gripper<&G::force_step_N>},
-      {"gripper.opening_m", kPositive, gripper<&G::opening_m>},
-  };
-}
-
-template <auto member>
-NumberField cell_field(std::string_view path, const Range& range) {
-  return {path, range, part_of<&Scenario::cell, member>};
-}
-Fields cell_fields() {
-  using C = CellParameters;
-  return {
-      cell_field<&C::gravity_m_s2>("cell.gravity_m_s2", kAnyNumber),
-      cell_field<&C::support_friction>("cell.support_friction", kNotNegative),
-      cell_field<&C::support_modulus_Pa>("cell.support_modulus_Pa", kPositive),
-      cell_field<&C::support_thickness_m>("cell.support_thickness_m", kPositive),
-      cell_field<&C::support_relaxation_time_s>("cell.support_relaxation_time_s", kNotNegative),
-      cell_field<&C::approach_gap_m>("cell.approach_gap_m", kPositive),
-      cell_field<&C::grip_height_m>("cell.grip_height_m", kAnyNumber),
-      cell_field<&C::grip_offset_m>("cell.grip_offset_m", kAnyNumber),
-      cell_field<&C::lift_height_m>("cell.lift_height_m", kNotNegative),
-      cell_field<&C::transfer_m>("cell.transfer_m", kAnyNumber),
-      cell_field<&C::place_height_m>("cell.place_height_m", kAnyNumber),
-  };
-}
-
-template <auto member>
-NumberField strategy_field(std::string_view path, const Range& range) {
-  return {path, range, part_of<&Scenario::strategy, member>};
-}
-Fields strategy_fields() {
-  using S = StrategyParameters;
-  return {
-      strategy_field<&S::approach_speed_m_s>("strategy.approach_speed_m_s", kPositive),
-      strategy_field<&S::grip_force_N>("strategy.grip_force_N", kPositive),
-      strategy_field<&S::contact_force_N>("strategy.contact_force_N", kNotNegative),
-      strategy_field<&S::grip_ramp_s>("strategy.grip_ramp_s", kNotNegative),
-      strategy_field<&S::settle_s>("strategy.settle_s", kNotNegative),
-      strategy_field<&S::lift_acceleration_m_s2>("strategy.lift_acceleration_m_s2", kPositive),
-      strategy_field<&S::transfer_acceleration_m_s2>("strategy.transfer_acceleration_m_s2", kPositive),
-      strategy_field<&S::lower_acceleration_m_s2>("strategy.lower_acceleration_m_s2", kPositive),
-      strategy_field<&S::speed_m_s>("strategy.speed_m_s", kPositive),
-      strategy_field<&S::hold_s>("strategy.hold_s", kNotNegative),
-      strategy_field<&S::release_height_m>("strategy.release_height_m", kNotNegative),
-      strategy_field<&S::place_settle_s>("strategy.place_settle_s", kNotNegative),
-      strategy_field<&S::release_speed_m_s>("strategy.release_speed_m_s", kPositive),
-      strategy_field<&S::recover_s>("strategy.recover_s", kNotNegative),
-  };
-}
-
-template <auto member>
-NumberField limit_field(std::string_view path, const Range& range) {
-  return {path, range, part_of<&Scenario::limits, member>};
-}
-Fields limit_fields() {
-  using M = LimitParameters;
-  return {
-      limit_field<&M::permanent_set_m>("limits.permanent_set_m", kNotNegative),
-      limit_field<&M::plastic_strain>("limits.plastic_strain", kNotNegative),
-      limit_field<&M::bruised_volume_m3>("limits.bruised_volume_m3", kNotNegative),
-      limit_field<&M::peak_pressure_Pa>("limits.peak_pressure_Pa", kNotNegative),
-      limit_field<&M::absorbed_energy_J>("limits.absorbed_energy_J", kNotNegative),
-      limit_field<&M::finger_force_N>("limits.finger_force_N", kNotNegative),
-      limit_field<&M::contact_yield_ratio>("limits.contact_yield_ratio", kNotNegative),
-      limit_field<&M::slip_m>("limits.slip_m", kPositive),
-  };
-}
-
-template <auto member>
-NumberField simulation_field(std::string_view path, const Range& range) {
-  return {path, range, part_of<&Scenario::simulation, member>};
-}
-Fields simulation_fields() {
-  using S = SimulationParameters;
-  return {
-      simulation_field<&S::time_step_s>("simulation.time_step_s", kPositive),
-      simulation_field<&S::theta>("simulation.theta", kTheta),
-      simulation_field<&S::duration_s>("simulation.duration_s", kPositive),
-      simulation_field<&S::trace_interval_s>("simulation.trace_interval_s", kPositive),
-      simulation_field<&S::pressure_patch_m>("simulation.pressure_patch_m", kPositive),
-      simulation_field<&S::max_strain>("simulation.max_strain", kPositive),
-      simulation_field<&S::max_rotation_rad>("simulation.max_rotation_rad", kPositive),
-  };
+Scenario with_all_of_a_network() {
+  Scenario scenario = with_all_of_a_lattice();
+  NetworkParameters network;
+  network.particle.resize(1);
+  network.spring.resize(1);
+  network.load.resize(1);
+  scenario.product = network;
+  return scenario;
 }
 
 std::optional<double> value_of(NumberSlot slot) {
@@ -209,20 +56,40 @@ std::optional<double> value_of(NumberSlot slot) {
 
 }  // namespace
 
+void NumberField::each(Scenario& scenario, const NumberVisit& visit) const {
+  visit_parameters(scenario, [&](std::string_view in, int index, auto& parameters) {
+    if (in != std::string_view(path).substr(0, prefix_size)) return;
+    visit_fields(parameters, [&](const Field& field, auto& member) {
+      if constexpr (kIsNumber<std::remove_cvref_t<decltype(member)>>) {
+        if (field.name == std::string_view(path).substr(prefix_size))
+          visit_numbers(member, {.index = index}, visit);
+      }
+    });
+  });
+}
+
 const std::vector<NumberField>& number_fields() {
-  static const Fields table = [] {
-    Fields all;
-    for (const Fields& part : {product_fields(), gripper_fields(), cell_fields(), strategy_fields(),
-                               limit_fields(), simulation_fields()}) {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
+  static const std::vector<NumberField> table = [] {
+    std::vector<NumberField> product, rest;
+    const auto add = [&](std::string_view prefix, int, auto& parameters) {
+      visit_fields(parameters, [&](const Field& field, auto& member) {
+        if constexpr (kIsNumber<std::remove_cvref_t<decltype(member)>>) {
+          std::vector<NumberField>& part = prefix.starts_with("product.") ? product : rest;
+          NumberField number{std::string(prefix) + std::string(field.name), prefix.size(), field.range};
+          const auto known = [&](const NumberField& other) { return other.path == number.path; };
+          if (std::none_of(part.begin(), part.end(), known)) part.push_back(std::move(number));
+        }
+      });
+    };
+    for (Scenario scenario : {with_all_of_a_lattice(), with_all_of_a_network()}) visit_parameters(scenario, add);
+    product.insert(product.end(), rest.begin(), rest.end());
+    return product;
   }();
   return table;
 }
 
 const NumberField* find_number_field(std::string_view path) {
-  const Fields& all = number_fields();
+  const std::vector<NumberField>& all = number_fields();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const NumberField& field) { return field.path == path; });
   return found == all.end() ? nullptr : &*found;

@@ -27,11 +27,13 @@ struct NumberPlace {
 
 using NumberVisit = std::function<void(const NumberPlace&, NumberSlot)>;
 
+/// The numbers of one field of the table in fields.hpp.
 struct NumberField {
-  std::string_view path;  ///< dotted; [] stands for a place in a list: "product.particle[].mass_kg"
+  std::string path;         ///< dotted; [] stands for a place in a list: "product.particle[].mass_kg"
+  std::size_t prefix_size;  ///< of the path of its parameters: "product.particle[]."
   Range range;
   /// Calls `visit` for each number of the field; for none where the scenario has no such field.
-  void (*each)(Scenario&, const NumberVisit& visit);
+  void each(Scenario& scenario, const NumberVisit& visit) const;
 };
 
 /// All of them, in the order of the parameters.

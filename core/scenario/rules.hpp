@@ -2,7 +2,7 @@
 
 /// @file
 /// The one table of rules between the numbers of a scenario. `validate` walks it, and so does the config reader,
-/// which adds where each value came from. Ranges of single numbers stand in number_fields.cpp.
+/// which adds where each value came from. Ranges of single numbers stand in fields.hpp.
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 
 /// @file
 /// One fully specified run: product + gripper + cell + strategy + limits + numerics. Plain data in SI;
-/// the inequality a value takes part in stands above it. What is checked: ranges in number_fields.cpp, rules
+/// the inequality a value takes part in stands above it. What is checked: ranges in fields.hpp, rules
 /// between values in rules.hpp, for `validate` and the config reader alike.
 
 #include <array>

@@ -19,10 +19,10 @@ class Perturbation {
  public:
   explicit Perturbation(int field) : field_(field) {}
   template <class T>
-  void operator()(const char* name, Decides decides, T& value) {
+  void operator()(const Field& field, T& value) {
     if (next_++ != field_) return;
-    name_ = name;
-    decides_ = decides;
+    name_ = field.name;
+    decides_ = field.decides;
     change(value);
   }
   /// Did the scenario have such a field?
@@ -132,7 +132,8 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
   for (int field = 0;; ++field) {
     Scenario changed = base;
     Perturbation perturbation(field);
-    visit_fields(changed, perturbation);
+    visit_parameters(changed,
+                     [&](std::string_view, int, auto& parameters) { visit_fields(parameters, perturbation); });
     if (!perturbation.happened()) break;
     const bool key_changed = factor_key(changed) != factor_key(base);
     EXPECT_EQ(key_changed, perturbation.decides() == Decides::model) << perturbation.name();

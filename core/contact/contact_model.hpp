@@ -71,10 +71,10 @@ struct ContactModel {
   std::vector<int> first_candidate;         ///< contact node -> its first candidate; size node.size() + 1
   std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
   std::vector<int> reach;                   ///< supernodes the contact freedoms touch
-  std::array<PatchForm, 2> patch_form;      ///< left, right pad
-  std::array<double, 2> pad_extent_m{};     ///< tributary rectangle of a pad contact, y and z
-  std::array<double, 2> pole_m{};           ///< outermost x of the true surface, left and right
-  std::vector<std::size_t> patch_start;     ///< per candidate, into patch_weight
+  std::array<PatchForm, kFingerCount> patch_form;
+  std::array<double, 2> pad_extent_m{};       ///< tributary rectangle of a pad contact, y and z
+  std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
+  std::vector<std::size_t> patch_start;       ///< per candidate, into patch_weight
   std::vector<PatchWeight> patch_weight;
   double patch_area_m2 = 0;
 

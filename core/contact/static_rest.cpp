@@ -26,6 +26,61 @@ SupportRest::SupportRest(const StaticSolver& statics, const ContactModel& contac
   compliance_ = statics.compliance(freedoms);
 }
 
+SupportRest::Layers SupportRest::pressed_in(double weight_N, double layer_stiffness_N_m3) const {
+  const std::size_t k = support_candidate_.size();
+  Layers layers{layer_stiffness_N_m3, std::vector<double>(k, 0.0), std::vector<double>(k),
+                std::vector<LayerSecant>(k)};
+  // By the depth at which the layer of the whole body's footprint would carry it, at least.
+  double area = 0.0;
+  for (std::size_t i = 0; i < k; ++i) area += candidate(i).area_m2;
+  for (std::size_t i = 0; i < k; ++i) {
+    layers.penetration_m[i] = 4.0 * weight_N / (area * layer_stiffness_N_m3) - candidate(i).surface_m;
+    layers.secant[i] = layer_at(candidate(i), layer_stiffness_N_m3, layers.penetration_m[i]);
+  }
+  return layers;
+}
+
+void SupportRest::solve_forces(const std::vector<double>& free_m, Layers& layers) const {
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < layers.secant.size(); ++i) {
+    if (layers.secant[i].touching > 0) active.push_back(i);
+  }
+  const auto count = static_cast<Eigen::Index>(active.size());
+  Eigen::MatrixXd A(count, count);
+  Eigen::VectorXd b(count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const std::size_t i = active[static_cast<std::size_t>(r)];
+    for (Eigen::Index c = 0; c < count; ++c) {
+      A(r, c) = compliance_[i * layers.secant.size() + active[static_cast<std::size_t>(c)]];
+    }
+    A(r, r) += 1.0 / layers.secant[i].stiffness;
+    b[r] = -(candidate(i).surface_m + free_m[freedom(i)] + layers.secant[i].relief);
+  }
+  const Eigen::VectorXd x = A.ldlt().solve(b);
+  std::fill(layers.force_N.begin(), layers.force_N.end(), 0.0);
+  for (Eigen::Index r = 0; r < count; ++r) layers.force_N[active[static_cast<std::size_t>(r)]] = x[r];
+}
+
+bool SupportRest::press(const std::vector<double>& free_m, Layers& layers) const {
+  const std::size_t k = layers.secant.size();
+  bool changed = false;
+  for (std::size_t i = 0; i < k; ++i) {
+    layers.penetration_m[i] = -(candidate(i).surface_m + free_m[freedom(i)]);
+    for (std::size_t j = 0; j < k; ++j) layers.penetration_m[i] -= compliance_[i * k + j] * layers.force_N[j];
+    const LayerSecant next = layer_at(candidate(i), layers.stiffness_N_m3, layers.penetration_m[i]);
+    changed = changed || next.touching != layers.secant[i].touching;
+    layers.secant[i] = next;
+  }
+  // Nothing touches: the guess lifted the body off; press the lowest places again.
+  if (std::all_of(layers.secant.begin(), layers.secant.end(),
+                  [](const LayerSecant& l) { return l.touching == 0; })) {
+    for (std::size_t i = 0; i < k; ++i) {
+      layers.secant[i] = layer_at(candidate(i), layers.stiffness_N_m3, 1e-6 - candidate(i).surface_m);
+    }
+  }
+  return changed;
+}
+
 StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffness_N_m3) const {
   const std::vector<double>& mass_kg = statics_.mass_kg();
   const std::size_t size = 3 * mass_kg.size();
@@ -35,20 +90,9 @@ StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffnes
   rest.normal_force_N.assign(contact_.candidate.size(), 0.0);
   rest.penetration_m.assign(contact_.candidate.size(), 0.0);
   if (k == 0 || gravity_m_s2 <= 0.0) return rest;
-  const auto candidate = [&](std::size_t i) -> const ContactCandidate& {
-    return contact_.candidate[static_cast<std::size_t>(support_candidate_[i])];
-  };
-  const auto freedom = [&](std::size_t i) { return 3 * static_cast<std::size_t>(candidate(i).node) + 2; };
-  std::vector<double> force(k, 0.0), penetration(k);
-  std::vector<LayerSecant> layer(k);
-  // Starts pressed in by the depth at which the layer of the whole body's footprint would carry it, at least.
-  double weight = 0.0, area = 0.0;
+  double weight = 0.0;
   for (double mass : mass_kg) weight += mass * gravity_m_s2;
-  for (std::size_t i = 0; i < k; ++i) area += candidate(i).area_m2;
-  for (std::size_t i = 0; i < k; ++i) {
-    penetration[i] = 4.0 * weight / (area * layer_stiffness_N_m3) - candidate(i).surface_m;
-    layer[i] = layer_at(candidate(i), layer_stiffness_N_m3, penetration[i]);
-  }
+  Layers layers = pressed_in(weight, layer_stiffness_N_m3);
   std::vector<double> load(size, 0.0);
   for (int round = 0; round <= kStaticRefinements; ++round) {
     for (std::size_t i = 0; i < size; ++i) {
@@ -57,47 +101,16 @@ StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffnes
     }
     const std::vector<double> free = statics_.shifted_solve(load);
     for (int pass = 0; pass < kMaxPasses; ++pass) {
-      std::vector<std::size_t> active;
-      for (std::size_t i = 0; i < k; ++i) {
-        if (layer[i].touching > 0) active.push_back(i);
-      }
-      const auto count = static_cast<Eigen::Index>(active.size());
-      Eigen::MatrixXd A(count, count);
-      Eigen::VectorXd b(count);
-      for (Eigen::Index r = 0; r < count; ++r) {
-        const std::size_t i = active[static_cast<std::size_t>(r)];
-        for (Eigen::Index c = 0; c < count; ++c) {
-          A(r, c) = compliance_[i * k + active[static_cast<std::size_t>(c)]];
-        }
-        A(r, r) += 1.0 / layer[i].stiffness;
-        b[r] = -(candidate(i).surface_m + free[freedom(i)] + layer[i].relief);
-      }
-      const Eigen::VectorXd x = A.ldlt().solve(b);
-      std::fill(force.begin(), force.end(), 0.0);
-      for (Eigen::Index r = 0; r < count; ++r) force[active[static_cast<std::size_t>(r)]] = x[r];
-      bool changed = false;
-      for (std::size_t i = 0; i < k; ++i) {
-        penetration[i] = -(candidate(i).surface_m + free[freedom(i)]);
-        for (std::size_t j = 0; j < k; ++j) penetration[i] -= compliance_[i * k + j] * force[j];
-        const LayerSecant next = layer_at(candidate(i), layer_stiffness_N_m3, penetration[i]);
-        changed = changed || next.touching != layer[i].touching;
-        layer[i] = next;
-      }
-      // Nothing touches: the guess lifted the body off; press the lowest places again.
-      if (std::all_of(layer.begin(), layer.end(), [](const LayerSecant& l) { return l.touching == 0; })) {
-        for (std::size_t i = 0; i < k; ++i) {
-          layer[i] = layer_at(candidate(i), layer_stiffness_N_m3, 1e-6 - candidate(i).surface_m);
-        }
-      }
-      if (!changed) break;
+      solve_forces(free, layers);
+      if (!press(free, layers)) break;
     }
-    for (std::size_t i = 0; i < k; ++i) load[freedom(i)] += std::max(0.0, force[i]);
+    for (std::size_t i = 0; i < k; ++i) load[freedom(i)] += std::max(0.0, layers.force_N[i]);
     rest.displacement_m = statics_.shifted_solve(load);
   }
   for (std::size_t i = 0; i < k; ++i) {
     const auto at = static_cast<std::size_t>(support_candidate_[i]);
-    rest.normal_force_N[at] = std::max(0.0, force[i]);
-    rest.penetration_m[at] = penetration[i];
+    rest.normal_force_N[at] = std::max(0.0, layers.force_N[i]);
+    rest.penetration_m[at] = layers.penetration_m[i];
   }
   return rest;
 }

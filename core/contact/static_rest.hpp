@@ -7,6 +7,7 @@
 
 #include "core/body/static_solver.hpp"
 #include "core/contact/contact_model.hpp"
+#include "core/contact/layer_law.hpp"
 
 namespace unbruised {
 
@@ -28,6 +29,26 @@ class SupportRest {
   [[nodiscard]] StaticRest under_gravity(double gravity_m_s2, double layer_stiffness_N_m3) const;
 
  private:
+  /// The support's layer under each of its candidates.
+  struct Layers {
+    double stiffness_N_m3;
+    std::vector<double> force_N, penetration_m;
+    std::vector<LayerSecant> secant;
+  };
+  [[nodiscard]] const ContactCandidate& candidate(std::size_t i) const {
+    return contact_.candidate[static_cast<std::size_t>(support_candidate_[i])];
+  }
+  /// Its normal freedom.
+  [[nodiscard]] std::size_t freedom(std::size_t i) const {
+    return 3 * static_cast<std::size_t>(candidate(i).node) + 2;
+  }
+  /// A body pressed into the layer, to start from.
+  [[nodiscard]] Layers pressed_in(double weight_N, double layer_stiffness_N_m3) const;
+  /// Forces of the touching layers' secants. @param free_m displacement without them
+  void solve_forces(const std::vector<double>& free_m, Layers& layers) const;
+  /// Moves the layers to where the forces press them. @return does another set of places touch?
+  bool press(const std::vector<double>& free_m, Layers& layers) const;
+
   const StaticSolver& statics_;
   const ContactModel& contact_;
   std::vector<int> support_candidate_;  ///< candidates on the support

@@ -13,6 +13,8 @@ namespace {
 /// Tangential forces below this share of the normal force say nothing about the friction margin.
 constexpr double kLeastTangentialShare = 1e-6;
 
+bool touches(const FingerObservation& finger) { return finger.closed_contacts > 0; }
+
 double norm(const std::array<double, 3>& x) { return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
 /// Numbers that overflow while the motion itself is finite: a squared speed of 1e200 m/s. None of them may look
@@ -73,16 +75,16 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
     return !not_grasped_.happened();
   }
   if (now.time_s < cycle.plan().lift_start_s()) return true;
-  const bool touching = now.finger[0].closed_contacts > 0 || now.finger[1].closed_contacts > 0;
   if (!grasp_checked_) {
     grasp_checked_ = true;
-    if (!(now.finger[0].closed_contacts > 0 && now.finger[1].closed_contacts > 0)) {
+    if (!std::all_of(now.finger.begin(), now.finger.end(), touches)) {
       not_grasped_.at(cycle.plan().lift_start_s(), "not both fingers touch at the end of the grip phase");
     }
   }
   // From the first step that looks past the start of the release on, an open contact is no drop.
   if (now.register_time_s < cycle.plan().release_start_s()) {
-    if (!touching) dropped_.at(now.time_s, "no finger contact between lift and release");
+    if (std::none_of(now.finger.begin(), now.finger.end(), touches))
+      dropped_.at(now.time_s, "no finger contact between lift and release");
     observe_carrying(now, cycle);
   }
   return !dropped_.happened() && !not_grasped_.happened();
@@ -95,10 +97,7 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
   }
   raise(Metric::peak_pressure_Pa, now.patch_pressure_Pa);
   raise(Metric::compression_max_m, now.compression_m);
-  const std::array<double, 3> force = {now.finger[0].normal_N - now.finger[1].normal_N,
-                                       now.finger[0].tangent_N[0] + now.finger[1].tangent_N[0],
-                                       now.finger[0].tangent_N[1] + now.finger[1].tangent_N[1]};
-  raise(Metric::peak_sensor_force_N, norm(force));
+  raise(Metric::peak_sensor_force_N, norm(now.force_N));
   raise(Metric::peak_sensor_torque_N_m, norm(now.torque_N_m));
   check_limits({Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::contact_yield_ratio_max},
                now.time_s);
@@ -107,7 +106,9 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
 /// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as
 /// continuous in the strategy as the force is.
 void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingCycle& cycle) {
-  const double normal_N = 0.5 * (now.finger[0].normal_N + now.finger[1].normal_N);
+  double normal_N = 0.0;
+  for (const FingerObservation& finger : now.finger) normal_N += finger.normal_N;
+  normal_N /= kFingerCount;
   const double step_s = now.time_s - impulse_time_s_;
   const double counted_s = std::clamp(cycle.plan().release_start_s() - impulse_time_s_, 0.0, step_s);
   if (counted_s > 0.0) {
@@ -121,7 +122,7 @@ void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingC
 void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {
   double slip = 0.0;
   for (const FingerObservation& finger : now.finger) {
-    if (finger.closed_contacts > 0) slip = std::max(slip, finger.travel_sum_m / finger.closed_contacts);
+    if (touches(finger)) slip = std::max(slip, finger.travel_sum_m / finger.closed_contacts);
   }
   raise(Metric::slip_max_m, slip);
   if (metrics[Metric::slip_max_m] > limits_.slip_m) slipped_.at(now.time_s, "slip_max_m > limits.slip_m");
@@ -129,7 +130,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
     for (const FingerObservation& finger : now.finger) {
-      if (!(finger.closed_contacts > 0)) continue;
+      if (!touches(finger)) continue;
       double margin;
       if (finger.sliding_contacts >= finger.closed_contacts) {
         margin = -(finger.travel_sum_m / finger.closed_contacts) / limits_.slip_m;

@@ -11,6 +11,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/surface/surfaces.hpp"
 
 namespace unbruised {
 
@@ -28,7 +29,8 @@ struct FingerObservation {
 struct StepObservation {
   double time_s = 0;
   double register_time_s = 0;  ///< t + theta dt, the time that the contacts' open / stick / slip belong to
-  std::array<FingerObservation, 2> finger;
+  std::array<FingerObservation, kFingerCount> finger;
+  std::array<double, 3> force_N{};          ///< of the fingers on the product
   std::array<double, 3> torque_N_m{};       ///< on the product about the palm centre
   std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass
   std::array<double, 3> center_acceleration_m_s2{};

@@ -54,7 +54,11 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
     finger.travel_sum_m = tally.travel[lane];
-    for (std::size_t i = 0; i < 3; ++i) seen.torque_N_m[i] += tally.torque[i][lane];
+    const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
+    for (std::size_t i = 0; i < 3; ++i) {
+      seen.force_N[i] += force_N[i];
+      seen.torque_N_m[i] += tally.torque[i][lane];
+    }
   }
   seen.patch_pressure_Pa = contact.patch_pressure()[lane];
   const double closing = fingers.way(0)[lane] + fingers.way(1)[lane];

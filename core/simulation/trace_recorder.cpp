@@ -76,7 +76,7 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
     trace.acceleration_m_s2.push_back(a.at(i, row.lane));
   }
   SignalWriter signals(trace);
-  signals.put(row.surface_force_N[2]);
+  signals.put(row.surface_force_N[kSupport]);
   signals.put(row.closed);
   signals.put(row.sliding);
   signals.put(row.plastic_strain);
@@ -84,8 +84,8 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.stored_energy_J);
   signals.put(row.contact_energy_J);
   if (!row.gripper) return;
-  std::array<double, 6> fingers{};
-  for (std::size_t f = 0; f < 2; ++f) {
+  std::array<double, 3 * kFingerCount> fingers{};
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
     for (std::size_t i = 0; i < 3; ++i) fingers[3 * f + i] = row.surface_force_N[f][i];
   }
   signals.put(fingers);

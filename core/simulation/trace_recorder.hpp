@@ -10,6 +10,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/surface/surfaces.hpp"
 
 namespace unbruised {
 
@@ -18,13 +19,13 @@ struct TraceRow {
   double time_s = 0;
   int lane = 0;
   bool gripper = false;
-  bool yields = false;                                     ///< the product can keep a deformation
-  std::array<std::array<double, 3>, 3> surface_force_N{};  ///< left pad, right pad, support
-  std::array<double, 3> closed{}, sliding{};
-  std::array<double, 2> finger_way_m{}, finger_speed_m_s{};
+  bool yields = false;  ///< the product can keep a deformation
+  std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
+  std::array<double, kSurfaceCount> closed{}, sliding{};
+  std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{};
   CyclePhase phase = CyclePhase::approach;
-  std::array<double, 2> yield_ratio{}, slip_m{};
+  std::array<double, kFingerCount> yield_ratio{}, slip_m{};
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;
   double absorbed_energy_J = 0;

@@ -48,7 +48,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"material", {"scenario", "lanes", "integration", "body"}},
     {"gripper", {"scenario", "lanes", "integration", "surface"}},
     {"contact", {"scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
-    {"outcome", {"scenario", "motion", "contact"}},
+    {"outcome", {"scenario", "motion", "surface", "contact"}},
     {"simulation",
      {"scenario", "lanes", "algebra", "integration", "motion", "body", "material", "surface", "gripper", "contact",
       "outcome"}},

@@ -102,5 +102,18 @@ TEST(LaneArray, RowsAreStoredLaneInnermostAndAligned) {
   EXPECT_EQ(rows.at(3, 1), 1.5);
 }
 
+TEST(MaskArray, RowsKeepOneMaskPerLane) {
+  MaskArray rows(3);
+  EXPECT_TRUE(none(rows.get(1)));
+  Mask odd(false);
+  for (int lane = 1; lane < kLanes; lane += 2) odd.set(lane, true);
+  rows.put(1, odd);
+  for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(rows.at(1, lane), lane % 2 == 1);
+  rows.clear_lane(3);
+  EXPECT_FALSE(rows.at(1, 3));
+  EXPECT_TRUE(rows.at(1, 5));
+  EXPECT_TRUE(none(rows.get(0)) && none(rows.get(2)));
+}
+
 }  // namespace
 }  // namespace unbruised

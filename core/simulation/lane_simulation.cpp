@@ -39,7 +39,10 @@ struct LaneSimulation::Impl {
   void observe_lane(int lane, const std::array<Lane, kFingerCount>& yield_ratio);
   void finish(int lane, double time_s);
   void record(int lane, const StepObservation& seen);
-  [[nodiscard]] LaneRun& run_of(int lane) { return run[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] LaneRun& run_of(int lane) {
+    if (lane < 0 || lane >= kLanes) throw std::logic_error("LaneSimulation: there is no such lane");
+    return run[static_cast<std::size_t>(lane)];
+  }
 
   std::shared_ptr<const Model> model;
   const Model::Parts& parts;
@@ -301,7 +304,7 @@ LaneSimulation::LaneSimulation(std::shared_ptr<const Model> model)
     : impl_(std::make_unique<Impl>(std::move(model))) {}
 LaneSimulation::~LaneSimulation() = default;
 void LaneSimulation::load(int lane, const Scenario& scenario) { impl_->load(lane, scenario); }
-bool LaneSimulation::busy(int lane) const { return impl_->run[static_cast<std::size_t>(lane)].busy; }
+bool LaneSimulation::busy(int lane) const { return impl_->run_of(lane).busy; }
 int LaneSimulation::busy_count() const {
   return static_cast<int>(
       std::count_if(impl_->run.begin(), impl_->run.end(), [](const LaneRun& r) { return r.busy; }));
@@ -313,8 +316,10 @@ const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return imp
 
 void LaneSimulation::record_trace(int lane, Trace& trace) {
   Impl& impl = *impl_;
-  start_trace(impl.parts.body.position_m, impl.run_of(lane).scenario, trace);
-  impl.run_of(lane).trace = &trace;
+  LaneRun& run = impl.run_of(lane);
+  if (!run.busy || run.step != 0) throw std::logic_error("LaneSimulation::record_trace: not right after load");
+  start_trace(impl.parts.body.position_m, run.scenario, trace);
+  run.trace = &trace;
   impl.record(lane, {});
 }
 

@@ -20,7 +20,19 @@ TEST(LaneSimulation, RefusesAScenarioOfAnotherFactorKey) {
   EXPECT_FALSE(simulation.busy(0));
   simulation.load(0, scenario);
   EXPECT_TRUE(simulation.busy(0));
+}
+
+TEST(LaneSimulation, RefusesALaneThatIsBusyOrDoesNotExistAndATraceThatComesLate) {
+  const Scenario scenario = small_box();
+  LaneSimulation simulation(build(scenario));
+  simulation.load(0, scenario);
   EXPECT_THROW(simulation.load(0, scenario), std::logic_error) << "the lane is busy";
+  EXPECT_THROW(simulation.load(lane_count(), scenario), std::logic_error) << "there is no such lane";
+  EXPECT_THROW((void)simulation.busy(-1), std::logic_error);
+  Trace trace;
+  EXPECT_THROW(simulation.record_trace(1, trace), std::logic_error) << "nothing runs there";
+  simulation.step();
+  EXPECT_THROW(simulation.record_trace(0, trace), std::logic_error) << "it has begun";
 }
 
 }  // namespace

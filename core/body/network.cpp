@@ -31,6 +31,7 @@ SpringGeometry spring_geometry(const NetworkParameters& parameters, std::size_t 
   geometry.direction = {d[0] / distance, d[1] / distance, d[2] / distance};
   geometry.stiffness = spring.stiffness_N_m;
   geometry.rest_length = spring.rest_length_m.value_or(distance);
+  geometry.initial_elongation = distance - geometry.rest_length;
   geometry.yield_force = spring.yield_force_N.value_or(geometry.yield_force);
   geometry.hardening_ratio = spring.hardening_ratio;
   return geometry;
@@ -53,12 +54,8 @@ void add_axial(BlockMatrixBuilder& builder, const SpringGeometry& spring, double
 }
 
 /// Tension k (distance - rest length) of the undisplaced spring, as load on its ends.
-void add_rest_force(const NetworkParameters& parameters, const SpringGeometry& spring,
-                    std::vector<double>& force) {
-  const auto& xa = parameters.particle[spring.a].position_m;
-  const auto& xb = parameters.particle[spring.b].position_m;
-  const double distance = distance_m({xb[0] - xa[0], xb[1] - xa[1], xb[2] - xa[2]});
-  const double tension = spring.stiffness * (distance - spring.rest_length);
+void add_rest_force(const SpringGeometry& spring, std::vector<double>& force) {
+  const double tension = spring.stiffness * spring.initial_elongation;
   for (std::size_t k = 0; k < 3; ++k) {
     force[3 * static_cast<std::size_t>(spring.a) + k] += tension * spring.direction[k];
     force[3 * static_cast<std::size_t>(spring.b) + k] -= tension * spring.direction[k];
@@ -102,7 +99,7 @@ NetworkSystem build_network(const NetworkParameters& parameters) {
     const SpringGeometry spring = spring_geometry(parameters, i);
     add_axial(stiffness, spring, spring.stiffness);
     add_axial(damping, spring, parameters.spring[i].damping_N_s_m);
-    if (parameters.spring[i].rest_length_m) add_rest_force(parameters, spring, system.rest_force_N);
+    if (parameters.spring[i].rest_length_m) add_rest_force(spring, system.rest_force_N);
     system.springs.push_back(spring);
   }
   system.K = stiffness.build();

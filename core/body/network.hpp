@@ -20,6 +20,8 @@ struct SpringGeometry {
   std::array<double, 3> direction{0.0, 0.0, 0.0};
   double stiffness = 0.0;    ///< [N/m]
   double rest_length = 0.0;  ///< [m]
+  /// Longer than its rest length by this where it is mounted, [m]; negative: it is compressed.
+  double initial_elongation = 0.0;
   /// |force| at first yield [N]; infinite for an elastic spring.
   double yield_force = std::numeric_limits<double>::infinity();
   /// Yield force grows by hardening_ratio x stiffness x plastic elongation.

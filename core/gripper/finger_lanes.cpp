@@ -1,17 +1,38 @@
 #include "core/gripper/finger_lanes.hpp"
 
+#include <cmath>
+
 namespace unbruised {
-void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s) {
+namespace {
+
+/// Stiffness of an end stop, [N/m]: steel on steel in a jaw's housing. 100 N press it in by 10 um.
+constexpr double kStopStiffness_N_m = 1e7;
+
+}  // namespace
+
+void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s,
+                       double force_limit_N) {
   const GripperParameters values = gripper.value_or(GripperParameters{});
+  const double set_speed = gripper ? closing_speed_m_s : 0.0;
+  // Steady motion: the drive, gain (v_set - v), overcomes the guide's friction c v. Where its limit does not let
+  // it, the fingers come with the speed that is set and are braked.
+  const double steady =
+      set_speed * values.drive_gain_N_s_m / (values.drive_gain_N_s_m + values.drive_viscous_N_s_m);
+  const bool keeps_it_up = values.drive_viscous_N_s_m * steady <= force_limit_N;
+  const double speed = keeps_it_up ? steady : set_speed;
+  const double drive = keeps_it_up ? values.drive_viscous_N_s_m * steady : force_limit_N;
   for (State& s : state_) {
-    for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous})
+    for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous, &s.stop})
       value->set(lane, 0.0);
   }
   for (State& s : state_) {
-    s.speed.set(lane, gripper ? closing_speed_m_s : 0.0);
-    // At constant speed the drive overcomes the guide's friction.
-    s.drive.set(lane, values.drive_viscous_N_s_m * s.speed[lane]);
+    s.speed.set(lane, speed);
+    s.drive.set(lane, drive);
+    s.acceleration.set(lane,
+                       keeps_it_up ? 0.0 : (drive - values.drive_viscous_N_s_m * speed) / values.finger_mass_kg);
   }
+  stroke_.set(lane, values.stroke_m);
+  stop_time_.set(lane, 2.0 * std::sqrt(values.finger_mass_kg / kStopStiffness_N_m));  // damped critically
   mass_.set(lane, values.finger_mass_kg);
   viscous_.set(lane, values.drive_viscous_N_s_m);
   gain_.set(lane, values.drive_gain_N_s_m);
@@ -47,10 +68,40 @@ Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
   return max(-command_.force_limit_N, min(command_.force_limit_N, wanted));
 }
 
-Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const {
+Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
+  const Lane wanted = gain_ * (command_.set_speed_m_s - (a1_ * way_theta - state_[finger].viscous));
+  return max(-command_.force_limit_N, min(command_.force_limit_N, wanted));
+}
+
+Lane FingerLanes::free_way_at_theta(int finger, const Lane& contact) const {
   // Solving with the linear drive first and clamping its force is exact: the balance is monotone in the way.
-  const Lane contact = contact_share(finger, force);
   return (state_[finger].free_force - contact + drive_at_theta(finger, contact)) * inverse_stiffness_;
+}
+
+Lane FingerLanes::stopped_way_at_theta(int finger, const Lane& contact) const {
+  // Drive and stop are clamps of straight lines that fall and rise with the way, so the balance is max and min of
+  // straight lines, and its root is min and max of theirs.
+  const State& s = state_[finger];
+  const Lane k(kStopStiffness_N_m);
+  const Lane push = s.free_force - contact;
+  const auto way = [&](const Lane& stiffness, const Lane& force) {
+    const Lane apart = force / stiffness;
+    const Lane approaching = (force + Lane(2.0) * k * stroke_) / (stiffness + Lane(2.0) * k);
+    const Lane viscoelastic =
+        (force + k * stroke_ + k * stop_time_ * s.viscous) / (stiffness + k + k * stop_time_ * a1_);
+    return min(apart, max(approaching, viscoelastic));
+  };
+  const Lane forwards = way(stiffness_, push + command_.force_limit_N);
+  const Lane backwards = way(stiffness_, push - command_.force_limit_N);
+  const Lane regulated = way(stiffness_ + a1_ * gain_, push + gain_ * (command_.set_speed_m_s + s.viscous));
+  return min(forwards, max(backwards, regulated));
+}
+
+Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const {
+  const Lane contact = contact_share(finger, force);
+  const Lane way = free_way_at_theta(finger, contact);
+  const Mask stopped = way > stroke_;
+  return none(stopped) ? way : select(stopped, stopped_way_at_theta(finger, contact), way);
 }
 
 void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCount>& force_theta,
@@ -60,15 +111,25 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
     const Lane contact = contact_share(finger, force_theta);
     const Lane inertial =
         select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
-    const Lane drive_theta = drive_at_theta(finger, contact) - inertial;
+    const Lane way_theta = way_at_theta(finger, force_theta);
+    const Mask stopped = way_theta > stroke_;
+    const Lane drive_theta =
+        select(stopped, drive_at_way(finger, way_theta), drive_at_theta(finger, contact)) - inertial;
     const Lane drive = w.at_end(s.drive, drive_theta);
     Lane way = s.way, speed = s.speed, acceleration = s.acceleration;
-    w.advance(way_at_theta(finger, force_theta), way, speed, acceleration);
+    w.advance(way_theta, way, speed, acceleration);
     const Lane step_work = Lane(0.5) * (s.drive + drive) * (way - s.way);
     const Lane mean_speed = Lane(0.5) * (s.speed + speed);
     work_ += select(running, step_work, Lane(0.0));
     positive_work_ += select(running, max(step_work, Lane(0.0)), Lane(0.0));
     dissipated_ += select(running, viscous_ * mean_speed * mean_speed * Lane(w.dt), Lane(0.0));
+    const Lane stop_theta =
+        select(stopped, s.free_force - contact + drive_theta + inertial - stiffness_ * way_theta, Lane(0.0));
+    const Lane stop = w.at_end(s.stop, stop_theta);
+    const Lane stored = stop_energy(way) - stop_energy(s.way);
+    const Lane taken = Lane(0.5) * (s.stop + stop) * (way - s.way) - stored;
+    dissipated_ += select(running, max(taken, Lane(0.0)), Lane(0.0));
+    s.stop = select(running, stop, s.stop);
     s.way = select(running, way, s.way);
     s.speed = select(running, speed, s.speed);
     s.acceleration = select(running, acceleration, s.acceleration);
@@ -82,8 +143,14 @@ Lane FingerLanes::furthest_way() const {
   return furthest;
 }
 
-Lane FingerLanes::kinetic_energy() const {
-  return Lane(0.5) * mass_ * (state_[0].speed * state_[0].speed + state_[1].speed * state_[1].speed);
+Lane FingerLanes::stop_energy(const Lane& way) const {
+  const Lane depth = max(Lane(0.0), way - stroke_);
+  return Lane(0.5 * kStopStiffness_N_m) * depth * depth;
+}
+
+Lane FingerLanes::energy() const {
+  return Lane(0.5) * mass_ * (state_[0].speed * state_[0].speed + state_[1].speed * state_[1].speed) +
+         stop_energy(state_[0].way) + stop_energy(state_[1].way);
 }
 
 }  // namespace unbruised

@@ -2,9 +2,11 @@
 
 /// @file
 /// The two driven fingers of a parallel jaw, all lanes at once. A finger has one freedom, its closing way w
-/// relative to the palm: m w'' + c w' = D - S - dir m a_palm, with drive force D = clamp(gain (v_set - w'),
-/// +-limit) and S the sum of its contacts' normal forces. It is integrated by the same Wilson-theta as the
-/// product, coupled through S.
+/// relative to the palm: m w'' + c w' = D - S - E - dir m a_palm, with drive force D = clamp(gain (v_set - w'),
+/// +-limit), S the sum of its contacts' normal forces and E that of the end stop. It is integrated by the same
+/// Wilson-theta as the product, coupled through S. The stop at the end of the stroke is a layer of steel on the
+/// jaw's housing, E = k (d + clamp(tau d', -d, d)) at an indentation d, damped so that a finger comes to rest
+/// against it.
 
 #include <array>
 
@@ -24,8 +26,10 @@ struct DriveCommand {
 
 class FingerLanes {
  public:
-  /// Puts a gripper into a lane whose fingers close at `closing_speed_m_s`; none: pads that never touch.
-  void load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s);
+  /// Puts a gripper into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
+  /// limit `force_limit_N` keeps it up; none: pads that never touch.
+  void load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s,
+            double force_limit_N);
 
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
@@ -46,26 +50,36 @@ class FingerLanes {
   /// Closing way of the finger that is furthest in.
   [[nodiscard]] Lane furthest_way() const;
 
-  /// Energy of motion relative to the palm, [J].
-  [[nodiscard]] Lane kinetic_energy() const;
+  /// Energy of motion relative to the palm, and of the end stop, [J].
+  [[nodiscard]] Lane energy() const;
   /// Work of the drives and of the palm's acceleration since load, and the positive part of each step's, [J].
   [[nodiscard]] const Lane& work() const { return work_; }
   [[nodiscard]] const Lane& positive_work() const { return positive_work_; }
-  /// Dissipated in the guides since load, [J].
+  /// Dissipated in the guides and the end stop since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
 
  private:
   struct State {
     Lane way{0.0}, speed{0.0}, acceleration{0.0};
     Lane drive{0.0};       ///< drive and inertial force at the end of the last step
+    Lane stop{0.0};        ///< force of the end stop there, against the closing way
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
   [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, kFingerCount>& force) const;
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
+  /// The same once the way is known.
+  [[nodiscard]] Lane drive_at_way(int finger, const Lane& way_theta) const;
+  /// The way at t + theta dt as if there were no end stop.
+  [[nodiscard]] Lane free_way_at_theta(int finger, const Lane& contact) const;
+  /// The same against the end stop.
+  [[nodiscard]] Lane stopped_way_at_theta(int finger, const Lane& contact) const;
+  /// What a stop stores at this way, [J].
+  [[nodiscard]] Lane stop_energy(const Lane& way) const;
 
   std::array<State, kFingerCount> state_;
-  Lane mass_{1.0}, viscous_{0.0}, gain_{1.0};
+  Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0};
+  Lane stop_time_{0.0};  ///< tau of the end stop, [s]
   Mask centric_{true};
   Lane stiffness_{1.0};  ///< a0 m + a1 c
   Lane inverse_stiffness_{1.0};

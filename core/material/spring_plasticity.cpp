@@ -1,12 +1,37 @@
 #include "core/material/spring_plasticity.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace unbruised {
 namespace {
 
 /// Converged when a further solve would move a spring's plastic elongation by less than this share of its length.
 constexpr double kTolerance = 1e-9;
+
+/// Return mapping: the plastic elongation by which a spring with the elastic force `trial` flows, >= 0.
+template <class T>
+T flow_of(const SpringGeometry& spring, const T& trial, const T& accumulated) {
+  using std::abs;
+  using std::max;
+  const T k(spring.stiffness);
+  const T excess = abs(trial) - T(spring.yield_force) - T(spring.hardening_ratio) * k * accumulated;
+  return max(excess, T(0.0)) / (k * T(1.0 + spring.hardening_ratio));
+}
+
+/// Elongation of a spring since it was mounted, at the initial displacements.
+double initial_strain_m(const SpringGeometry& spring, const NetworkParameters& network) {
+  const auto displacement = [&](int particle, std::size_t axis) {
+    const NetworkParticle& p = network.particle[static_cast<std::size_t>(particle)];
+    return p.fixed[axis] ? 0.0 : p.initial_displacement_m[axis];
+  };
+  double elongation = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    elongation += spring.direction[axis] * (displacement(spring.b, axis) - displacement(spring.a, axis));
+  }
+  return elongation;
+}
 
 }  // namespace
 
@@ -22,12 +47,36 @@ SpringPlasticity::SpringPlasticity(const std::vector<SpringGeometry>& springs, s
   load_theta_ = LaneArray(3 * particle_count);
 }
 
-void SpringPlasticity::load(int lane, const Scenario&) {
+void SpringPlasticity::load(int lane, const Scenario& scenario) {
   for (LaneArray* rows :
        {&elongation_, &elongation_theta_, &accumulated_, &accumulated_theta_, &load_, &load_theta_}) {
     rows->clear_lane(lane);
   }
   clear_account(lane);
+  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
+    yield_as_mounted(lane, i, std::get<NetworkParameters>(scenario.product));
+  }
+}
+
+/// What is mounted beyond its yield force has flowed before the clock starts: nothing of it is booked.
+void SpringPlasticity::yield_as_mounted(int lane, std::size_t i, const NetworkParameters& network) {
+  const SpringGeometry& spring = springs_[yielding_spring_[i]];
+  const double trial = spring.stiffness * (spring.initial_elongation + initial_strain_m(spring, network));
+  const double flow = flow_of(spring, trial, 0.0);
+  if (flow == 0.0) return;
+  const double signed_flow = trial < 0.0 ? -flow : flow;
+  for (LaneArray* rows : {&elongation_, &elongation_theta_}) rows->at(i, lane) = signed_flow;
+  for (LaneArray* rows : {&accumulated_, &accumulated_theta_}) rows->at(i, lane) = flow;
+  largest_plastic_.set(lane, std::max(largest_plastic_[lane], flow / spring.rest_length));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double force = spring.direction[axis] * spring.stiffness * signed_flow;
+    for (LaneArray* rows : {&load_, &load_theta_}) {
+      const auto a = 3 * static_cast<std::size_t>(spring.a) + axis;
+      const auto b = 3 * static_cast<std::size_t>(spring.b) + axis;
+      rows->at(b, lane) += force;
+      rows->at(a, lane) -= force;
+    }
+  }
 }
 
 Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
@@ -41,10 +90,8 @@ Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
       elongation += Lane(spring.direction[axis]) * (u_theta.get(b + axis) - u_theta.get(a + axis));
     }
     const Lane k(spring.stiffness);
-    const Lane trial = k * (elongation - elongation_.get(i));
-    const Lane excess =
-        abs(trial) - Lane(spring.yield_force) - Lane(spring.hardening_ratio) * k * accumulated_.get(i);
-    const Lane flow = max(excess, Lane(0.0)) / (k * Lane(1.0 + spring.hardening_ratio));
+    const Lane trial = k * (Lane(spring.initial_elongation) + (elongation - elongation_.get(i)));
+    const Lane flow = flow_of(spring, trial, accumulated_.get(i));
     const Lane signed_flow = select(trial < Lane(0.0), -flow, flow);
     const Lane before = elongation_theta_.get(i);
     const Lane after = select(active, elongation_.get(i) + signed_flow, before);
@@ -89,7 +136,8 @@ double SpringPlasticity::self_energy(int lane) const {
   double energy = 0.0;
   for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
     const double e = elongation_.at(i, lane);
-    energy += 0.5 * springs_[yielding_spring_[i]].stiffness * e * e;
+    const SpringGeometry& spring = springs_[yielding_spring_[i]];
+    energy += spring.stiffness * e * (0.5 * e - spring.initial_elongation);
   }
   return energy;
 }

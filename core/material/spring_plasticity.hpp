@@ -1,9 +1,9 @@
 #pragma once
 
 /// @file
-/// Yield of single springs of a network, all lanes at once: f = k (e - e_p), |f| <= F_y + h k p, with plastic
-/// elongation e_p as initial elongation on the right-hand side and p its accumulated amount (docs/theory.md,
-/// "Permanent deformation").
+/// Yield of single springs of a network, all lanes at once: f = k (e_0 + e - e_p), |f| <= F_y + h k p, with the
+/// elongation e_0 it is mounted with, e since then, and plastic elongation e_p as initial elongation on the
+/// right-hand side and p its accumulated amount (docs/theory.md, "Permanent deformation").
 
 #include <vector>
 
@@ -23,12 +23,14 @@ class SpringPlasticity final : public Material {
   Mask update(const LaneArray& u_theta, const Mask& active) override;
   void end_step(const WilsonTheta& wilson, const Mask& running) override;
 
-  /// sum 1/2 k e_p^2.
+  /// sum 1/2 k e_p^2 - k e_0 e_p.
   [[nodiscard]] double self_energy(int lane) const override;
   [[nodiscard]] std::vector<double> plastic_load_N(int lane) const override;
   [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override { return std::nullopt; }
 
  private:
+  void yield_as_mounted(int lane, std::size_t i, const NetworkParameters& network);
+
   const std::vector<SpringGeometry>& springs_;
   std::vector<int> yielding_spring_;  ///< springs with a finite yield force
   LaneArray elongation_, elongation_theta_, accumulated_, accumulated_theta_;

@@ -17,7 +17,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   }
   initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
   double kinetic = view.body.kinetic_energy_J(lane);
-  if (scenario.gripper) kinetic += view.fingers.kinetic_energy()[lane];
+  if (scenario.gripper) kinetic += view.fingers.energy()[lane];
   positive_work_.set(lane, kinetic);
 }
 

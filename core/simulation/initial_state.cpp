@@ -4,11 +4,11 @@
 
 namespace unbruised {
 
-InitialState InitialStates::of(const Scenario& scenario) {
+InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     return of_lattice(*lattice, scenario.cell);
   }
-  return {of_network(std::get<NetworkParameters>(scenario.product), scenario), nullptr};
+  return {of_network(std::get<NetworkParameters>(scenario.product), scenario, plastic_load_N), nullptr};
 }
 
 InitialState InitialStates::of_lattice(const LatticeParameters& lattice, const CellParameters& cell) {
@@ -34,7 +34,8 @@ InitialState InitialStates::of_lattice(const LatticeParameters& lattice, const C
   return state;
 }
 
-BodyState InitialStates::of_network(const NetworkParameters& network, const Scenario& scenario) const {
+BodyState InitialStates::of_network(const NetworkParameters& network, const Scenario& scenario,
+                                    const std::vector<double>& plastic_load_N) const {
   const BodyModel& body = model_.body;
   const std::size_t freedoms = 3 * body.particle_count;
   BodyState state{std::vector<double>(freedoms, 0.0), std::vector<double>(freedoms, 0.0),
@@ -46,14 +47,14 @@ BodyState InitialStates::of_network(const NetworkParameters& network, const Scen
     state.velocity_m_s[i] = network.particle[p].initial_velocity_m_s[axis];
   }
   if (scenario.simulation.initial_acceleration == InitialAcceleration::zero) return state;
-  // M a = f - C v - K u.
+  // M a = f - C v - K u, with what springs that yield as they are mounted keep.
   const std::vector<double> load = network_load_N(network, 0.0);
   std::vector<double> elastic(freedoms), damping(freedoms);
   multiply(body.K, std::span<const double>(state.displacement_m), std::span<double>(elastic));
   multiply(body.C, std::span<const double>(state.velocity_m_s), std::span<double>(damping));
   for (std::size_t i = 0; i < freedoms; ++i) {
     if (body.slot[i] < 0) continue;
-    const double force = load[i] + body.rest_force_N[i] - elastic[i] - damping[i];
+    const double force = load[i] + body.rest_force_N[i] + plastic_load_N[i] - elastic[i] - damping[i];
     state.acceleration_m_s2[i] = force / body.mass_kg[i / 3] + scenario.cell.gravity_m_s2[i % 3];
   }
   return state;

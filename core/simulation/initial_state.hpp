@@ -4,6 +4,7 @@
 /// The state a scenario starts from.
 
 #include <array>
+#include <vector>
 
 #include "core/body/body_lanes.hpp"
 #include "core/simulation/model_parts.hpp"
@@ -22,11 +23,13 @@ class InitialStates {
   explicit InitialStates(const Model::Parts& model) : model_(model) {}
 
   /// Lattices start at rest on their support, or in free fall where there is none; networks as they are written.
-  InitialState of(const Scenario& scenario);
+  /// @param plastic_load_N of what yields as it is mounted, [3 x particles]
+  InitialState of(const Scenario& scenario, const std::vector<double>& plastic_load_N);
 
  private:
   InitialState of_lattice(const LatticeParameters& lattice, const CellParameters& cell);
-  [[nodiscard]] BodyState of_network(const NetworkParameters& network, const Scenario& scenario) const;
+  [[nodiscard]] BodyState of_network(const NetworkParameters& network, const Scenario& scenario,
+                                     const std::vector<double>& plastic_load_N) const;
 
   const Model::Parts& model_;
   StaticRest rest_;

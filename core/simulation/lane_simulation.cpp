@@ -99,13 +99,14 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   }
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   fingers.load(lane, scenario.gripper,
-               scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s);
+               scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
+               r.cycle.plan().force_limit_N(0.0));
   contact.load(lane, scenario);
   material->load(lane, scenario);
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     yield_stress.set(lane, lattice->yield_stress_Pa.value_or(1.0));
   }
-  const InitialState state = initial.of(scenario);
+  const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
   contact.set_anchors(lane, body.u());
@@ -135,7 +136,7 @@ void LaneSimulation::Impl::follow_plans() {
     set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), theta);
     set_carriers(lane, r.cycle.plan(), r.end_time_s(w), next);
     if (!r.scenario.gripper) continue;
-    command_drives(lane, r.cycle.plan(), *r.scenario.gripper, r.theta_time_s(w), fingers, theta, command);
+    command_drives(lane, r.cycle.plan(), r.theta_time_s(w), fingers, theta, command);
   }
 }
 

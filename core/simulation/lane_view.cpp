@@ -30,7 +30,7 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
     if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
   }
   energy += material.self_energy(lane) + material.hardening_energy()[lane];
-  return energy + contact.stored_energy()[lane] + (scenario.gripper ? fingers.kinetic_energy()[lane] : 0.0);
+  return energy + contact.stored_energy()[lane] + (scenario.gripper ? fingers.energy()[lane] : 0.0);
 }
 
 StepObservation LaneView::observe(int lane, const Scenario& scenario, double time_s) const {

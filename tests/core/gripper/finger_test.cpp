@@ -57,6 +57,55 @@ TEST(Finger, DriveNeverGivesMoreThanItsLimit) {
   for (std::size_t k = 50; k < 500; ++k) EXPECT_NEAR(speed[k], 0.4 / 20.0, 1e-9) << k;
 }
 
+TEST(Finger, CoastsWithoutDriveAsTheClosedForm) {
+  // w = v (m/c) (1 - exp(-c t/m)) reaches the gap at -(m/c) ln(1 - c gap/(m v)).
+  const double m = 0.1, c = 0.9, v = 0.05, gap = 5e-3;
+  const double wanted = -(m / c) * std::log(1.0 - c * gap / (m * v));
+  std::vector<double> error;
+  for (const double dt : {2e-3, 1e-3}) {
+    Scenario scenario = small_box();
+    scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+    scenario.cell.approach_gap_m = gap;
+    scenario.gripper->finger_mass_kg = m;
+    scenario.gripper->drive_viscous_N_s_m = c;
+    scenario.strategy.approach_speed_m_s = v;
+    scenario.strategy.contact_force_N = 0.0;
+    scenario.simulation.time_step_s = dt;
+    error.push_back(run(scenario).metrics[Metric::first_contact_time_s] / wanted - 1.0);
+  }
+  // Linear between steps, a braked way lags by w'' dt^2/8 over w': 1e-4 of the time at 1 ms. First order had 3 %.
+  EXPECT_LT(std::abs(error[1]), 1.5e-4);
+  EXPECT_LT(std::abs(error[1]), 0.5 * std::abs(error[0]) + 1e-6);
+}
+
+TEST(Finger, RestsAgainstTheEndOfItsStroke) {
+  // The stop leaves the product the squeeze of the way beyond the gap, whatever the drive pushes with.
+  for (const FingerCoupling coupling : {FingerCoupling::centric, FingerCoupling::independent}) {
+    Scenario scenario = small_box();
+    scenario.gripper->coupling = coupling;
+    const double gap = 5e-3;
+    scenario.cell.approach_gap_m = gap;
+    scenario.gripper->stroke_m = gap + 2e-4;
+    scenario.strategy.grip_force_N = 20.0;
+    scenario.strategy.settle_s = 0.4;
+    scenario.simulation.time_step_s = 1e-4;  // six steps in the period of finger and stop
+    Trace trace;
+    run(scenario, &trace);
+    const auto way = column(trace, "finger_way_m", 0), speed = column(trace, "finger_speed_m_s", 0);
+    const auto force = column(trace, "finger_force_N", 0);
+    double deepest = 0.0;
+    for (const double w : way) deepest = std::max(deepest, w);
+    // 20 N press a stop of 1e7 N/m in by 2 um; what the impact adds at 0.05 m/s is v sqrt(m/k) = 5 um.
+    EXPECT_LT(deepest, scenario.gripper->stroke_m + 1e-5);
+    const auto k = static_cast<std::size_t>((gap / scenario.strategy.approach_speed_m_s + 0.3) /
+                                            scenario.simulation.time_step_s);
+    EXPECT_NEAR(way[k], scenario.gripper->stroke_m, 3e-6);
+    EXPECT_NEAR(speed[k], 0.0, 1e-7);
+    EXPECT_LT(force[k], 19.0) << "the stop carries the rest";
+    EXPECT_GT(force[k], 0.0);
+  }
+}
+
 TEST(Finger, StrikesWithItsMomentum) {
   // What fast fingers bring along is their momentum, and it goes into the product.
   Scenario scenario = small_box();

@@ -176,6 +176,27 @@ TEST(SpringPlasticity, ASpringKeepsTheSetOfItsClosedForm) {
   }
 }
 
+TEST(SpringPlasticity, ASpringMountedBeyondItsYieldForceFlowsAtOnce) {
+  // Mounted 10 mm longer than its rest length it would carry 10 N, yields at 5 N: 10 N - k p = 5 N + h k p, so
+  // p = 5 / (k (1 + h)), and it pulls with what is left until it carries nothing.
+  const double k = 1000.0, yield = 5.0, h = 0.1, elongation = 0.01;
+  for (const double sign : {1.0, -1.0}) {
+    Scenario scenario = oscillator(0.1, k, 1e-3, 2000);
+    NetworkSpring& spring = network_of(scenario).spring[0];
+    const double length = network_of(scenario).particle[1].position_m[0];
+    spring.rest_length_m = length - sign * elongation;
+    spring.yield_force_N = yield;
+    spring.hardening_ratio = h;
+    spring.damping_N_s_m = 5.0;
+    Trace trace;
+    const ScenarioResult result = run(scenario, &trace);
+    const double flow = (k * elongation - yield) / (k * (1.0 + h));
+    // It swings with a tenth of its damping and is at rest after 2 s: exp(-25 x 2) of the amplitude.
+    EXPECT_NEAR(freedom(trace, trace.displacement_m, 3).back(), -sign * (elongation - flow), 1e-9);
+    EXPECT_NEAR(result.metrics[Metric::plastic_strain_max], flow / *spring.rest_length_m, 1e-12);
+  }
+}
+
 TEST(SpringPlasticity, BelowItsYieldForceASpringIsElastic) {
   Scenario scenario = oscillator(1.0, 1000.0, 2e-3, 1000);
   network_of(scenario).spring[0].yield_force_N = 5.0;

@@ -22,7 +22,7 @@ void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper
   const double speed = keeps_it_up ? steady : set_speed;
   const double drive = keeps_it_up ? values.drive_viscous_N_s_m * steady : force_limit_N;
   for (State& s : state_) {
-    for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous, &s.stop})
+    for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous, &s.stop, &s.depth})
       value->set(lane, 0.0);
   }
   for (State& s : state_) {
@@ -126,10 +126,14 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
     const Lane stop_theta =
         select(stopped, s.free_force - contact + drive_theta + inertial - stiffness_ * way_theta, Lane(0.0));
     const Lane stop = w.at_end(s.stop, stop_theta);
-    const Lane stored = stop_energy(way) - stop_energy(s.way);
-    const Lane taken = Lane(0.5) * (s.stop + stop) * (way - s.way) - stored;
+    const Lane depth = w.at_end(s.depth, max(Lane(0.0), way_theta - stroke_));
+    const Lane stored = Lane(0.5 * kStopStiffness_N_m) * (depth * depth - s.depth * s.depth);
+    // By the mean speed: v changes by the mean of the forces, so that this is what the motion loses, however short
+    // the impact is against the step.
+    const Lane taken = Lane(0.5) * (s.stop + stop) * mean_speed * Lane(w.dt) - stored;
     dissipated_ += select(running, max(taken, Lane(0.0)), Lane(0.0));
     s.stop = select(running, stop, s.stop);
+    s.depth = select(running, depth, s.depth);
     s.way = select(running, way, s.way);
     s.speed = select(running, speed, s.speed);
     s.acceleration = select(running, acceleration, s.acceleration);
@@ -143,14 +147,12 @@ Lane FingerLanes::furthest_way() const {
   return furthest;
 }
 
-Lane FingerLanes::stop_energy(const Lane& way) const {
-  const Lane depth = max(Lane(0.0), way - stroke_);
-  return Lane(0.5 * kStopStiffness_N_m) * depth * depth;
-}
-
 Lane FingerLanes::energy() const {
-  return Lane(0.5) * mass_ * (state_[0].speed * state_[0].speed + state_[1].speed * state_[1].speed) +
-         stop_energy(state_[0].way) + stop_energy(state_[1].way);
+  Lane doubled(0.0);
+  for (const State& s : state_) {
+    doubled += mass_ * s.speed * s.speed + Lane(kStopStiffness_N_m) * s.depth * s.depth;
+  }
+  return Lane(0.5) * doubled;
 }
 
 }  // namespace unbruised

@@ -63,6 +63,7 @@ class FingerLanes {
     Lane way{0.0}, speed{0.0}, acceleration{0.0};
     Lane drive{0.0};       ///< drive and inertial force at the end of the last step
     Lane stop{0.0};        ///< force of the end stop there, against the closing way
+    Lane depth{0.0};       ///< how far the stop is pressed in there, as linear as its force
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
@@ -74,8 +75,6 @@ class FingerLanes {
   [[nodiscard]] Lane free_way_at_theta(int finger, const Lane& contact) const;
   /// The same against the end stop.
   [[nodiscard]] Lane stopped_way_at_theta(int finger, const Lane& contact) const;
-  /// What a stop stores at this way, [J].
-  [[nodiscard]] Lane stop_energy(const Lane& way) const;
 
   std::array<State, kFingerCount> state_;
   Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0};

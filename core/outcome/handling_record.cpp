@@ -74,10 +74,13 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
       not_grasped_.at(now.time_s, "no contact in twice the time of the stroke");
     return !not_grasped_.happened();
   }
+  const bool both = std::all_of(now.finger.begin(), now.finger.end(), touches);
+  // The last contacts that still belong to the grip phase: later ones may have seen the release begin.
+  if (now.register_time_s <= cycle.plan().lift_start_s()) both_touched_ = both;
   if (now.time_s < cycle.plan().lift_start_s()) return true;
   if (!grasp_checked_) {
     grasp_checked_ = true;
-    if (!std::all_of(now.finger.begin(), now.finger.end(), touches)) {
+    if (!both_touched_) {
       not_grasped_.at(cycle.plan().lift_start_s(), "not both fingers touch at the end of the grip phase");
     }
   }

@@ -83,6 +83,7 @@ class HandlingRecord {
   double hold_s_ = 0;
   bool has_gripper_ = false;
   bool has_product_yield_ = false;
+  bool both_touched_ = false;  ///< at the last contacts within the grip phase
   bool grasp_checked_ = false;
   bool aborted_ = false;
   Outcome abort_outcome_ = Outcome::not_run;

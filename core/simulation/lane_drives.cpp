@@ -11,7 +11,8 @@ void set_carriers(int lane, const MotionPlan& plan, double time_s, CarrierMotion
   set_motion(motion.cell[2], lane, {plan.support_height_m(time_s), 0.0, 0.0});
 }
 
-void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers, const CarrierMotion& carriers, DriveCommand& command) {
+void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers,
+                    const CarrierMotion& carriers, DriveCommand& command) {
   command.palm_acceleration_x_m_s2.set(lane, carriers.palm[0].acceleration_m_s2[lane]);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   double speed = plan.set_speed_m_s(time_s);

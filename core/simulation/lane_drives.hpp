@@ -14,6 +14,7 @@ void set_carriers(int lane, const MotionPlan& plan, double time_s, CarrierMotion
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time
-void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers, const CarrierMotion& carriers, DriveCommand& command);
+void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers,
+                    const CarrierMotion& carriers, DriveCommand& command);
 
 }  // namespace unbruised

@@ -130,6 +130,19 @@ TEST(Outcome, EveryLimitCanDecideDamage) {
   EXPECT_EQ(run(bruised).outcome, Outcome::held);
 }
 
+TEST(Outcome, AGraspIsJudgedAtTheEndOfItsPhaseWhereverTheFirstContactFellIntoAStep) {
+  // No lift, no rest: the release follows the grip phase at once, in the same step.
+  for (double speed = 0.03; speed < 0.06; speed += 0.0017) {
+    Scenario scenario = small_box();
+    scenario.cell.lift_height_m = 0.0;
+    scenario.cell.transfer_m = {0.0, 0.0};
+    scenario.strategy.place_settle_s = 0.0;
+    scenario.strategy.approach_speed_m_s = speed;
+    const ScenarioResult result = run(scenario);
+    EXPECT_EQ(result.outcome, Outcome::held) << speed << ": " << result.cause;
+  }
+}
+
 TEST(Outcome, MetricsThatDoNotExistAreNaN) {
   Scenario free = small_box();
   free.gripper.reset();

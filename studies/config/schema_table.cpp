@@ -576,7 +576,8 @@ Table gripper_keys() {
        .field = gripper<&G::finger_mass_kg>},
       {.path = "gripper.stroke_m",
        .type = number,
-       .meaning = "How far each finger can travel inwards from its starting place; it comes to rest against a stop there.",
+       .meaning = "How far each finger can travel inwards from its starting place; it comes to rest against a "
+                  "stop there.",
        .use = use,
        .field = gripper<&G::stroke_m>},
       {.path = "gripper.pad_size_m",

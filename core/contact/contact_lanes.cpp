@@ -26,8 +26,19 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
   register_.clear(lane);
+  for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
   for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m});
+}
+
+void ContactLanes::set_rest(int lane, const StaticRest& rest) {
+  register_.set_rest(lane, rest);
+  SurfaceTally& support = tally_[kSupport];
+  for (const double force_N : rest.normal_force_N) {
+    if (!(force_N > 0.0)) continue;
+    support.normal.set(lane, support.normal[lane] + force_N);
+    support.closed.set(lane, support.closed[lane] + 1.0);
+  }
 }
 
 void ContactLanes::begin_step(const ContactStart& start, const Mask& running) {

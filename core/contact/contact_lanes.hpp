@@ -54,7 +54,7 @@ class ContactLanes {
 
   /// Opens all contacts of a lane and sets its surfaces up.
   void load(int lane, const Scenario& scenario);
-  void set_rest(int lane, const StaticRest& rest) { register_.set_rest(lane, rest); }
+  void set_rest(int lane, const StaticRest& rest);
   void set_anchors(int lane, const LaneArray& u) { register_.set_anchors(lane, u); }
   void forget_travel(int lane) { register_.forget_travel(lane); }
 

@@ -2,6 +2,14 @@
 
 namespace unbruised {
 
+void SurfaceTally::clear_lane(int lane) {
+  for (Lane* value : {&normal, &closed, &sliding, &travel}) value->set(lane, 0.0);
+  for (Lane& value : tangent) value.set(lane, 0.0);
+  for (Lane& value : first) value.set(lane, 0.0);
+  for (Lane& value : second) value.set(lane, 0.0);
+  for (Lane& value : torque) value.set(lane, 0.0);
+}
+
 std::array<Lane, 3> SurfaceTally::force(int surface) const {
   return along_axes(surface, normal, tangent[0], tangent[1]);
 }

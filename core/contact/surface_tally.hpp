@@ -25,6 +25,8 @@ struct SurfaceTally {
   /// Force on the product along x, y, z.
   [[nodiscard]] std::array<Lane, 3> force(int surface) const;
 
+  /// Forgets what another scenario left in a lane.
+  void clear_lane(int lane);
   /// Adds the moments of one candidate's normal force over the plane.
   /// @param penetration of the particle's place, which says where in the rectangle the force sits
   void add_moments(const ContactCandidate& candidate, const Lane& normal_force, const Lane& penetration);

@@ -38,6 +38,19 @@ TEST(TraceRecorder, ShowsEveryQuantityThatDecidesUpToItsMetric) {
   EXPECT_GE(largest_of_fingers("slip_m"), result.metrics[Metric::slip_max_m]);  // the trace also sees the release
 }
 
+TEST(TraceRecorder, BeginsWithTheForcesOfTheProductAtRest) {
+  Scenario scenario = testing::small_box();
+  scenario.gripper.reset();
+  scenario.simulation.duration_s = 0.02;
+  Trace trace;
+  testing::run(scenario, &trace);
+  const double weight_N = -1000.0 * 0.02 * 0.02 * 0.02 * scenario.cell.gravity_m_s2[2];
+  // Statics are solved to 1e-10 of the weight; the first step finds the same state again.
+  EXPECT_NEAR(column(trace, "support_force_N", 2).front(), weight_N, 1e-9 * weight_N);
+  EXPECT_NEAR(column(trace, "support_force_N", 2)[1], weight_N, 1e-6 * weight_N);
+  EXPECT_GT(column(trace, "contact_count", 2).front(), 0.0);
+}
+
 TEST(TraceRecorder, HasNoYieldRatioWhereNothingYields) {
   Trace trace;
   testing::run(testing::small_box(), &trace);

@@ -11,6 +11,7 @@
 
 #include "studies/config/study.hpp"
 #include "studies/execution/build_info.hpp"
+#include "studies/execution/lane_executor.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/run_directory.hpp"
@@ -22,9 +23,8 @@ StudyReport run_with(const Study& study, std::size_t concurrent_searches) {
   const auto directory = std::filesystem::temp_directory_path() / "unbruised_benchmark_multistart";
   std::filesystem::remove_all(directory);
   auto run = RunDirectory::open({directory, study.resolved_toml(), build_line(), true});
-  auto report =
-      run_study(study, **run, core_simulator(),
-                {.threads = 1, .stop = nullptr, .progress = nullptr, .concurrent_searches = concurrent_searches});
+  auto report = run_study(study, **run, LaneExecutor(core_simulator(), 1),
+                          {.stop = nullptr, .progress = nullptr, .concurrent_searches = concurrent_searches});
   std::filesystem::remove_all(directory);
   return report ? std::move(*report) : StudyReport{};
 }

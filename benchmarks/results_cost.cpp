@@ -12,7 +12,9 @@
 #include "studies/config/study.hpp"
 #include "studies/execution/batch_runner.hpp"
 #include "studies/execution/build_info.hpp"
-#include "studies/kinds/study_runner.hpp"
+#include "studies/execution/lane_executor.hpp"
+#include "studies/kinds/kind_table.hpp"
+#include "studies/kinds/study_results.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 
@@ -25,10 +27,8 @@ std::map<std::uint64_t, ScenarioResult> simulate_all(const Study& study) {
   Batch batch;
   for (std::uint64_t id = 0; id < study.scenario_count(); ++id) batch.ids.push_back(id);
   batch.scenario = [&study](std::uint64_t id) { return study.scenario(id); };
-  BatchOptions options;
-  options.threads = kThreads;
   std::map<std::uint64_t, ScenarioResult> results;
-  run_batch(core_simulator(), batch, options,
+  run_batch(LaneExecutor(core_simulator(), kThreads), batch,
             [&results](std::uint64_t id, const ScenarioResult& result) { results[id] = result; });
   return results;
 }

@@ -8,7 +8,9 @@
 #include "studies/estimate/memory_need.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/estimate/warnings.hpp"
+#include "studies/execution/machine.hpp"
 #include "studies/findings/shown_probability.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -21,10 +23,14 @@ std::string range_text(std::size_t low, std::size_t high) {
 
 std::string scenarios_line(const Study& study, const StudyCost& cost) {
   const std::string count = with_thousands(static_cast<unsigned long long>(std::llround(cost.scenarios)));
-  if (study.kind() == StudyKind::window) {
-    return joined({"combinations: ", with_thousands(study.scenario_count()), ", scenarios: about ", count});
+  switch (runner_of(study.kind()).scenarios->count) {
+    case ScenarioCount::about:
+      return joined({"combinations: ", with_thousands(study.scenario_count()), ", scenarios: about ", count});
+    case ScenarioCount::at_most:
+      return joined({"scenarios: at most ", count, ", checks of the best included"});
+    case ScenarioCount::exact:
+      break;
   }
-  if (is_search(study.kind())) return joined({"scenarios: at most ", count, ", checks of the best included"});
   return joined({"scenarios: ", count});
 }
 

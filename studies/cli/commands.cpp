@@ -1,12 +1,9 @@
 #include "studies/cli/commands.hpp"
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
-
-#include <sched.h>
 
 #include "studies/cli/locations.hpp"
+#include "studies/execution/machine.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/text/joined.hpp"
 
@@ -51,14 +48,7 @@ std::filesystem::path run_directory_of(const Study& study, const std::optional<s
   return output ? *output : std::filesystem::path("results") / study.name();
 }
 
-int thread_count_of(const std::optional<int>& threads) {
-  if (threads) return *threads;
-  cpu_set_t mine;
-  CPU_ZERO(&mine);
-  // What taskset, a batch system or a container leaves of the machine.
-  if (::sched_getaffinity(0, sizeof mine, &mine) == 0 && CPU_COUNT(&mine) > 0) return CPU_COUNT(&mine);
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
+int thread_count_of(const std::optional<int>& threads) { return threads ? *threads : usable_cores(); }
 
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";

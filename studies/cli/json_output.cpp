@@ -7,11 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/outcome/outcome.hpp"
-#include "studies/estimate/memory_need.hpp"
+#include "studies/execution/machine.hpp"
 #include "studies/findings/flat_table.hpp"
 #include "studies/findings/rests_on.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
+#include "studies/kinds/kind_table.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -145,7 +146,7 @@ std::string check_json(const Study& study, const StudyCost& cost, const std::vec
                    {"notes", notes},
                    {"refusal", text_or_null(refusal)}};
   document["scenarios"] = {{"count", std::llround(cost.scenarios)},
-                           {"exact", study.kind() != StudyKind::window && !is_search(study.kind())},
+                           {"exact", has_fixed_scenarios(study.kind())},
                            {"steps_each", number(cost.steps_each)},
                            {"longest_run_s", number(cost.longest_run_s)}};
   document["time_step"] = {{"seconds", number(study.scenario(0).simulation.time_step_s)},

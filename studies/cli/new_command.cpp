@@ -2,8 +2,8 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/locations.hpp"
-#include "studies/cli/study_template.hpp"
 #include "studies/config/schema.hpp"
+#include "studies/kinds/study_template.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/text/joined.hpp"
 
@@ -12,21 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr StudyKind kKinds[] = {StudyKind::simulate, StudyKind::sweep,    StudyKind::window,
-                                StudyKind::sample,   StudyKind::optimize, StudyKind::robust,
-                                StudyKind::pareto,   StudyKind::compare,  StudyKind::sensitivity};
-
 std::optional<StudyKind> kind_of(const std::string& word) {
   std::vector<std::string> known;
-  std::string all;
-  for (const StudyKind kind : kKinds) {
-    if (study_kind_word(kind) == word) return kind;
-    known.emplace_back(study_kind_word(kind));
-    all += joined({all.empty() ? "" : ", ", known.back()});
+  for (const StudyKindRow& row : study_kind_table()) {
+    if (row.word == word) return row.kind;
+    known.emplace_back(row.word);
   }
   const std::string near = nearest(word, known);
-  print_error(joined(
-      {"--kind ", word, ": must be one of ", all, near.empty() ? "" : joined({"; did you mean '", near, "'?"})}));
+  print_error(joined({"--kind ", word, ": must be one of ", listed(known, "or"),
+                      near.empty() ? "" : joined({"; did you mean '", near, "'?"})}));
   return std::nullopt;
 }
 

@@ -14,6 +14,7 @@
 #include "studies/estimate/warnings.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/counted_simulator.hpp"
+#include "studies/execution/lane_executor.hpp"
 #include "studies/execution/progress.hpp"
 #include "studies/findings/rests_on.hpp"
 #include "studies/kinds/study_runner.hpp"
@@ -127,9 +128,9 @@ int run_command(const RunArguments& arguments) {
   listen_for_interrupts();
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet), write_to_stderr);
   progress.plan(progress_plan(*study, study_cost(*study, threads)));
-  const auto report = run_study(*study, run, CountedSimulator(core_simulator(), progress),
-                                {.threads = threads,
-                                 .stop = &interrupt_requested(),
+  const CountedSimulator simulator(core_simulator(), progress);
+  const auto report = run_study(*study, run, LaneExecutor(simulator, threads),
+                                {.stop = &interrupt_requested(),
                                  .progress = &progress,
                                  .compaction_interval = compaction_interval(),
                                  .warnings = warnings});

@@ -45,7 +45,7 @@ std::vector<Side> sides_of(const StudyData& data) {
   for (const RandomVariable& r : data.randoms) {
     sides.emplace_back(r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh));
   }
-  if (data.settings.kind == StudyKind::window) {
+  if (searches_force(data.settings.kind)) {
     // The answer lies somewhere inside the range; its upper end is often a number nobody expects to reach.
     const WindowSettings& range = data.settings.window;
     sides.emplace_back("strategy.grip_force_N", range.from_N, std::sqrt(range.from_N * range.to_N));

@@ -37,7 +37,7 @@ std::vector<End> ends_of(const StudyData& data) {
   for (const RandomVariable& r : data.randoms) {
     add(r.key, quantile(r.distribution, kLowQuantile), quantile(r.distribution, kHighQuantile));
   }
-  if (data.settings.kind == StudyKind::window) {
+  if (searches_force(data.settings.kind)) {
     const std::string key = "strategy.grip_force_N";
     ends.push_back({key, data.settings.window.from_N, key, "window.from_N"});
     ends.push_back({key, data.settings.window.to_N, key, "window.to_N"});

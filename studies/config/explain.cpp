@@ -94,7 +94,7 @@ std::string rule_words(const KeySpec& spec) {
   return range + (range.empty() || spec.note.empty() ? "" : "; ") + spec.note;
 }
 
-std::string_view where_used(Use use) {
+std::string where_used(Use use) {
   switch (use) {
     case Use::always:
       return "";
@@ -116,24 +116,9 @@ std::string_view where_used(Use use) {
       return "lattice products on a support";
     case Use::network_support:
       return "networks on a support";
-    case Use::window:
-      return "window studies";
-    case Use::search:
-      return "optimize, robust and pareto studies";
-    case Use::one_objective:
-      return "optimize and robust studies";
-    case Use::pareto:
-      return "pareto studies";
-    case Use::sampling:
-      return "sample, robust and compare studies";
-    case Use::random:
-      return "sample, robust, compare and sensitivity studies";
-    case Use::compare:
-      return "compare studies";
-    case Use::sensitivity:
-      return "sensitivity studies";
+    default:
+      return listed(kinds_that_use(use), "and") + " studies";
   }
-  return "";
 }
 
 std::string explanation(const KeySpec& spec) {
@@ -145,7 +130,7 @@ std::string explanation(const KeySpec& spec) {
   for (const PlausibleRow& row : plausible_rows()) {
     if (row.fields.front() == spec.path && !row.is_derived()) out += "  plausible: " + row.range_text() + "\n";
   }
-  if (const auto where = where_used(spec.use); !where.empty()) out += "  used by: " + std::string(where) + "\n";
+  if (const auto where = where_used(spec.use); !where.empty()) out += "  used by: " + where + "\n";
   return out;
 }
 
@@ -220,8 +205,7 @@ std::string reference_markdown() {
     const std::string key(spec.path.substr(table.size() + 1));
     out += "| `" + key + "` | " + markdown_cell(type_words(spec)) + " | " + markdown_cell(unit_words(spec)) +
            " | " + markdown_cell(default_words(spec)) + " | " + markdown_cell(rule_words(spec)) + " | " +
-           markdown_cell(std::string(spec.meaning) + (where.empty() ? "" : " For " + std::string(where) + ".")) +
-           " |\n";
+           markdown_cell(std::string(spec.meaning) + (where.empty() ? "" : " For " + where + ".")) + " |\n";
   }
   return out;
 }

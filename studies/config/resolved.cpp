@@ -132,6 +132,17 @@ struct Writer {
   }
 };
 
+/// The tables beside [study] that a kind looks at: its settings, in the order of the reference.
+std::vector<std::string> tables_of_kind(StudyKind kind) {
+  std::vector<std::string> tables;
+  for (const KeySpec& spec : key_table()) {
+    const std::string table(spec.path.substr(0, spec.path.rfind('.')));
+    if (spec.study_field == nullptr || table == "study" || !kind_uses(spec.use, kind)) continue;
+    if (tables.empty() || tables.back() != table) tables.push_back(table);
+  }
+  return tables;
+}
+
 }  // namespace
 
 std::string resolved_text(const StudyData& data) {
@@ -145,12 +156,7 @@ std::string resolved_text(const StudyData& data) {
   }
   Scenario base = data.bases.front();
   writer.table("study", base);
-  const StudyKind kind = data.settings.kind;
-  if (kind == StudyKind::window) writer.table("window", base);
-  if (is_search(kind)) writer.table("search", base);
-  if (is_random(kind)) writer.table("sampling", base);
-  if (kind == StudyKind::compare) writer.table("compare", base);
-  if (kind == StudyKind::sensitivity) writer.table("sensitivity", base);
+  for (const std::string& table : tables_of_kind(data.settings.kind)) writer.table(table, base);
   if (!product_varies) {
     writer.header("[product]");
     writer.product("product", base);

@@ -39,7 +39,7 @@ StudyRule of_scenarios(const Rule& rule) {
   }
   out.fields.insert(out.fields.end(), {"window.from_N", "window.to_N"});
   out.check = [&rule](const Scenario& s, const StudySettings& settings, Violations& broken) {
-    if (settings.kind != StudyKind::window) return rule.check(s, broken);
+    if (!searches_force(settings.kind)) return rule.check(s, broken);
     check_end(rule, s, settings.window.from_N, "window.from_N", broken);
     if (broken.empty()) check_end(rule, s, settings.window.to_N, "window.to_N", broken);
   };
@@ -47,7 +47,7 @@ StudyRule of_scenarios(const Rule& rule) {
 }
 
 void window_ordered(const Scenario& /*scenario*/, const StudySettings& settings, Violations& out) {
-  if (settings.kind != StudyKind::window || settings.window.from_N < settings.window.to_N) return;
+  if (!searches_force(settings.kind) || settings.window.from_N < settings.window.to_N) return;
   out.push_back({"window.from_N", spelled(settings.window.from_N),
                  "must be < window.to_N = " + spelled(settings.window.to_N)});
 }

@@ -172,13 +172,13 @@ enum class Use {
   lattice_support,
   network_support,
   window,
-  search,         ///< optimize, robust, pareto
-  one_objective,  ///< optimize, robust
-  pareto,
-  sampling,  ///< sample, robust, compare
-  random,    ///< those and sensitivity
-  compare,
-  sensitivity,
+  search,  ///< kinds with [[variable]] blocks
+  one_objective,
+  several_objectives,
+  sampling,  ///< kinds that draw products
+  random,    ///< those and kinds with a design over random keys
+  candidates,
+  design,
 };
 
 /// A row of the key table.
@@ -222,14 +222,19 @@ bool has_field(const KeySpec& spec, const Scenario& scenario, int index);
 /// Is it a table or key of [[variable]], [[random]] or [[candidate]]?
 bool is_of_block(std::string_view path);
 
-/// Does a study of this kind look at the keys of this use at all?
+/// Does a study of this kind look at the keys of this use? True for uses that depend on the scenario alone.
 bool kind_uses(Use use, StudyKind kind);
-
-/// Is the key looked at in this scenario? @param varied answers for a key that takes several values.
-bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
-             const std::vector<std::string>& varied_keys);
-/// Why it is not.
-std::string_view why_unused(Use use, const Scenario& scenario);
+/// The words of those that do.
+std::vector<std::string> kinds_that_use(Use use);
+/// Does this scenario? True for uses that depend on the kind alone. @param varied_keys take several values
+bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::string>& varied_keys);
+/// Do both?
+inline bool is_used(const KeySpec& spec, const Scenario& scenario, StudyKind kind,
+                    const std::vector<std::string>& varied_keys) {
+  return kind_uses(spec.use, kind) && scenario_uses(spec.use, scenario, varied_keys);
+}
+/// Why the keys of a use are not looked at.
+std::string why_unused(Use use, const Scenario& scenario);
 
 /// Type and range of a value for a key or for an element of it. Returns the broken rule, or nothing.
 std::optional<std::string> check_value(const KeySpec& spec, const Value& value, std::size_t element_depth);

@@ -21,10 +21,9 @@ class StudyGoals {
   void add_search() {
     SearchTable& table = data_.settings.search;
     SearchSettings& search = data_.search;
-    const bool robust = kind() == StudyKind::robust;
-    const GoalContext context = robust ? GoalContext::sampled : GoalContext::single;
+    const GoalContext context = goal_context();
     set_defaults_by_kind(table);
-    if (kind() == StudyKind::pareto) {
+    if (has_several_objectives(kind())) {
       add_objectives(table, search, context);
     } else if (!is_left_out(table.objective)) {
       auto goal = parsed("search.objective", table.objective, parse_objective(table.objective, context));
@@ -39,8 +38,8 @@ class StudyGoals {
     const bool has_outcome = std::any_of(search.constraints.begin(), search.constraints.end(),
                                          [](const Constraint& c) { return c.kind != Constraint::Kind::metric; });
     if (!has_outcome && !table.constraints.empty()) {
-      table.constraints.push_back(held_rule(robust));
-      search.constraints.push_back(std::get<Constraint>(parse_constraint(held_rule(robust), context)));
+      table.constraints.push_back(held_rule(context));
+      search.constraints.push_back(std::get<Constraint>(parse_constraint(held_rule(context), context)));
       std::rotate(table.constraints.begin(), std::prev(table.constraints.end()), table.constraints.end());
       std::rotate(search.constraints.begin(), std::prev(search.constraints.end()), search.constraints.end());
     }
@@ -114,22 +113,30 @@ class StudyGoals {
   }
 
   void set_defaults_by_kind(SearchTable& table) const {
-    const bool robust = kind() == StudyKind::robust;
+    const GoalContext context = goal_context();
+    const bool sampled = context == GoalContext::sampled;
     const auto given = [&](const char* key) { return base_.given.contains(key); };
-    if (!given("search.objective")) table.objective = robust ? "mean(cycle_time_s)" : "cycle_time_s";
-    if (!given("search.constraints")) table.constraints = {held_rule(robust)};
-    if (robust && !given("search.starts")) table.starts = 4;
-    if (robust && !given("search.budget")) table.budget = std::max<std::uint64_t>(100, table.starts);
-    if (kind() == StudyKind::optimize && !given("search.budget"))
-      table.budget = kEvaluationsPerSearch * table.starts;
-    if (kind() != StudyKind::pareto) return;
-    if (!given("search.starts")) table.starts = 2;
-    if (!given("search.budget")) table.budget = kEvaluationsPerSearch * pareto_searches(table);
+    if (!given("search.objective")) table.objective = sampled ? "mean(cycle_time_s)" : "cycle_time_s";
+    if (!given("search.constraints")) table.constraints = {held_rule(context)};
+    if (!given("search.starts")) {
+      if (sampled) table.starts = 4;
+      if (has_several_objectives(kind())) table.starts = 2;
+    }
+    if (given("search.budget")) return;
+    table.budget = sampled ? std::max<std::uint64_t>(100, table.starts) : kEvaluationsPerSearch * searches(table);
   }
 
-  static std::string held_rule(bool robust) { return robust ? "P(held) >= 0.99" : "held"; }
+  [[nodiscard]] GoalContext goal_context() const {
+    return is_sampled_search(kind()) ? GoalContext::sampled : GoalContext::single;
+  }
 
-  static std::uint64_t pareto_searches(const SearchTable& table) {
+  static std::string held_rule(GoalContext context) {
+    return context == GoalContext::sampled ? "P(held) >= 0.99" : "held";
+  }
+
+  /// Searches of the whole study.
+  [[nodiscard]] std::uint64_t searches(const SearchTable& table) const {
+    if (!has_several_objectives(kind())) return table.starts;
     return pareto_search_count(table.objectives.size(), table.points, table.starts);
   }
 
@@ -160,10 +167,10 @@ class StudyGoals {
       }
     }
     if (data_.variables.empty() || data_.variables.size() != read_.blocks.variable.size()) return;
-    std::size_t constraints = kind() == StudyKind::pareto ? 1 : 0;  // those of the method
+    std::size_t constraints = has_several_objectives(kind()) ? 1 : 0;  // those of the method
     for (const Constraint& constraint : search.constraints) {
       constraints +=
-          kind() == StudyKind::robust ? 1 : violation_names(constraint, data_.bases.front().limits).size();
+          is_sampled_search(kind()) ? 1 : violation_names(constraint, data_.bases.front().limits).size();
     }
     const std::string why =
         optimizer::why_unsuitable(search.algorithm, search.local, data_.variables.size(), constraints);
@@ -176,10 +183,10 @@ class StudyGoals {
   }
 
   void check_budget(const SearchTable& table) {
-    const std::uint64_t searches = kind() == StudyKind::pareto ? pareto_searches(table) : table.starts;
-    if (table.budget >= searches) return;
+    const std::uint64_t needed = searches(table);
+    if (table.budget >= needed) return;
     problems_.add(base_.origin_of("search.budget"), "search.budget", std::to_string(table.budget),
-                  "must be >= the number of searches, " + std::to_string(searches));
+                  "must be >= the number of searches, " + std::to_string(needed));
   }
 
   std::vector<Metric> metrics_of(const std::string& path, const std::vector<std::string>& names) {
@@ -201,9 +208,10 @@ class StudyGoals {
 
 void add_goals(const SearchInput& input) {
   StudyGoals goals(input);
-  if (is_search(input.data.settings.kind)) goals.add_search();
-  if (input.data.settings.kind == StudyKind::compare) goals.add_compare();
-  if (input.data.settings.kind == StudyKind::sensitivity) goals.add_sensitivity();
+  const StudyKind kind = input.data.settings.kind;
+  if (is_search(kind)) goals.add_search();
+  if (kind_uses(Use::candidates, kind)) goals.add_compare();
+  if (kind_uses(Use::design, kind)) goals.add_sensitivity();
 }
 
 }  // namespace unbruised::studies

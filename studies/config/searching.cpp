@@ -41,7 +41,7 @@ class Completion {
   void refuse_foreign_blocks() {
     refuse_blocks(read_.blocks.variable, "variable", Use::search);
     refuse_blocks(read_.blocks.random, "random", Use::random);
-    refuse_blocks(read_.blocks.candidate, "candidate", Use::compare);
+    refuse_blocks(read_.blocks.candidate, "candidate", Use::candidates);
   }
 
   void check_counts() {
@@ -49,13 +49,14 @@ class Completion {
     const auto needs = [&](const char* what) {
       problems_.add(origin, "study.kind", kind_word(), std::string("needs ") + what);
     };
-    if ((kind() == StudyKind::optimize || kind() == StudyKind::pareto) && read_.blocks.variable.empty()) {
+    const StudyKindRow& row = row_of(kind());
+    if (row.variable == Blocks::required && read_.blocks.variable.empty()) {
       needs("[[variable]] blocks: what may be changed, and how far");
     }
-    if (is_random(kind()) && read_.blocks.random.empty())
+    if (row.random == Blocks::required && read_.blocks.random.empty())
       needs("[[random]] blocks: what varies from product to product");
     const std::size_t candidates = read_.blocks.candidate.size();
-    if (kind() == StudyKind::compare && (candidates < 2 || candidates > kCandidatesMost)) {
+    if (row.candidate == Blocks::required && (candidates < 2 || candidates > kCandidatesMost)) {
       needs("two or more [[candidate]] blocks, at most 20");
     }
   }
@@ -65,7 +66,7 @@ class Completion {
     const auto complain = [&](const std::string& rule) {
       problems_.add(base_.origin_of("sampling.count"), "sampling.count", std::to_string(count), rule);
     };
-    if (kind() == StudyKind::robust) {
+    if (is_sampled_search(kind())) {
       const bool gradient = optimizer::info_of(data_.search.algorithm).uses_gradient ||
                             (data_.search.local && optimizer::info_of(*data_.search.local).uses_gradient);
       const std::size_t points = gradient ? 2 * data_.variables.size() + 1 : 1;
@@ -73,7 +74,7 @@ class Completion {
         complain("must be <= " + std::to_string(kProductsPerQuestionMost / points) + " for this search");
       }
     }
-    if (kind() == StudyKind::compare &&
+    if (row_of(kind()).scenarios == ScenarioSource::pairs &&
         count * std::max<std::size_t>(1, read_.blocks.candidate.size()) > kMaxScenarios) {
       complain("more than 10,000,000 scenarios");
     }

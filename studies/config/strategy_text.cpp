@@ -12,7 +12,7 @@ std::string strategy_lines(const Scenario& scenario) {
   std::string text;
   for (const KeySpec& spec : key_table()) {
     if (!spec.path.starts_with(kTable) || spec.field == nullptr) continue;
-    if (!is_used(spec, copy, StudyKind::compare, {})) continue;
+    if (!scenario_uses(spec.use, copy, {})) continue;
     const std::string value = spelled(spec, spec.field(copy, 0));
     if (!value.empty()) text += std::string(spec.path.substr(kTable.size())) + " = " + value + "\n";
   }

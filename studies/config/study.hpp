@@ -19,6 +19,7 @@
 #include "core/scenario/scenario.hpp"
 #include "optimizer/algorithm.hpp"
 #include "optimizer/search_space.hpp"
+#include "studies/config/study_kind.hpp"
 #include "studies/goals/goal.hpp"
 #include "studies/statistics/design.hpp"
 #include "studies/statistics/distribution.hpp"
@@ -35,18 +36,6 @@ struct InputColumn {
 
   [[nodiscard]] std::size_t count() const { return is_text ? texts.size() : numbers.size(); }
 };
-
-enum class StudyKind { simulate, sweep, window, sample, optimize, robust, pareto, compare, sensitivity };
-
-/// optimize, robust and pareto: NLopt searches a box of variables.
-bool is_search(StudyKind kind);
-/// Kinds that draw random products: sample, robust, compare, sensitivity.
-bool is_random(StudyKind kind);
-/// Kinds whose answer says that a product stays undamaged: window, optimize, robust, pareto, compare.
-bool judges_damage(StudyKind kind);
-
-/// The word of a kind, as in `study.kind`.
-std::string_view study_kind_word(StudyKind kind);
 
 /// The search range of a window study.
 struct WindowSettings {
@@ -161,7 +150,7 @@ class Study {
   [[nodiscard]] StudyKind kind() const;
   [[nodiscard]] std::uint64_t seed() const;
   [[nodiscard]] const std::string& description() const;
-  /// Meaningful when kind() == StudyKind::window.
+  /// Meaningful for kinds that search the grip force.
   [[nodiscard]] const WindowSettings& window() const;
 
   // Meaningful for the kinds that use them, empty or default for others.

@@ -1,18 +1,13 @@
 #include "studies/estimate/memory_need.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
-#include <sstream>
 #include <variant>
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "core/body/lattice.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/estimate/cost_estimate.hpp"
-#include "studies/estimate/known_scenarios.hpp"
+#include "studies/execution/machine.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -27,12 +22,6 @@ constexpr double kRowBytes = 8.0 * kMetricCount + 200.0;
 constexpr double kRowCopies = 6.0;
 /// A model below this part of the machine's memory needs no second look.
 constexpr double kSmallPart = 0.02;
-
-double number_in(const std::string& path) {
-  std::ifstream file(path);
-  double number = 0.0;
-  return file >> number && number > 0.0 ? number : std::numeric_limits<double>::infinity();
-}
 
 /// Particles of a lattice by its volume: near enough to tell megabytes from gigabytes.
 double particles_by_volume(const Scenario& scenario) {
@@ -54,48 +43,7 @@ double model_and_lanes_bytes(const ModelSize& size) {
   return estimated_model_bytes(size) + lane_count() * estimated_lane_bytes(size);
 }
 
-/// A file in a group's folder and in those of the groups around it.
-void add_up_to_root(const std::string& root, std::string group, std::string_view file,
-                    std::vector<std::string>& files) {
-  while (true) {
-    while (!group.empty() && group.back() == '/') group.pop_back();
-    files.push_back(joined({root, group, "/", file}));
-    const std::size_t slash = group.rfind('/');
-    if (slash == std::string::npos) return;
-    group.resize(slash);
-  }
-}
-
 }  // namespace
-
-std::vector<std::string> memory_limit_files(const std::string& proc_self_cgroup) {
-  std::vector<std::string> files;
-  std::istringstream lines(proc_self_cgroup);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t first = line.find(':');
-    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string controllers = joined({",", line.substr(first + 1, second - first - 1), ","});
-    const std::string group = line.substr(second + 1);
-    if (controllers == ",,") add_up_to_root("/sys/fs/cgroup", group, "memory.max", files);
-    if (controllers.find(",memory,") != std::string::npos) {
-      add_up_to_root("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes", files);
-    }
-  }
-  return files;
-}
-
-double machine_memory_bytes() {
-  double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  std::ostringstream groups;
-  groups << std::ifstream("/proc/self/cgroup").rdbuf();
-  for (const std::string& path : memory_limit_files(groups.str())) bytes = std::min(bytes, number_in(path));
-  rlimit limit = {};
-  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
-  }
-  return bytes;
-}
 
 double estimated_rows_bytes(double row_count, std::size_t input_count) {
   return row_count * kRowCopies * (kRowBytes + static_cast<double>(input_count * sizeof(InputValue)));
@@ -109,7 +57,7 @@ std::optional<std::string> too_much_memory(const std::string& study_name, double
 }
 
 std::optional<std::string> too_much_memory(const Study& study, int threads) {
-  const ScenarioSet set = known_scenarios(study);
+  const ScenarioSet set = runner_of(study.kind()).scenarios->known(study);
   const std::size_t stride = std::max<std::size_t>(1, set.count / kScenariosSeen);
   double most = 0.0;
   std::size_t at = 0;

@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "studies/estimate/cost_estimate.hpp"
-#include "studies/estimate/known_scenarios.hpp"
 #include "studies/estimate/memory_need.hpp"
-#include "studies/kinds/search_study.hpp"
-#include "studies/kinds/window_search.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 
 namespace unbruised::studies {
@@ -19,12 +17,6 @@ namespace {
 
 /// Bytes of a row, in the journal and again in results.h5, beside its metrics and inputs.
 constexpr double kRowBytesBesideColumns = 160.0;
-/// Combinations of a window study whose search is rehearsed; more are scaled up.
-constexpr std::size_t kRehearsedCombinations = 1000;
-
-/// Two forces at either end of the window that answers a window study, at half the time step: twice the steps.
-constexpr double kHalfStepEvaluations = 8.0;
-
 /// The scenarios of one factor key.
 struct GroupCost {
   ModelSize size;
@@ -53,39 +45,6 @@ KnownCost known_cost(const ScenarioSet& set) {
     cost.longest_run_s = std::max(cost.longest_run_s, simulated_duration_s(scenario));
   }
   return cost;
-}
-
-/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
-double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
-  const WindowSettings& range = study.window();
-  const std::size_t count = std::min(group_of.size(), kRehearsedCombinations);
-  WindowSearchSettings settings{
-      .from_N = range.from_N,
-      .to_N = range.to_N,
-      .tolerance = range.tolerance,
-      .factor_group = {group_of.begin(), group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
-  const double ratio = range.to_N / range.from_N;
-  const double hold_N = range.from_N * std::pow(ratio, 0.37);
-  const double damage_N = range.from_N * std::pow(ratio, 0.71);
-  const ForceEvaluator rehearse = [&](const std::vector<ForceRequest>& requests) {
-    std::vector<GripSample> answers;
-    for (const ForceRequest& request : requests) {
-      answers.push_back({.grip_force_N = request.grip_force_N,
-                         .holds = request.grip_force_N >= hold_N ? Verdict::yes : Verdict::no,
-                         .undamaged = request.grip_force_N <= damage_N ? Verdict::yes : Verdict::no});
-    }
-    return std::optional(std::move(answers));
-  };
-  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count) +
-         kHalfStepEvaluations / static_cast<double>(group_of.size());
-}
-
-/// Scenarios of the study per scenario known beforehand.
-double evaluations_each(const Study& study, const KnownCost& known) {
-  if (is_search(study.kind())) {
-    return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(known.group_of.size());
-  }
-  return study.kind() == StudyKind::window ? rehearsed_evaluations(study, known.group_of) : 1.0;
 }
 
 double compute_seconds(const KnownCost& known, double each) {
@@ -117,7 +76,7 @@ double memory_bytes(const KnownCost& known, int threads) {
 double disk_bytes(const Study& study, const KnownCost& known, std::size_t inputs, double evaluations) {
   const double columns = static_cast<double>(kMetricCount + inputs + 1) * sizeof(double);
   double bytes = evaluations * 2.0 * (columns + kRowBytesBesideColumns);
-  if (study.kind() == StudyKind::simulate && study.scenario_count() == 1) {
+  if (leaves_trace(study.kind())) {
     bytes += estimated_trace_bytes(study.scenario(0), known.groups.front().size);
   }
   return bytes;
@@ -126,9 +85,10 @@ double disk_bytes(const Study& study, const KnownCost& known, std::size_t inputs
 }  // namespace
 
 StudyCost study_cost(const Study& study, int threads) {
-  const ScenarioSet set = known_scenarios(study);
+  const ScenarioFamily& family = *runner_of(study.kind()).scenarios;
+  const ScenarioSet set = family.known(study);
   const KnownCost known = known_cost(set);
-  const double each = evaluations_each(study, known);
+  const double each = family.evaluations_each(study, known.group_of);
   StudyCost cost{.scenarios = each * static_cast<double>(set.count), .groups = known.groups.size()};
   const auto [least, most] = std::minmax_element(
       known.groups.begin(), known.groups.end(),
@@ -149,7 +109,7 @@ ProgressPlan progress_plan(const Study& study, const StudyCost& cost) {
   return {.scenarios = std::round(cost.scenarios),
           .steps_each = cost.steps_each,
           .seconds_per_step = cost.seconds / (cost.scenarios * cost.steps_each),
-          .may_end_sooner = is_search(study.kind())};
+          .may_end_sooner = runner_of(study.kind()).scenarios->count == ScenarioCount::at_most};
 }
 
 }  // namespace unbruised::studies

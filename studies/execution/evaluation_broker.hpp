@@ -2,8 +2,9 @@
 
 /// @file
 /// Answers the questions of many searches at once: what is recorded is not run again, what was asked before is
-/// answered from memory, and the rest shares lanes with whatever else waits. An answer depends on its question
-/// alone, so each search takes the same way whatever the timing and the threads.
+/// answered from memory, and the rest goes to an executor together with whatever else waits. An answer depends on
+/// its question alone, so each search takes the same way whatever the timing and the executor. It is handed out
+/// once it is written down.
 
 #include <atomic>
 #include <condition_variable>
@@ -19,8 +20,8 @@
 
 #include "core/outcome/outcome.hpp"
 #include "core/scenario/scenario.hpp"
-#include "studies/execution/lane_scheduler.hpp"
-#include "studies/execution/simulator.hpp"
+#include "studies/execution/answer_recorder.hpp"
+#include "studies/execution/executor.hpp"
 #include "studies/results/rows.hpp"
 
 namespace unbruised::studies {
@@ -35,20 +36,18 @@ struct BrokerQuestion {
 
 class EvaluationBroker {
  public:
-  /// Keeps a finished evaluation; called once per question, calls are serialised. An exception ends all searches
-  /// and comes out of `run`.
-  using Recorder = std::function<void(const ScenarioRow& row, bool from_memory)>;
+  /// Keeps a finished evaluation; called once per question, calls are serialised and hold nobody up. An exception
+  /// ends all searches and comes out of `run`.
+  using Recorder = AnswerRecorder::Write;
 
   struct Options {
-    /// > 0
-    int threads = 1;
     const std::atomic<bool>* stop = nullptr;  ///< may be null
     /// > 0; searches that ask at the same time. One: they run one after the other.
     std::size_t concurrent_searches = 256;
   };
 
-  /// @param recorded rows of an interrupted run, ids as in the journal; they must outlive the broker.
-  EvaluationBroker(const Simulator& simulator, const std::vector<ScenarioRow>& recorded, Recorder recorder,
+  /// @param executor, recorded rows of an interrupted run (ids as in the journal): they must outlive the broker.
+  EvaluationBroker(const Executor& executor, const std::vector<ScenarioRow>& recorded, Recorder recorder,
                    Options options);
 
   /// Runs searches, each on a thread of its own, until all have returned. Each asks through `ask`. Rethrows what a
@@ -93,16 +92,19 @@ class EvaluationBroker {
     std::vector<Asker> askers;
   };
 
+  void begin_stage(Work& work, AnswerRecorder& recorder);
+  void let_waiting_go();
+  void end_stage(const LaneUse& use);
   void take_in(const BrokerQuestion& question, const std::shared_ptr<Call>& call, std::size_t index,
                std::vector<std::uint64_t>& to_run);
   void deliver(std::uint64_t ticket, const ScenarioResult& result);
-  void answer(const Asker& asker, const ScenarioResult& result, const std::vector<InputValue>& inputs,
-              bool from_memory);
+  void write_down(const Asker& asker, const ScenarioResult& result, const std::vector<InputValue>& inputs);
+  void hand_out(const Asker& asker, const ScenarioResult& result);
   [[nodiscard]] Scenario scenario_of(std::uint64_t ticket) const;
   [[nodiscard]] bool stopping() const;
 
-  const Simulator& simulator_;
-  const Recorder recorder_;
+  const Executor& executor_;
+  const Recorder write_;
   const Options options_;
 
   mutable std::mutex mutex_;
@@ -112,7 +114,8 @@ class EvaluationBroker {
   std::unordered_map<std::string, std::uint64_t> flight_of_key_;
   std::unordered_map<std::uint64_t, Flight> flights_;  ///< by ticket
   std::uint64_t next_ticket_ = 0;
-  LaneScheduler* scheduler_ = nullptr;
+  Work* work_ = nullptr;                ///< of the stage that runs
+  AnswerRecorder* recorder_ = nullptr;  ///< of the same
   bool stage_over_ = false;
   Counts counts_;
 };

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
-#include <new>
-#include <optional>
 #include <utility>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include "studies/execution/group_worker.hpp"
+#include "studies/execution/lone_run.hpp"
 #include "studies/execution/thread_sanitizer.hpp"
 
 #ifdef UNBRUISED_THREAD_SANITIZER
@@ -33,193 +32,21 @@ constexpr int kPartWorthAThread = 4;
 /// How often a waiting worker looks at the stop flag, which a signal handler sets without waking anybody.
 constexpr std::chrono::milliseconds kStopPoll{50};
 
-bool is_set(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
-
 }  // namespace
 
-ScenarioResult failed_result(std::string cause) {
-  ScenarioResult result;
-  result.outcome = Outcome::diverged;
-  result.cause = std::move(cause);
-  return result;
+LaneScheduler::LaneScheduler(const Simulator& simulator, WorkOrder order, int threads)
+    : simulator_(simulator), order_(std::move(order)), threads_(threads), unassigned_workers_(threads) {}
+
+WorkReport LaneScheduler::run() {
+  run_workers();
+  if (failure_) std::rethrow_exception(failure_);
+  return {.group_count = group_count(), .delivered = delivered_, .lane_use = lane_use()};
 }
-
-std::string current_exception_text() {
-  try {
-    throw;
-  } catch (const std::bad_alloc&) {
-    return "out of memory";
-  } catch (const std::exception& error) {
-    return std::string("internal error: ") + error.what();
-  } catch (...) {
-    return "internal error of unknown kind";
-  }
-}
-
-std::shared_ptr<const SharedModel> build_model(const Simulator& simulator, const Scenario& scenario,
-                                               std::string& error) {
-  try {
-    std::shared_ptr<const SharedModel> model = simulator.build(scenario, error);
-    if (!model && error.empty()) error = "the model cannot be built";
-    return model;
-  } catch (...) {
-    error = current_exception_text();
-    return nullptr;
-  }
-}
-
-std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,
-                                                 const std::atomic<bool>* stop) {
-  try {
-    const std::unique_ptr<LaneEngine> lanes = model.make_lanes();
-    lanes->load(0, scenario);
-    if (trace != nullptr) lanes->record_trace(0, *trace);
-    while (!is_set(stop)) {
-      lanes->step();
-      if (!lanes->finished().empty()) return lanes->finished().front().result;
-    }
-    return std::nullopt;
-  } catch (...) {
-    return failed_result(current_exception_text());
-  }
-}
-
-/// One worker's lanes in one group.
-class GroupWorker {
- public:
-  using Group = LaneScheduler::Group;
-  using Seat = LaneScheduler::Seat;
-
-  GroupWorker(LaneScheduler& scheduler, Group& group, Seat& seat)
-      : scheduler_(scheduler),
-        group_(group),
-        seat_(seat),
-        lane_count_(scheduler.simulator_.lane_count()),
-        id_in_lane_(static_cast<std::size_t>(lane_count_)) {}
-
-  LaneUse run() {
-    if (group_.stage == Group::Stage::failed) {
-      fail_all_left(group_.error);
-      return use_;
-    }
-    while (!scheduler_.stopping() && advance()) {
-    }
-    return use_;
-  }
-
- private:
-  using Slot = std::optional<std::uint64_t>;
-
-  /// Fills free lanes and makes one step; false when there is nothing left to do.
-  bool advance() {
-    scheduler_.take(group_, seat_, busy_, taken_);
-    if (!taken_.empty() && !ensure_lanes()) return false;
-    try {
-      load_taken();
-      if (busy_ == 0) return false;
-      lanes_->step();
-      use_.busy_lane_steps += static_cast<std::uint64_t>(busy_);
-      use_.lane_steps += static_cast<std::uint64_t>(lane_count_);
-      collect_finished();
-    } catch (...) {
-      run_each_alone();
-    }
-    return true;
-  }
-
-  bool ensure_lanes() {
-    if (lanes_) return true;
-    try {
-      lanes_ = group_.model->make_lanes();
-      return true;
-    } catch (...) {
-      const std::string cause = current_exception_text();
-      for (const std::uint64_t id : taken_) run_one_alone(id);
-      // Others may have room for what is left of the group; without others it cannot be run.
-      if (scheduler_.only_worker_in(group_)) fail_all_left(cause);
-      return false;
-    }
-  }
-
-  void load_taken() {
-    int lane = 0;
-    while (!taken_.empty()) {
-      while (slot(lane)) ++lane;
-      const std::uint64_t id = taken_.front();
-      slot(lane) = id;
-      ++busy_;
-      taken_.erase(taken_.begin());
-      lanes_->load(lane, scheduler_.scenario_(id));
-    }
-  }
-
-  void collect_finished() {
-    for (const LaneSimulation::Finished& finished : lanes_->finished()) {
-      const std::uint64_t id = slot(finished.lane).value();
-      slot(finished.lane).reset();
-      --busy_;
-      scheduler_.deliver(id, finished.result);
-    }
-  }
-
-  /// After an exception the lanes cannot be trusted: everything in flight starts anew, each scenario alone, so
-  /// that the one that throws is found and the others keep the bits they have in any company.
-  void run_each_alone() {
-    lanes_.reset();
-    scheduler_.has_no_free_lanes(seat_);
-    std::vector<std::uint64_t> in_flight = std::exchange(taken_, {});
-    for (Slot& held : id_in_lane_) {
-      if (held) in_flight.push_back(*held);
-      held.reset();
-    }
-    busy_ = 0;
-    std::sort(in_flight.begin(), in_flight.end());
-    for (const std::uint64_t id : in_flight) run_one_alone(id);
-  }
-
-  void run_one_alone(std::uint64_t id) {
-    if (scheduler_.stopping()) return;
-    try {
-      const std::optional<ScenarioResult> result =
-          run_in_fresh_lanes(*group_.model, scheduler_.scenario_(id), nullptr, scheduler_.options_.stop);
-      if (result) scheduler_.deliver(id, *result);
-    } catch (...) {
-      scheduler_.deliver(id, failed_result(current_exception_text()));
-    }
-  }
-
-  void fail_all_left(const std::string& cause) {
-    do {
-      scheduler_.take(group_, seat_, 0, taken_);
-      for (const std::uint64_t id : taken_) scheduler_.deliver(id, failed_result(cause));
-    } while (!taken_.empty());
-  }
-
-  Slot& slot(int lane) { return id_in_lane_[static_cast<std::size_t>(lane)]; }
-
-  LaneScheduler& scheduler_;
-  Group& group_;
-  Seat& seat_;
-  const int lane_count_;
-  std::unique_ptr<LaneEngine> lanes_;
-  std::vector<Slot> id_in_lane_;
-  std::vector<std::uint64_t> taken_;
-  int busy_ = 0;
-  LaneUse use_;
-};
-
-LaneScheduler::LaneScheduler(const Simulator& simulator, std::function<Scenario(std::uint64_t id)> scenario,
-                             ResultSink sink, Options options)
-    : simulator_(simulator),
-      scenario_(std::move(scenario)),
-      sink_(std::move(sink)),
-      options_(options),
-      unassigned_workers_(options.threads) {}
 
 void LaneScheduler::add(std::span<const std::uint64_t> ids) {
   std::vector<std::string> keys;
   keys.reserve(ids.size());
-  for (const std::uint64_t id : ids) keys.push_back(simulator_.factor_key(scenario_(id)));
+  for (const std::uint64_t id : ids) keys.push_back(simulator_.factor_key(order_.scenario(id)));
   {
     const std::lock_guard lock(mutex_);
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -243,12 +70,12 @@ void LaneScheduler::close() {
 void LaneScheduler::run_workers() {
   // Without this TBB gives no more threads than the machine has cores, whatever was asked.
   const tbb::global_control thread_limit(tbb::global_control::max_allowed_parallelism,
-                                         static_cast<std::size_t>(options_.threads));
-  tbb::task_arena arena(options_.threads);
+                                         static_cast<std::size_t>(threads_));
+  tbb::task_arena arena(threads_);
   arena.execute([&] {
     tbb::task_group workers;
     hand_over(this);
-    for (int i = 1; i < options_.threads; ++i) {
+    for (int i = 1; i < threads_; ++i) {
       workers.run([&] {
         take_over(this);
         work();
@@ -266,28 +93,22 @@ void LaneScheduler::work() {
     Seat seat;
     while (Group* group = join(seat)) leave(*group, seat, GroupWorker(*this, *group, seat).run());
   } catch (...) {
-    // What a worker cannot turn into a row ends the work; the exception comes out of rethrow_failure.
+    // What a worker cannot turn into a row ends the work; the exception comes out of `run`.
     const std::lock_guard lock(sink_mutex_);
     if (!aborted_) abort_with_current_exception();
   }
 }
 
-bool LaneScheduler::stopping() const { return is_set(options_.stop) || aborted_.load(std::memory_order_relaxed); }
+bool LaneScheduler::stopping() const { return is_set(order_.stop) || aborted_.load(std::memory_order_relaxed); }
 
 std::size_t LaneScheduler::group_count() const {
   const std::lock_guard lock(mutex_);
   return groups_.size();
 }
 
-std::size_t LaneScheduler::delivered() const { return delivered_; }
-
 LaneUse LaneScheduler::lane_use() const {
   const std::lock_guard lock(mutex_);
   return use_;
-}
-
-void LaneScheduler::rethrow_failure() const {
-  if (failure_) std::rethrow_exception(failure_);
 }
 
 /// A group to work in, its model built or failed; nullptr: nothing left for this worker.
@@ -321,10 +142,10 @@ LaneScheduler::Group* LaneScheduler::pick_group() {
     if (group.stage == Group::Stage::building) continue;
     // In a fixed batch groups nobody works in come first, in order; then the threads join the fullest.
     const bool is_free = group.seats.empty();
-    if (!options_.grows && is_free) return &group;
-    const std::size_t left = options_.grows ? uncovered(group) : group.waiting.size();
+    if (!grows() && is_free) return &group;
+    const std::size_t left = grows() ? uncovered(group) : group.waiting.size();
     const auto worth_it = static_cast<std::size_t>(std::max(1, simulator_.lane_count() / kPartWorthAThread));
-    if (options_.grows && !is_free && left < worth_it) continue;
+    if (grows() && !is_free && left < worth_it) continue;
     if (left > most) {
       most = left;
       best = &group;
@@ -350,7 +171,7 @@ LaneScheduler::Group* LaneScheduler::build(Group& group, std::unique_lock<std::m
 std::shared_ptr<const SharedModel> LaneScheduler::build_first_scenario(std::uint64_t id,
                                                                        std::string& error) const {
   try {
-    return build_model(simulator_, scenario_(id), error);
+    return build_model(simulator_, order_.scenario(id), error);
   } catch (...) {
     error = current_exception_text();
     return nullptr;
@@ -365,7 +186,7 @@ void LaneScheduler::leave(Group& group, Seat& seat, LaneUse use) {
     use_.lane_steps += use.lane_steps;
     std::erase(group.seats, &seat);
     if (group.seats.empty() && group.waiting.empty()) {
-      if (!options_.grows || stopping()) {
+      if (!grows() || stopping()) {
         drop_model(group);
       } else if (group.model) {
         idle_.push_back(group.index);
@@ -388,7 +209,7 @@ void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::ui
   const std::lock_guard lock(mutex_);
   if (stopping()) return;
   const auto free = static_cast<std::size_t>(simulator_.lane_count() - busy);
-  const std::size_t mine = options_.grows ? left_by_seniors(group, seat) : fair_share(group);
+  const std::size_t mine = grows() ? left_by_seniors(group, seat) : fair_share(group);
   const std::size_t count = std::min(free, mine);
   taken.assign(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));
   group.waiting.erase(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));
@@ -443,7 +264,7 @@ void LaneScheduler::deliver(std::uint64_t id, const ScenarioResult& result) {
   const std::lock_guard lock(sink_mutex_);
   if (aborted_) return;
   try {
-    sink_(id, result);
+    order_.sink(id, result);
     ++delivered_;
   } catch (...) {
     abort_with_current_exception();

@@ -7,13 +7,11 @@
 #include "studies/scenarios/product_sample.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/statistics/intervals.hpp"
+#include "studies/statistics/seed_purpose.hpp"
 #include "studies/statistics/sensitivity.hpp"
 
 namespace unbruised::studies {
 namespace {
-
-/// Stream of the study's seed for bootstrap draws.
-constexpr std::uint64_t kBootstrap = 105;
 
 const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
 
@@ -62,7 +60,7 @@ ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows
   const SensitivitySettings& settings = study.sensitivity();
   for (const Metric metric : settings.metrics) {
     const SobolResult found = sobol_indices(design, answers_of(rows, metric), settings.bootstrap,
-                                            settings.confidence, derived_seed(study.seed(), kBootstrap));
+                                            settings.confidence, seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
     for (std::size_t k = 0; k < found.indices.size(); ++k) {
       const SobolIndex& index = found.indices[k];
@@ -84,7 +82,7 @@ ResultTable morris_table(const Study& study, const std::vector<ScenarioRow>& row
   const SensitivitySettings& settings = study.sensitivity();
   for (const Metric metric : settings.metrics) {
     const MorrisResult found = morris_effects(design, answers_of(rows, metric), settings.confidence,
-                                              derived_seed(study.seed(), kBootstrap));
+                                              seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
     for (std::size_t k = 0; k < found.effects.size(); ++k) {
       const MorrisEffect& effect = found.effects[k];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "optimizer/search.hpp"
-#include "studies/execution/lane_scheduler.hpp"
+#include "studies/execution/executor.hpp"
 #include "studies/findings/strategy_judge.hpp"
 #include "studies/scenarios/product_sample.hpp"
 

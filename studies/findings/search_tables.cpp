@@ -34,11 +34,12 @@ class SearchTables {
     if (!found_.searches.empty()) tables.push_back(searches());
     if (!found_.candidates.empty()) {
       tables.push_back(evaluations());
-      if (study_.kind() == StudyKind::pareto) tables.push_back(pareto());
+      if (has_several_objectives(study_.kind())) tables.push_back(pareto());
       const Candidate* best = best_feasible(found_.candidates, 0);
       const Candidate& shown = best != nullptr ? *best : *least_violated(found_.candidates);
-      if (study_.kind() != StudyKind::pareto || best == nullptr) tables.push_back(this->best(shown));
-      if (!shown.components.empty() && study_.kind() != StudyKind::pareto) tables.push_back(constraints(shown));
+      if (!has_several_objectives(study_.kind()) || best == nullptr) tables.push_back(this->best(shown));
+      if (!shown.components.empty() && !has_several_objectives(study_.kind()))
+        tables.push_back(constraints(shown));
     }
     if (!found_.checks.empty()) tables.push_back(verification());
     if (found_.products) tables.push_back(random_table(study_, *found_.products));
@@ -93,7 +94,7 @@ class SearchTables {
         {"binding", "", "the constraint that is nearest to being broken, or most broken", binding});
     table.columns.push_back(column("scenario", "1", "row of its (first) scenario", candidates,
                                    [this](const Candidate& c) { return row_of(c.first_scenario); }));
-    if (study_.kind() == StudyKind::robust) add_probabilities(table, candidates);
+    if (is_sampled_search(study_.kind())) add_probabilities(table, candidates);
   }
 
   /// Of the first event, and beside it of `held` where that is another one.
@@ -173,7 +174,7 @@ class SearchTables {
     table.attributes.emplace_back("objective", judge_.objectives().front().text);
     table.attributes.emplace_back("at_bounds", at_bounds(shown));
     table.attributes.emplace_back("reason", shown.feasible() ? std::string() : why_infeasible(shown));
-    if (study_.kind() == StudyKind::robust) {
+    if (is_sampled_search(study_.kind())) {
       table.attributes.emplace_back("event", judge_.events().front().text);
       table.attributes.emplace_back("confidence", study_.sampling().confidence);
       table.attributes.emplace_back("products", static_cast<double>(found_.products->size()));
@@ -250,7 +251,7 @@ class SearchTables {
                     {"slack", "1", "distance to the bound at the best strategy, in parts of the bound", slack},
                     {"active", "1", "1: closer than 2 % of the bound", active}},
         .attributes = {}};
-    if (study_.kind() == StudyKind::robust) add_shown(table, best);
+    if (is_sampled_search(study_.kind())) add_shown(table, best);
     return table;
   }
 

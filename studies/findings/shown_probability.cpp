@@ -121,7 +121,7 @@ namespace {
 std::vector<std::string> said_of_probabilities(const Study& study,
                                                std::string (*said)(const JudgedEvent&, const Study&)) {
   std::vector<std::string> sentences;
-  if (study.kind() != StudyKind::robust) return sentences;
+  if (!is_sampled_search(study.kind())) return sentences;
   const StrategyJudge judge(study);
   for (const JudgedEvent& judged : judge.events()) {
     if (!judged.wanted) continue;

@@ -38,11 +38,12 @@ bool Candidate::feasible() const {
 
 StrategyJudge::StrategyJudge(const Study& study)
     : study_(study),
-      sampled_(study.kind() == StudyKind::robust),
+      sampled_(is_sampled_search(study.kind())),
       limits_(study.scenario(0).limits),
       damage_limits_(active_damage_limits(study.scenario(0))) {
   const SearchSettings& search = study.search();
-  objectives_ = study.kind() == StudyKind::pareto ? search.objectives : std::vector<Objective>{search.objective};
+  objectives_ =
+      has_several_objectives(study.kind()) ? search.objectives : std::vector<Objective>{search.objective};
   for (std::size_t i = 0; i < search.constraints.size(); ++i) {
     const Constraint& constraint = search.constraints[i];
     counts_.endings |= constraint.event.endings;
@@ -164,7 +165,7 @@ std::vector<const Candidate*> front_of(const std::vector<Candidate>& candidates)
 }
 
 const Candidate* winner(const Study& study, const std::vector<Candidate>& candidates) {
-  if (study.kind() != StudyKind::pareto) return best_feasible(candidates, 0);
+  if (!has_several_objectives(study.kind())) return best_feasible(candidates, 0);
   const std::vector<const Candidate*> front = front_of(candidates);
   if (front.empty()) return nullptr;
   std::vector<optimizer::Objectives> points;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "studies/statistics/design.hpp"
+#include "studies/statistics/seed_purpose.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -39,15 +40,17 @@ ObjectiveBox objective_box(const std::vector<Candidate>& known, std::size_t obje
 }
 
 /// Where on the front to look, as parts in (0, 1): of two objectives evenly, of three over a square.
-std::vector<std::vector<double>> positions(std::size_t points, std::size_t objectives) {
+std::vector<std::vector<double>> positions(const Study& study) {
+  const std::size_t points = study.search().points;
   std::vector<std::vector<double>> all;
-  if (objectives == 2) {
+  if (study.search().objectives.size() == 2) {
     for (std::size_t p = 0; p < points; ++p) {
       all.push_back({static_cast<double>(p + 1) / static_cast<double>(points + 1)});
     }
     return all;
   }
-  const UnitDesign design = unit_design(DesignKind::sobol, points, 2, 1);
+  const UnitDesign design =
+      unit_design(DesignKind::sobol, points, 2, seed_for(study.seed(), SeedPurpose::front_positions));
   for (std::size_t p = 0; p < points; ++p) all.push_back({design.at(p, 0), design.at(p, 1)});
   return all;
 }
@@ -192,7 +195,7 @@ std::vector<PlannedSearch> plan_points(const Study& study, const StrategyJudge& 
     }
   }
   std::size_t number = 0;
-  for (const std::vector<double>& position : positions(study.search().points, objectives)) {
+  for (const std::vector<double>& position : positions(study)) {
     ++number;
     for (std::size_t s = 0; s < starts.size(); ++s) {
       PlannedSearch plan = study.search().method == ParetoMethod::chebyshev

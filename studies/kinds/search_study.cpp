@@ -9,14 +9,12 @@
 
 #include "studies/kinds/pareto_plan.hpp"
 #include "studies/statistics/design.hpp"
+#include "studies/statistics/seed_purpose.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
-
-/// Streams of the study's seed, one per use.
-enum Purpose : std::uint64_t { kProducts = 101, kOtherProducts = 102, kStarts = 103, kSearchSeeds = 1000 };
 
 /// The finer mesh of the check has at least this many times the cells along the product's smallest extent: about
 /// twice as many in all.
@@ -70,14 +68,14 @@ class SearchStudy {
         broker_(broker),
         keys_(numeric_keys(study_)),
         space_(space_of(study_)) {
-    if (study_.kind() == StudyKind::robust) {
-      found_.products = draw_products(study_, study_.sampling().count, derived_seed(study_.seed(), kProducts));
+    if (is_sampled_search(study_.kind())) {
+      found_.products = study_products(study_);
     }
   }
 
   SearchFindings run() {
     const auto begin = std::chrono::steady_clock::now();
-    if (study_.kind() == StudyKind::pareto) {
+    if (has_several_objectives(study_.kind())) {
       run_pareto();
     } else if (study_.variables().empty()) {
       run_stage({[this] { evaluate_as_written(); }});
@@ -104,7 +102,7 @@ class SearchStudy {
   /// optimize and robust: the same problem from many starts.
   void run_multistart() {
     const SearchSettings& settings = study_.search();
-    const std::vector<Point> starts = start_points(settings.starts, 0);
+    const std::vector<Point> starts = start_points(settings.starts, SeedPurpose::starts);
     run_planned(plan_multistart(study_, judge_, starts));
   }
 
@@ -117,10 +115,10 @@ class SearchStudy {
   /// pareto: the best of each objective alone, then the points between them.
   void run_pareto() {
     const ParetoBudget budget = pareto_budget(study_);
-    run_planned(plan_anchors(study_, judge_, start_points(budget.anchor_starts, 0)));
+    run_planned(plan_anchors(study_, judge_, start_points(budget.anchor_starts, SeedPurpose::starts)));
     if (interrupted_) return;
     const std::vector<Candidate> anchors = log_.sorted();
-    run_planned(plan_points(study_, judge_, anchors, start_points(budget.starts, 1)));
+    run_planned(plan_points(study_, judge_, anchors, start_points(budget.starts, SeedPurpose::later_starts)));
   }
 
   void run_planned(const std::vector<PlannedSearch>& planned) {
@@ -147,7 +145,7 @@ class SearchStudy {
     options.algorithm = settings.algorithm;
     options.local = settings.local;
     options.start = plan.start;
-    options.seed = derived_seed(study_.seed(), kSearchSeeds + number);
+    options.seed = seed_for(study_.seed(), SeedPurpose::searches, number);
     options.evaluations_most = plan.evaluations_most;
     options.tolerance = settings.tolerance;
     options.initial_step = settings.initial_step;
@@ -228,12 +226,12 @@ class SearchStudy {
     return asked;
   }
 
-  /// The given start or the middle of the box, then seeded points all over it. @param set sets do not share points
-  std::vector<Point> start_points(std::size_t count, std::uint64_t set) const {
+  /// The given start or the middle of the box, then points of the purpose's seed all over it.
+  std::vector<Point> start_points(std::size_t count, SeedPurpose purpose) const {
     const std::vector<SearchVariable>& variables = study_.variables();
     std::vector<Point> points;
     const UnitDesign design =
-        unit_design(DesignKind::sobol, count, variables.size(), derived_seed(study_.seed(), kStarts + 7 * set));
+        unit_design(DesignKind::sobol, count, variables.size(), seed_for(study_.seed(), purpose));
     for (std::size_t i = 0; i < count; ++i) {
       std::vector<double> unit(variables.size(), 0.5);
       if (i > 0) {
@@ -274,7 +272,7 @@ class SearchStudy {
     }
     if (going_on && is_sample) {
       const ProductSample others =
-          draw_products(study_, study_.sampling().count, derived_seed(study_.seed(), kOtherProducts));
+          draw_products(study_, study_.sampling().count, seed_for(study_.seed(), SeedPurpose::other_products));
       check("other products", {}, points, others, generation++);
     }
   }
@@ -327,9 +325,8 @@ SearchFindings run_searches(const StrategyJudge& judge, EvaluationBroker& broker
 ScenarioSet search_probes(const Study& study, std::size_t count) {
   const std::vector<std::string> keys = numeric_keys(study);
   ProductSample products;
-  if (study.kind() == StudyKind::robust) {
-    products =
-        first_products(draw_products(study, study.sampling().count, derived_seed(study.seed(), kProducts)), count);
+  if (is_sampled_search(study.kind())) {
+    products = first_products(study_products(study), count);
   }
   ScenarioSet set;
   set.count = std::max<std::size_t>(1, products.size());
@@ -351,7 +348,7 @@ ScenarioSet search_probes(const Study& study, std::size_t count) {
 }
 
 std::size_t evaluations_at_most(const Study& study) {
-  const std::size_t products = study.kind() == StudyKind::robust ? study.sampling().count : 1;
+  const std::size_t products = is_sampled_search(study.kind()) ? study.sampling().count : 1;
   const std::size_t searched = study.variables().empty() ? 1 : study.search().budget;
   const std::size_t checks = products == 1 ? 3 : 3 * std::min(kCheckedProducts, products) + products;
   return searched * products + checks;

@@ -81,7 +81,7 @@ std::optional<AnsweredStrategy> search_strategy(const Study& study, const Search
     strategy.values.emplace_back(best->values[k]);
   }
   strategy.scenario = study.scenario_with(keys, best->values);
-  say(strategy, study.kind() == StudyKind::pareto ? "the knee of the front" : "the best feasible strategy");
+  say(strategy, has_several_objectives(study.kind()) ? "the knee of the front" : "the best feasible strategy");
   say(strategy, with_text(strategy.keys, strategy.values));
   say(strategy, damage_sentence(damage_claim(study)));
   return strategy;

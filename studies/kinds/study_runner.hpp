@@ -12,11 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scenario/scenario.hpp"
 #include "studies/config/study.hpp"
-#include "studies/execution/lane_scheduler.hpp"
+#include "studies/execution/executor.hpp"
 #include "studies/execution/progress.hpp"
-#include "studies/execution/simulator.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/results/expected.hpp"
 #include "studies/results/rows.hpp"
@@ -25,8 +23,6 @@
 namespace unbruised::studies {
 
 struct StudyRunOptions {
-  /// > 0
-  int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< may be null
   Progress* progress = nullptr;             ///< may be null
   /// > 0; searches that run at the same time (one: one after the other, for benchmarks; the same results)
@@ -52,25 +48,7 @@ struct StudyReport {
 
 /// Runs what is left of a study and writes results.h5, also when interrupted (complete = 0).
 /// Errors: those of the run directory; damaged when a recorded evaluation of a search does not belong to it.
-Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Simulator& simulator,
+Expected<StudyReport> run_study(const Study& study, RunDirectory& run, const Executor& executor,
                                 const StudyRunOptions& options);
-
-/// results.h5 of a study that is not finished: scenarios not run yet are rows too where they are known beforehand,
-/// what the kind finds beside is missing.
-ResultsContent unfinished_content(const Study& study, const RunDirectory& run, std::vector<std::string> warnings);
-
-enum class ResultsState { complete, unfinished };
-/// What the root of a results file says about this study.
-ResultsMeta results_meta(const Study& study, std::vector<std::string> warnings, ResultsState state);
-
-/// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
-/// and drawn.
-std::vector<ColumnInfo> input_columns(const Study& study);
-/// Scenarios whose number is known beforehand: of all kinds but window and those that search, whose scenarios are
-/// known once they have been asked for.
-bool has_fixed_scenarios(StudyKind kind);
-
-/// The scenario a row of this study was made from; nothing when its inputs are none of the study's.
-std::optional<Scenario> scenario_of_row(const Study& study, const ScenarioRow& row);
 
 }  // namespace unbruised::studies

@@ -108,14 +108,8 @@ std::vector<InputValue> get_inputs(ByteReader& reader) {
   return inputs;
 }
 
-std::vector<double WindowRow::*> window_numbers() {
-  return {&WindowRow::hold_force_N,         &WindowRow::damage_force_N,      &WindowRow::margin,
-          &WindowRow::hold_bracket_low_N,   &WindowRow::hold_bracket_high_N, &WindowRow::damage_bracket_low_N,
-          &WindowRow::damage_bracket_high_N};
-}
-
-ResultsError misshapen(std::string_view what) {
-  return {ResultsErrorKind::damaged, joined({"a journal record is not a ", what, " of this version"}), {}};
+ResultsError misshapen_row() {
+  return {ResultsErrorKind::damaged, "a journal record is not a scenario row of this version", {}};
 }
 
 }  // namespace
@@ -139,32 +133,12 @@ Expected<ScenarioRow> decode_scenario_row(std::uint64_t id, std::string_view pay
   row.result.outcome_time_s = reader.get<double>();
   const auto metric_count = reader.get<std::uint32_t>();
   const bool known_outcome = outcome >= -1 && outcome < static_cast<int>(kOutcomeWords.size());
-  if (!reader.ok() || !known_outcome || metric_count != kMetricCount) return misshapen("scenario row");
+  if (!reader.ok() || !known_outcome || metric_count != kMetricCount) return misshapen_row();
   row.result.outcome = static_cast<Outcome>(outcome);
   for (double& value : row.result.metrics.values()) value = reader.get<double>();
   row.result.cause = reader.get_text();
   row.inputs = get_inputs(reader);
-  if (!reader.at_end()) return misshapen("scenario row");
-  return row;
-}
-
-std::string encode_window_row(const WindowRow& row) {
-  ByteWriter bytes;
-  bytes.put(static_cast<std::uint8_t>(row.exists));
-  for (const auto field : window_numbers()) bytes.put(row.*field);
-  bytes.put_text(row.note);
-  put_inputs(bytes, row.inputs);
-  return bytes.text();
-}
-
-Expected<WindowRow> decode_window_row(std::string_view payload) {
-  ByteReader reader(payload);
-  WindowRow row;
-  row.exists = reader.get<std::uint8_t>() != 0;
-  for (const auto field : window_numbers()) row.*field = reader.get<double>();
-  row.note = reader.get_text();
-  row.inputs = get_inputs(reader);
-  if (!reader.at_end()) return misshapen("window row");
+  if (!reader.at_end()) return misshapen_row();
   return row;
 }
 

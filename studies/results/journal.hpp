@@ -21,10 +21,8 @@ namespace unbruised::studies {
 
 /// What a record holds. The numbers are part of the format.
 enum class RecordKind : std::uint16_t {
-  scenario = 1,    ///< a ScenarioRow
-  session = 2,     ///< text: version and numeric build of the process that writes this file
-  window = 3,      ///< a WindowRow
-  evaluation = 4,  ///< an answer of a search's broker; payload defined by its writer
+  scenario = 1,  ///< a ScenarioRow
+  session = 2,   ///< text: version and numeric build of the process that writes this file
 };
 
 /// One record, checksums already verified when it comes from a reader.
@@ -39,11 +37,6 @@ struct JournalRecord {
 std::string encode_scenario_row(const ScenarioRow& row);
 /// The row in a payload; damaged when it does not have the shape of one.
 Expected<ScenarioRow> decode_scenario_row(std::uint64_t id, std::string_view payload);
-
-/// Payload of a RecordKind::window record.
-std::string encode_window_row(const WindowRow& row);
-/// The row in a payload; damaged when it does not have the shape of one.
-Expected<WindowRow> decode_window_row(std::string_view payload);
 
 /// Bytes of a journal that hold no believable record although believable records follow them.
 struct JournalDamage {

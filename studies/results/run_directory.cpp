@@ -21,34 +21,6 @@ namespace unbruised::studies {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> journal_files(const fs::path& directory) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(directory / "journal", error)) {
-    if (entry.path().extension() == ".jrnl") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-fs::path hash_path(const fs::path& results) {
-  fs::path path = results;
-  path += ".sha256";
-  return path;
-}
-
-std::string hash_line(std::string_view bytes) { return joined({sha256_hex(bytes), "  results.h5\n"}); }
-
-bool same_row(const ScenarioRow& a, const ScenarioRow& b) {
-  const auto same_input = [](const InputValue& left, const InputValue& right) {
-    const auto* x = std::get_if<double>(&left);
-    const auto* y = std::get_if<double>(&right);
-    return left == right || (x != nullptr && y != nullptr && *x != *x && *y != *y);
-  };
-  return result_digest(a.result) == result_digest(b.result) && a.result.cause == b.result.cause &&
-         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same_input);
-}
-
 namespace {
 
 ResultsError error_of(ResultsErrorKind kind, std::initializer_list<std::string_view> parts) {
@@ -234,7 +206,7 @@ MaybeError RunDirectory::recover_journals() {
     if (!scan) return scan.error();
     recover_journal(file, *scan);
   }
-  recovered_count_ = rows_.size() + records_.size();
+  recovered_count_ = rows_.size();
   notes_.push_back(joined({"continuing ", directory_.string(), ": ", std::to_string(rows_.size()),
                            " scenarios found in ", std::to_string(files.size()), " journal file(s)"}));
   return {};
@@ -261,10 +233,7 @@ void RunDirectory::recover_record(const fs::path& path, const JournalRecord& rec
     if (record.payload != build_) other_build_ = record.payload;
     return;
   }
-  if (record.kind != RecordKind::scenario) {
-    records_.try_emplace({record.kind, record.id}, record);
-    return;
-  }
+  if (record.kind != RecordKind::scenario) return;
   auto row = decode_scenario_row(record.id, record.payload);
   if (!row) {
     notes_.push_back(joined({path.string(), ", scenario ", std::to_string(record.id), ": ", row.error().message}));
@@ -298,15 +267,6 @@ std::vector<ScenarioRow> RunDirectory::rows() const {
   return all;
 }
 
-std::vector<JournalRecord> RunDirectory::records(RecordKind kind) const {
-  const std::lock_guard lock(mutex_);
-  std::vector<JournalRecord> chosen;
-  for (const auto& [key, record] : records_) {
-    if (key.first == kind) chosen.push_back(record);
-  }
-  return chosen;
-}
-
 // The journal of this process, begun with its session record at the first use.
 Expected<JournalWriter*> RunDirectory::journal() {
   const std::lock_guard lock(mutex_);
@@ -328,15 +288,6 @@ MaybeError RunDirectory::append(const ScenarioRow& row) {
   if (auto error = (*writer)->append({RecordKind::scenario, row.id, 0, encode_scenario_row(row)})) return error;
   const std::lock_guard lock(mutex_);
   rows_.try_emplace(row.id, row);
-  return {};
-}
-
-MaybeError RunDirectory::append(const JournalRecord& record) {
-  auto writer = journal();
-  if (!writer) return writer.error();
-  if (auto error = (*writer)->append(record)) return error;
-  const std::lock_guard lock(mutex_);
-  records_.try_emplace({record.kind, record.id}, record);
   return {};
 }
 

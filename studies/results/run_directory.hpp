@@ -59,17 +59,12 @@ class RunDirectory {
   [[nodiscard]] std::vector<std::uint64_t> done_ids() const;
   /// All rows recovered or appended, by ascending id. Thread-safe.
   [[nodiscard]] std::vector<ScenarioRow> rows() const;
-  /// Records of other kinds (window rows, evaluations) recovered or appended, in id order; of records with
-  /// the same id the first stays. Thread-safe.
-  [[nodiscard]] std::vector<JournalRecord> records(RecordKind kind) const;
 
   /// Appends a scenario row to the journal. Thread-safe. A row whose id is done already is refused (io).
   MaybeError append(const ScenarioRow& row);
-  /// Appends a record of another kind. Thread-safe.
-  MaybeError append(const JournalRecord& record);
   /// Makes every row appended so far durable (call it before the program says how to resume).
   MaybeError commit();
-  /// Rows and other records that survive a power loss: recovered ones and acknowledged ones.
+  /// Rows that survive a power loss: recovered ones and acknowledged ones.
   [[nodiscard]] std::uint64_t acknowledged() const;
 
   /// One line into log.txt; a failure to log is not an error.
@@ -114,7 +109,6 @@ class RunDirectory {
   std::unique_ptr<JournalWriter> journal_;
   std::uint64_t recovered_count_ = 0;
   std::map<std::uint64_t, ScenarioRow> rows_;
-  std::map<std::pair<RecordKind, std::uint64_t>, JournalRecord> records_;
 };
 
 /// What `verify` found. Damage: results or journals cannot be believed (exit 6).

@@ -6,8 +6,6 @@
 /// study is read through this door; `results_file.hpp` reads in the same process.
 
 #include <filesystem>
-#include <functional>
-#include <string>
 
 #include "studies/results/expected.hpp"
 #include "studies/results/results_file.hpp"
@@ -27,10 +25,5 @@ Expected<ResultsSummary> read_hashed_summary(const std::filesystem::path& path);
 
 /// `read_trace` in a child process. Errors as above.
 Expected<Trace> read_suspect_trace(const std::filesystem::path& path);
-
-/// What `body` returns, computed in a child process that prints nothing; damaged, with `path` in the sentence,
-/// when the child ends otherwise; io when there can be no child. To be called while no other thread uses HDF5.
-Expected<std::string> in_child_process(const std::filesystem::path& path,
-                                       const std::function<std::string()>& body);
 
 }  // namespace unbruised::studies

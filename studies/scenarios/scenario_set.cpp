@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "studies/statistics/distribution.hpp"
+#include "studies/statistics/seed_purpose.hpp"
 #include "studies/statistics/sensitivity.hpp"
 
 namespace unbruised::studies {
 namespace {
-
-/// Streams of the study's seed, one per use.
-enum Purpose : std::uint64_t { kProducts = 101, kSensitivity = 104 };
 
 std::vector<ColumnInfo> random_columns(const Study& study) {
   std::vector<ColumnInfo> columns;
@@ -90,12 +88,12 @@ std::vector<InputValue> grid_inputs(const Study& study, std::size_t point) {
 }
 
 ScenarioSet scenario_set(const Study& study) {
-  switch (study.kind()) {
-    case StudyKind::sample:
+  switch (row_of(study.kind()).scenarios) {
+    case ScenarioSource::products:
       return of_rows(study, study_products(study));
-    case StudyKind::compare:
+    case ScenarioSource::pairs:
       return of_candidates(study);
-    case StudyKind::sensitivity:
+    case ScenarioSource::design:
       return of_design(study);
     default:
       return of_grid(study);
@@ -107,12 +105,12 @@ CompareIndex compare_index(const Study& study, std::size_t id) {
 }
 
 ProductSample study_products(const Study& study) {
-  return draw_products(study, study.sampling().count, derived_seed(study.seed(), kProducts));
+  return draw_products(study, study.sampling().count, seed_for(study.seed(), SeedPurpose::products));
 }
 
 UnitDesign sensitivity_design(const Study& study) {
   const SensitivitySettings& settings = study.sensitivity();
-  const std::uint64_t seed = derived_seed(study.seed(), kSensitivity);
+  const std::uint64_t seed = seed_for(study.seed(), SeedPurpose::sensitivity);
   const std::size_t keys = study.randoms().size();
   UnitDesign design = settings.method == SensitivityMethod::morris
                           ? morris_design(settings.samples, keys, settings.levels, seed)

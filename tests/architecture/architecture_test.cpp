@@ -205,6 +205,20 @@ TEST(Architecture, APlantedArrowAgainstTheTableIsSeen) {
       << "a folder without a row";
 }
 
+/// A kind is a row: code asks for a property of the row, not for a kind by name. A default of a struct is no
+/// question.
+TEST(Architecture, StudyKindsAreNamedInTheirTablesOnly) {
+  const std::regex named(R"(StudyKind::\w+)");
+  const std::regex is_default(R"(StudyKind kind = StudyKind::\w+;)");
+  for (const SourceFile& source : sources()) {
+    const bool is_table =
+        source.path == "studies/config/study_kind.cpp" || source.path == "studies/kinds/kind_table.cpp";
+    if (is_table || house_of(source.path) != "studies") continue;
+    const std::string code = std::regex_replace(source.code, is_default, "");
+    EXPECT_FALSE(std::regex_search(code, named)) << source.path << " names a study kind";
+  }
+}
+
 TEST(Architecture, CholmodStaysInAlgebra) {
   expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)", {"core/algebra/"});
 }

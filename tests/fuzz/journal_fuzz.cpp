@@ -37,11 +37,6 @@ void check_payload(std::string_view payload) {
     const auto again = decode_scenario_row(7, bytes);
     require(again && encode_scenario_row(*again) == bytes, "a scenario row survives the journal");
   }
-  if (const auto row = decode_window_row(payload)) {
-    const std::string bytes = encode_window_row(*row);
-    const auto again = decode_window_row(bytes);
-    require(again && encode_window_row(*again) == bytes, "a window row survives the journal");
-  }
 }
 
 void check_pieces(std::string_view pieces) {

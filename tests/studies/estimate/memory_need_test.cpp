@@ -5,21 +5,18 @@
 namespace unbruised::studies {
 namespace {
 
-using Files = std::vector<std::string>;
-
-TEST(MemoryNeed, LooksAtTheGroupThatTheProcessIsInAndAtThoseAroundIt) {
-  EXPECT_EQ(memory_limit_files("0::/user.slice/job-7.scope\n"),
-            (Files{"/sys/fs/cgroup/user.slice/job-7.scope/memory.max", "/sys/fs/cgroup/user.slice/memory.max",
-                   "/sys/fs/cgroup/memory.max"}));
-  EXPECT_EQ(memory_limit_files("0::/\n"), (Files{"/sys/fs/cgroup/memory.max"}));
-  EXPECT_EQ(memory_limit_files("9:cpu,cpuacct:/a\n7:memory:/docker/x\n"),
-            (Files{"/sys/fs/cgroup/memory/docker/x/memory.limit_in_bytes",
-                   "/sys/fs/cgroup/memory/docker/memory.limit_in_bytes",
-                   "/sys/fs/cgroup/memory/memory.limit_in_bytes"}));
-  EXPECT_EQ(memory_limit_files("no line of this kind"), Files{});
+TEST(MemoryNeed, IsRefusedWithBothFiguresWhereItIsMoreThanThereIs) {
+  EXPECT_FALSE(too_much_memory("small", 1e3));
+  const auto refusal = too_much_memory("large", 1e18);
+  ASSERT_TRUE(refusal);
+  EXPECT_NE(refusal->find("large needs about"), std::string::npos) << *refusal;
+  EXPECT_NE(refusal->find("this machine gives"), std::string::npos) << *refusal;
 }
 
-TEST(MemoryNeed, TheMachineHasSome) { EXPECT_GT(machine_memory_bytes(), 1e6); }
+TEST(MemoryNeed, OfRowsGrowsWithTheirNumberAndTheirInputs) {
+  EXPECT_EQ(estimated_rows_bytes(200.0, 3), 2.0 * estimated_rows_bytes(100.0, 3));
+  EXPECT_GT(estimated_rows_bytes(100.0, 4), estimated_rows_bytes(100.0, 3));
+}
 
 }  // namespace
 }  // namespace unbruised::studies

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/execution/lane_executor.hpp"
 #include "studies/results/digest.hpp"
 #include "tests/studies/execution/fake_simulator.hpp"
 
@@ -39,7 +40,7 @@ struct BatchRun {
 BatchRun run(const FakeSimulator& simulator, const Batch& batch, int threads) {
   BatchRun outcome;
   outcome.report =
-      run_batch(simulator, batch, {.threads = threads}, [&](std::uint64_t id, const ScenarioResult& r) {
+      run_batch(LaneExecutor(simulator, threads), batch, [&](std::uint64_t id, const ScenarioResult& r) {
         EXPECT_TRUE(outcome.results.emplace(id, r).second) << "scenario " << id << " was delivered twice";
       });
   return outcome;
@@ -130,7 +131,9 @@ TEST(BatchRunner, StopsHandingOutScenarios) {
   const FakeSimulator simulator;
   std::atomic<bool> stop = false;
   std::size_t delivered = 0;
-  const BatchReport report = run_batch(simulator, batch_of(5000, 5), {.threads = 2, .stop = &stop},
+  Batch batch = batch_of(5000, 5);
+  batch.stop = &stop;
+  const BatchReport report = run_batch(LaneExecutor(simulator, 2), batch,
                                        [&](std::uint64_t, const ScenarioResult&) { stop = ++delivered >= 10; });
   EXPECT_TRUE(report.stopped);
   EXPECT_EQ(report.delivered, delivered);
@@ -143,7 +146,7 @@ TEST(BatchRunner, PassesAnExceptionOfTheSinkOn) {
   const ResultSink full_disk = [](std::uint64_t id, const ScenarioResult&) {
     if (id == 40) throw std::runtime_error("disk full");
   };
-  EXPECT_THROW(run_batch(simulator, batch_of(500, 3), {.threads = 2}, full_disk), std::runtime_error);
+  EXPECT_THROW(run_batch(LaneExecutor(simulator, 2), batch_of(500, 3), full_disk), std::runtime_error);
 }
 
 TEST(BatchRunner, RunsNothingOfAnEmptyBatch) {
@@ -151,17 +154,6 @@ TEST(BatchRunner, RunsNothingOfAnEmptyBatch) {
   const BatchRun done = run(simulator, batch_of(0, 1), 2);
   EXPECT_EQ(done.report.delivered, 0U);
   EXPECT_FALSE(done.report.stopped);
-}
-
-TEST(BatchRunner, RunsOneScenarioAloneWithItsTrace) {
-  const FakeSimulator simulator;
-  Trace trace;
-  const auto result = run_alone(simulator, scenario_of(5, 1), &trace, nullptr);
-  ASSERT_TRUE(result.has_value());
-  EXPECT_EQ(result_digest(*result), result_digest(fake_result(scenario_of(5, 1))));
-  EXPECT_EQ(trace.time_s.size(), 1U);
-  const std::atomic<bool> stop = true;
-  EXPECT_FALSE(run_alone(simulator, scenario_of(5, 1), nullptr, &stop).has_value());
 }
 
 }  // namespace

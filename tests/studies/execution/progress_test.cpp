@@ -6,6 +6,7 @@
 
 #include "studies/execution/batch_runner.hpp"
 #include "studies/execution/counted_simulator.hpp"
+#include "studies/execution/lane_executor.hpp"
 #include "studies/results/digest.hpp"
 #include "tests/studies/execution/fake_simulator.hpp"
 
@@ -83,11 +84,12 @@ TEST(CountedSimulator, CountsEveryStepOfEveryScenarioAndChangesNoResult) {
   const testing::FakeSimulator fake;
   std::map<std::uint64_t, std::uint64_t> plain;
   std::map<std::uint64_t, std::uint64_t> counted;
-  run_batch(fake, batch(), {.threads = 2},
+  run_batch(LaneExecutor(fake, 2), batch(),
             [&](std::uint64_t id, const ScenarioResult& result) { plain[id] = result_digest(result); });
   Progress progress(ProgressStyle::none, [](std::string_view) {});
+  const CountedSimulator counting(fake, progress);
   const BatchReport report =
-      run_batch(CountedSimulator(fake, progress), batch(), {.threads = 2},
+      run_batch(LaneExecutor(counting, 2), batch(),
                 [&](std::uint64_t id, const ScenarioResult& result) { counted[id] = result_digest(result); });
   EXPECT_EQ(plain, counted);
   EXPECT_EQ(progress.steps(), report.lane_use.busy_lane_steps);

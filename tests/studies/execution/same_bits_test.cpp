@@ -13,6 +13,8 @@
 
 #include "studies/config/study.hpp"
 #include "studies/execution/batch_runner.hpp"
+#include "studies/execution/lane_executor.hpp"
+#include "studies/execution/lone_run.hpp"
 #include "studies/goals/verdict.hpp"
 #include "studies/results/digest.hpp"
 #include "tests/places.hpp"
@@ -31,10 +33,8 @@ Results run_ids(const Study& study, const std::vector<std::uint64_t>& ids, int t
   Batch batch;
   batch.ids = ids;
   batch.scenario = [&study](std::uint64_t id) { return study.scenario(id); };
-  BatchOptions options;
-  options.threads = threads;
   Results results;
-  run_batch(core_simulator(), batch, options,
+  run_batch(LaneExecutor(core_simulator(), threads), batch,
             [&results](std::uint64_t id, const ScenarioResult& result) { results[id] = result; });
   return results;
 }

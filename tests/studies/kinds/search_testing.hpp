@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/config/study.hpp"
+#include "studies/execution/lane_executor.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/kinds/study_runner.hpp"
@@ -65,11 +66,8 @@ inline StudyReport run_in(const std::filesystem::path& folder, const Study& stud
   auto run = RunDirectory::open(
       {.directory = folder, .config_toml = study.resolved_toml(), .build = "test", .fresh = false});
   if (!run) throw std::runtime_error(run.error().message);
-  auto report = run_study(study, **run, simulator,
-                          {.threads = how.threads,
-                           .stop = how.stop,
-                           .progress = nullptr,
-                           .concurrent_searches = how.concurrent_searches});
+  auto report = run_study(study, **run, LaneExecutor(simulator, how.threads),
+                          {.stop = how.stop, .progress = nullptr, .concurrent_searches = how.concurrent_searches});
   if (!report) throw std::runtime_error(report.error().message);
   return std::move(*report);
 }

@@ -11,6 +11,7 @@
 
 #include "studies/config/study.hpp"
 #include "studies/execution/build_info.hpp"
+#include "studies/execution/lane_executor.hpp"
 #include "studies/kinds/study_runner.hpp"
 #include "studies/results/run_directory.hpp"
 #include "tests/places.hpp"
@@ -32,8 +33,7 @@ WindowTable window_of(const Study& study) {
   auto run = RunDirectory::open({directory, study.resolved_toml(), build_line(), false});
   EXPECT_TRUE(run.has_value());
   StudyRunOptions options;
-  options.threads = 2;
-  auto report = run_study(study, **run, core_simulator(), options);
+  auto report = run_study(study, **run, LaneExecutor(core_simulator(), 2), options);
   EXPECT_TRUE(report.has_value());
   WindowTable table = report->tables.window.value();
   run->reset();

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/kinds/kind_table.hpp"
 #include "studies/results/durable_files.hpp"
 #include "tests/studies/execution/formula_simulator.hpp"
 #include "tests/studies/kinds/search_testing.hpp"

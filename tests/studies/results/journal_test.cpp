@@ -33,23 +33,6 @@ TEST(Journal, GivesBackARowBitForBit) {
   EXPECT_EQ(back->inputs, row.inputs);
 }
 
-TEST(Journal, GivesBackAWindowRow) {
-  WindowRow row;
-  row.inputs = {0.05, std::string("soft.toml")};
-  row.hold_force_N = 1.25;
-  row.damage_bracket_high_N = 3.5;
-  row.exists = true;
-  row.note = "read from the grid";
-  const auto back = decode_window_row(encode_window_row(row));
-  ASSERT_TRUE(back);
-  EXPECT_EQ(back->inputs, row.inputs);
-  EXPECT_EQ(back->hold_force_N, 1.25);
-  EXPECT_EQ(back->damage_bracket_high_N, 3.5);
-  EXPECT_TRUE(std::isnan(back->damage_force_N));
-  EXPECT_TRUE(back->exists);
-  EXPECT_EQ(back->note, row.note);
-}
-
 TEST(Journal, RefusesAPayloadOfAnotherShape) {
   const std::string payload = encode_scenario_row(sample_row(1));
   for (std::size_t length = 0; length < payload.size(); ++length) {

@@ -275,24 +275,6 @@ TEST(RunDirectory, RefusesTheSameScenarioTwice) {
   EXPECT_TRUE((*run)->append(sample_row(2)));
 }
 
-TEST(RunDirectory, KeepsOtherRecordsAcrossARestart) {
-  const TemporaryDirectory parent;
-  WindowRow row;
-  row.hold_force_N = 0.8;
-  {
-    auto run = RunDirectory::open(request_in(parent));
-    ASSERT_EQ(message_of((*run)->append(JournalRecord{RecordKind::window, 3, 0, encode_window_row(row)})), "");
-    ASSERT_EQ(message_of((*run)->append(JournalRecord{RecordKind::evaluation, 3, 0, "answer"})), "");
-  }
-  auto run = RunDirectory::open(request_in(parent));
-  ASSERT_TRUE(run);
-  const auto records = (*run)->records(RecordKind::window);
-  ASSERT_EQ(records.size(), 1U);
-  EXPECT_EQ(records[0].id, 3U);
-  EXPECT_EQ(decode_window_row(records[0].payload)->hold_force_N, 0.8);
-  EXPECT_EQ((*run)->acknowledged(), 2U);
-}
-
 TEST(RunDirectory, RefusesToContinueWhatAnotherBuildBeganUnlessFresh) {
   const TemporaryDirectory parent;
   {

@@ -1,4 +1,4 @@
-#include "studies/cli/study_template.hpp"
+#include "studies/kinds/study_template.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 
 #include "core/scenario/lattice_cells.hpp"
 #include "studies/config/document.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -46,35 +47,11 @@ std::string texts(std::string_view key, std::string_view text, std::string_view 
   return line(joined({key, " = ", toml_string(text)}), comment);
 }
 
-std::string_view asks(StudyKind kind) {
-  switch (kind) {
-    case StudyKind::simulate:
-      return "one pick with its trace";
-    case StudyKind::sweep:
-      return "every combination of the [[vary]] values";
-    case StudyKind::window:
-      return "the least force that holds and the greatest that leaves no mark";
-    case StudyKind::sample:
-      return "one strategy on products that differ";
-    case StudyKind::optimize:
-      return "the best strategy, subject to the constraints";
-    case StudyKind::robust:
-      return "the best strategy for products that differ";
-    case StudyKind::pareto:
-      return "what one objective costs in the other";
-    case StudyKind::compare:
-      return "which of the candidates is better on the same products";
-    case StudyKind::sensitivity:
-      return "which of the [[random]] keys decides";
-  }
-  return "";
-}
-
 std::string head(const TemplateRequest& request) {
   return joined(
       {"# Written by `unbruised new`; change what you like. `unbruised explain KEY` says more of any key.\n",
        "[study]\n", texts("name", request.name, joined({"results go to results/", request.name, "/"})),
-       texts("kind", study_kind_word(request.kind), asks(request.kind)),
+       texts("kind", study_kind_word(request.kind), row_of(request.kind).asks),
        line("seed = 1", "of everything that is drawn at random"), "\n[product]\n",
        texts("use", request.product, "shape, mass, stiffness, friction and limits of the product"),
        "\n[gripper]\n", texts("use", request.gripper, "pads, fingers, drive"), "\n[cell]\n",
@@ -84,7 +61,7 @@ std::string head(const TemplateRequest& request) {
 
 std::string strategy(const TemplateRequest& request, const TemplateNumbers& numbers) {
   std::string text = "\n[strategy]\n";
-  if (request.kind != StudyKind::window) {
+  if (!searches_force(request.kind)) {
     text += line("grip_force_N", numbers.force_N,
                  joined({"each finger, N; holding takes about ", short_number(numbers.hold_force_N), " N"}));
   }
@@ -162,51 +139,61 @@ std::string candidate(std::string_view name, double force_N, double speed_m_s) {
                  line("grip_force_N", force_N, "N"), line("approach_speed_m_s", speed_m_s, "m/s")});
 }
 
-/// What the kind needs beside product, gripper, cell and strategy.
-std::string own_part(StudyKind kind, const TemplateNumbers& numbers) {
-  const std::string held = line("constraints = [\"held\"]", "not dropped, not slipped, no limit exceeded");
-  switch (kind) {
-    case StudyKind::simulate:
-      return "";
-    case StudyKind::sweep:
-      return vary("strategy.grip_force_N", force_values(numbers, 8), "N") + vary_speed(numbers);
-    case StudyKind::window:
-      return joined({"\n[window]\n", line("from_N", numbers.force_from_N, "least grip force looked at, N"),
-                     line("to_N", numbers.force_to_N, "greatest, N"), vary_speed(numbers)});
-    case StudyKind::sample:
-      return sampling() + random_keys(numbers);
-    case StudyKind::optimize:
-      return search(line("objective = \"cycle_time_s\"",
-                         "to be least: `unbruised explain metrics` lists what can stand here") +
-                        held,
-                    "120") +
-             variables(numbers);
-    case StudyKind::robust:
-      return search(line("objective = \"mean(cycle_time_s)\"", "over the products") +
-                        line("constraints = [\"P(held) >= 0.9\"]",
-                             "held: not dropped, not slipped, no limit exceeded"),
-                    "40") +
-             joined({kSampling, sample_count()}) + variables(numbers) +
-             // Values of the stiffness would come in few groups, and P would stay unshown.
-             random_friction(numbers);
-    case StudyKind::pareto:
-      return search(line("objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]", "both to be small") + held,
-                    "240") +
-             variables(numbers);
-    case StudyKind::compare:
-      return joined({"\n[compare]\n",
-                     texts("metric", "cycle_time_s", "decides among candidates that hold unharmed"), sampling(),
-                     candidate("slow", numbers.force_N, numbers.speed_from_m_s),
-                     candidate("fast", numbers.force_N, numbers.speed_m_s), random_keys(numbers)});
-    case StudyKind::sensitivity:
-      return joined({"\n[sensitivity]\n", texts("method", "morris", "few runs; \"sobol\" shares the variance out"),
-                     line("metrics = [\"friction_margin_min\"]", "what the effects are on"),
-                     line("samples = 16", "runs: 16 x (keys + 1)"), random_keys(numbers)});
-  }
-  return "";
+std::string held_constraint() {
+  return line("constraints = [\"held\"]", "not dropped, not slipped, no limit exceeded");
 }
 
 }  // namespace
+
+std::string simulate_template(const TemplateNumbers& /*numbers*/) { return ""; }
+
+std::string sweep_template(const TemplateNumbers& numbers) {
+  return vary("strategy.grip_force_N", force_values(numbers, 8), "N") + vary_speed(numbers);
+}
+
+std::string window_template(const TemplateNumbers& numbers) {
+  return joined({"\n[window]\n", line("from_N", numbers.force_from_N, "least grip force looked at, N"),
+                 line("to_N", numbers.force_to_N, "greatest, N"), vary_speed(numbers)});
+}
+
+std::string sample_template(const TemplateNumbers& numbers) { return sampling() + random_keys(numbers); }
+
+std::string optimize_template(const TemplateNumbers& numbers) {
+  return search(line("objective = \"cycle_time_s\"",
+                     "to be least: `unbruised explain metrics` lists what can stand here") +
+                    held_constraint(),
+                "120") +
+         variables(numbers);
+}
+
+std::string robust_template(const TemplateNumbers& numbers) {
+  return search(
+             line("objective = \"mean(cycle_time_s)\"", "over the products") +
+                 line("constraints = [\"P(held) >= 0.9\"]", "held: not dropped, not slipped, no limit exceeded"),
+             "40") +
+         joined({kSampling, sample_count()}) + variables(numbers) +
+         // Values of the stiffness would come in few groups, and P would stay unshown.
+         random_friction(numbers);
+}
+
+std::string pareto_template(const TemplateNumbers& numbers) {
+  return search(line("objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]", "both to be small") +
+                    held_constraint(),
+                "240") +
+         variables(numbers);
+}
+
+std::string compare_template(const TemplateNumbers& numbers) {
+  return joined({"\n[compare]\n", texts("metric", "cycle_time_s", "decides among candidates that hold unharmed"),
+                 sampling(), candidate("slow", numbers.force_N, numbers.speed_from_m_s),
+                 candidate("fast", numbers.force_N, numbers.speed_m_s), random_keys(numbers)});
+}
+
+std::string sensitivity_template(const TemplateNumbers& numbers) {
+  return joined({"\n[sensitivity]\n", texts("method", "morris", "few runs; \"sobol\" shares the variance out"),
+                 line("metrics = [\"friction_margin_min\"]", "what the effects are on"),
+                 line("samples = 16", "runs: 16 x (keys + 1)"), random_keys(numbers)});
+}
 
 TemplateNumbers template_numbers(const Scenario& scenario) {
   const auto& product = std::get<LatticeParameters>(scenario.product);
@@ -240,7 +227,7 @@ std::string bare_study(const TemplateRequest& request) {
 }
 
 std::string study_template(const TemplateRequest& request, const TemplateNumbers& numbers) {
-  return joined({head(request), strategy(request, numbers), own_part(request.kind, numbers)});
+  return joined({head(request), strategy(request, numbers), runner_of(request.kind).template_part(numbers)});
 }
 
 }  // namespace unbruised::studies

@@ -31,6 +31,17 @@ struct TemplateNumbers {
   double youngs_modulus_Pa = 0.0;
 };
 
+// What each kind needs beside product, gripper, cell and strategy.
+std::string simulate_template(const TemplateNumbers& numbers);
+std::string sweep_template(const TemplateNumbers& numbers);
+std::string window_template(const TemplateNumbers& numbers);
+std::string sample_template(const TemplateNumbers& numbers);
+std::string optimize_template(const TemplateNumbers& numbers);
+std::string robust_template(const TemplateNumbers& numbers);
+std::string pareto_template(const TemplateNumbers& numbers);
+std::string compare_template(const TemplateNumbers& numbers);
+std::string sensitivity_template(const TemplateNumbers& numbers);
+
 /// @param scenario the product in the gripper, all else by default; the product is a lattice.
 TemplateNumbers template_numbers(const Scenario& scenario);
 

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <variant>
+
+#include "studies/config/schema.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+bool kind_uses(Use use, const StudyKindRow& row) {
+  switch (use) {
+    case Use::not_window:
+      return row.scenarios != ScenarioSource::forces;
+    case Use::window:
+      return row.scenarios == ScenarioSource::forces;
+    case Use::search:
+      return row.variable != Blocks::refused;
+    case Use::one_objective:
+      return row.objectives == Objectives::one;
+    case Use::several_objectives:
+      return row.objectives == Objectives::several;
+    case Use::sampling:
+      return row.random != Blocks::refused && row.scenarios != ScenarioSource::design;
+    case Use::random:
+      return row.random != Blocks::refused;
+    case Use::candidates:
+      return row.candidate != Blocks::refused;
+    case Use::design:
+      return row.scenarios == ScenarioSource::design;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> kinds_that_use(Use use) {
+  return kinds_where([use](const StudyKindRow& row) { return kind_uses(use, row); });
+}
+
+bool kind_uses(Use use, StudyKind kind) { return kind_uses(use, row_of(kind)); }
+
+bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::string>& varied_keys) {
+  const auto varied = [&](std::string_view key) {
+    return std::find(varied_keys.begin(), varied_keys.end(), key) != varied_keys.end();
+  };
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  const bool support = scenario.cell.support || varied("cell.support");
+  switch (use) {
+    case Use::lattice:
+      return lattice != nullptr;
+    case Use::network:
+      return lattice == nullptr;
+    case Use::cylinder:
+      return lattice != nullptr && (lattice->shape == Shape::cylinder || varied("product.shape"));
+    case Use::gripper:
+    case Use::not_window:
+      return scenario.gripper.has_value();
+    case Use::not_gripper:
+      return !scenario.gripper.has_value();
+    case Use::support:
+      return support;
+    case Use::lattice_support:
+      return support && lattice != nullptr;
+    case Use::network_support:
+      return support && lattice == nullptr;
+    default:
+      return true;
+  }
+}
+
+std::string why_unused(Use use, const Scenario& scenario) {
+  if (use == Use::not_window && !scenario.gripper) use = Use::gripper;
+  switch (use) {
+    case Use::always:
+      return "";
+    case Use::lattice:
+      return "not used: the product is a network";
+    case Use::network:
+      return "not used: only products of kind = \"network\" have it";
+    case Use::cylinder:
+      return "not used: only a cylinder has an axis";
+    case Use::gripper:
+      return "not used: the study has no [gripper]";
+    case Use::not_gripper:
+      return "not used: the phases of the gripper fix the length of the run";
+    case Use::not_window:
+      return "not used: a window study searches it, between window.from_N and window.to_N";
+    case Use::support:
+      return "not used: there is no support (cell.support is false)";
+    case Use::lattice_support:
+      return "not used: only lattice products on a support have it";
+    case Use::network_support:
+      return "not used: only networks with cell.support = true have it";
+    default:
+      return "not used: only studies of kind = " + listed_quoted(kinds_that_use(use), "or") + " have it";
+  }
+}
+
+}  // namespace unbruised::studies

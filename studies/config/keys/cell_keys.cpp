@@ -1,0 +1,78 @@
+#include "studies/config/keys/key_fields.hpp"
+#include "studies/config/keys/key_tables.hpp"
+
+namespace unbruised::studies::key_rows {
+
+using enum KeyType;
+
+Table cell_keys() {
+  using C = CellParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "cell.gravity_m_s2",
+       .type = numbers,
+       .meaning = "Gravity as a vector.",
+       .size = 3,
+       .field = cell<&C::gravity_m_s2>},
+      {.path = "cell.support",
+       .type = boolean,
+       .meaning = "Is there a support plane z = 0?",
+       .note = "default for networks: false",
+       .field = cell<&C::support>},
+      {.path = "cell.support_friction",
+       .type = number,
+       .meaning = "Coulomb coefficient against the support.",
+       .use = Use::support,
+       .field = cell<&C::support_friction>},
+      {.path = "cell.support_modulus_Pa",
+       .type = number,
+       .meaning = "Young's modulus of the support's compliant layer.",
+       .use = Use::lattice_support,
+       .field = cell<&C::support_modulus_Pa>},
+      {.path = "cell.support_thickness_m",
+       .type = number,
+       .meaning = "Thickness of that layer.",
+       .use = Use::lattice_support,
+       .field = cell<&C::support_thickness_m>},
+      {.path = "cell.support_relaxation_time_s",
+       .type = number,
+       .meaning = "Relaxation time of that layer; 0: it bounces for ever. The default is a loss ratio of 0.2 at "
+                  "50 Hz; under a network it is 0.",
+       .use = Use::support,
+       .field = cell<&C::support_relaxation_time_s>},
+      {.path = "cell.approach_gap_m",
+       .type = optional_number,
+       .meaning = "Way from each pad to the nearest point of the product at the start.",
+       .use = use,
+       .note = "absent: what gripper.opening_m leaves on either side of the product, without an opening 0.005",
+       .field = cell<&C::approach_gap_m>},
+      {.path = "cell.grip_height_m",
+       .type = number,
+       .meaning = "Height of the pads' centres above the product's centre.",
+       .use = use,
+       .field = cell<&C::grip_height_m>},
+      {.path = "cell.grip_offset_m",
+       .type = number,
+       .meaning = "Offset of the pads' centres from the product's centre along y, across the grip axis.",
+       .use = use,
+       .field = cell<&C::grip_offset_m>},
+      {.path = "cell.lift_height_m",
+       .type = number,
+       .meaning = "Height of the lift; 0: none.",
+       .use = use,
+       .field = cell<&C::lift_height_m>},
+      {.path = "cell.transfer_m",
+       .type = numbers,
+       .meaning = "Horizontal way along x (the grip axis) and y (across it).",
+       .size = 2,
+       .use = use,
+       .field = cell<&C::transfer_m>},
+      {.path = "cell.place_height_m",
+       .type = number,
+       .meaning = "Height of the target plane above the support.",
+       .use = use,
+       .field = cell<&C::place_height_m>},
+  };
+}
+
+}  // namespace unbruised::studies::key_rows

@@ -1,0 +1,101 @@
+#include "studies/config/keys/key_fields.hpp"
+#include "studies/config/keys/key_tables.hpp"
+
+namespace unbruised::studies::key_rows {
+
+using enum KeyType;
+
+Table gripper_keys() {
+  using G = GripperParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "gripper.use",
+       .type = text,
+       .meaning = "A gripper file, relative to this file's folder or to the configs folder; keys given here "
+                  "override it."},
+      {.path = "gripper.finger_mass_kg",
+       .type = number,
+       .meaning = "Moving mass of each finger.",
+       .use = use,
+       .field = gripper<&G::finger_mass_kg>},
+      {.path = "gripper.stroke_m",
+       .type = number,
+       .meaning = "How far each finger can travel inwards from its starting place; it comes to rest against a "
+                  "stop there.",
+       .use = use,
+       .field = gripper<&G::stroke_m>},
+      {.path = "gripper.pad_size_m",
+       .type = numbers,
+       .meaning = "Extents of a pad along y and z.",
+       .size = 2,
+       .use = use,
+       .field = gripper<&G::pad_size_m>},
+      {.path = "gripper.pad_thickness_m",
+       .type = number,
+       .meaning = "Thickness of the pad's compliant layer.",
+       .use = use,
+       .field = gripper<&G::pad_thickness_m>},
+      {.path = "gripper.pad_modulus_Pa",
+       .type = number,
+       .meaning = "Young's modulus of the layer; its stiffness per area is modulus / thickness.",
+       .use = use,
+       .field = gripper<&G::pad_modulus_Pa>},
+      {.path = "gripper.pad_relaxation_time_s",
+       .type = number,
+       .meaning = "Kelvin-Voigt relaxation time of the layer; 0: it bounces for ever. The default is a loss "
+                  "ratio of 0.2 at 50 Hz: rubber loses 0.1 to 0.3.",
+       .use = use,
+       .field = gripper<&G::pad_relaxation_time_s>},
+      {.path = "gripper.drive_gain_N_s_m",
+       .type = number,
+       .meaning = "Speed gain: drive force = clamp(gain x (wanted - actual speed), +-limit).",
+       .use = use,
+       .field = gripper<&G::drive_gain_N_s_m>},
+      {.path = "gripper.drive_viscous_N_s_m",
+       .type = number,
+       .meaning = "Viscous friction of the finger's guide.",
+       .use = use,
+       .field = gripper<&G::drive_viscous_N_s_m>},
+      {.path = "gripper.max_force_N",
+       .type = number,
+       .meaning = "The largest force the drive can give.",
+       .use = use,
+       .field = gripper<&G::max_force_N>},
+      {.path = "gripper.max_speed_m_s",
+       .type = number,
+       .meaning = "The largest finger speed the drive can give.",
+       .use = use,
+       .field = gripper<&G::max_speed_m_s>},
+      {.path = "gripper.coupling",
+       .type = choice,
+       .meaning = "Do both fingers stay at equal distance from the palm's centre, or is each driven alone?",
+       .choices = {"centric", "independent"},
+       .use = use,
+       .field = gripper<&G::coupling>},
+      {.path = "gripper.min_force_N",
+       .type = number,
+       .meaning = "The least force the drive holds: no window or set-point lies below it.",
+       .use = use,
+       .field = gripper<&G::min_force_N>},
+      {.path = "gripper.force_accuracy",
+       .type = number,
+       .meaning =
+           "How far the force that acts may lie from the one that is set, relative (0.1: 10 %); set-points leave "
+           "room for it.",
+       .use = use,
+       .field = gripper<&G::force_accuracy>},
+      {.path = "gripper.force_step_N",
+       .type = number,
+       .meaning = "Forces that can be set are multiples of it; 0: any force.",
+       .use = use,
+       .field = gripper<&G::force_step_N>},
+      {.path = "gripper.opening_m",
+       .type = optional_number,
+       .meaning = "Distance of the pad faces when the gripper is open.",
+       .use = use,
+       .note = "absent: as wide as the product and the approach gaps need",
+       .field = gripper<&G::opening_m>},
+  };
+}
+
+}  // namespace unbruised::studies::key_rows

@@ -1,0 +1,32 @@
+#pragma once
+
+/// @file
+/// The parts of `key_table()`, one function for each table of a study's file.
+
+#include <vector>
+
+#include "studies/config/schema.hpp"
+
+namespace unbruised::studies::key_rows {
+
+using Table = std::vector<KeySpec>;
+
+Table study_keys();
+Table search_keys();
+Table sampling_keys();
+Table compare_keys();
+Table sensitivity_keys();
+Table lattice_keys();
+Table particle_keys();
+Table spring_and_load_keys();
+Table gripper_keys();
+Table cell_keys();
+Table strategy_keys();
+Table limit_keys();
+Table simulation_keys();
+Table vary_keys();
+Table variable_keys();
+Table random_keys();
+Table candidate_keys();
+
+}  // namespace unbruised::studies::key_rows

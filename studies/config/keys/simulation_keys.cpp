@@ -1,0 +1,54 @@
+#include "studies/config/keys/key_fields.hpp"
+#include "studies/config/keys/key_tables.hpp"
+
+namespace unbruised::studies::key_rows {
+
+using enum KeyType;
+
+Table simulation_keys() {
+  using S = SimulationParameters;
+  return {
+      {.path = "simulation.time_step_s",
+       .type = number,
+       .meaning = "Time step. Where it is not given, one is chosen for the whole study: 20 steps in the shortest "
+                  "contact that any scenario may have, rounded down to two digits, 0.1 ms to 1 ms.",
+       .default_words = "chosen by the shortest contact",
+       .field = simulation<&S::time_step_s>},
+      {.path = "simulation.theta",
+       .type = number,
+       .meaning = "Wilson's theta; from 1.37 on the method is stable for every step.",
+       .field = simulation<&S::theta>},
+      {.path = "simulation.duration_s",
+       .type = optional_number,
+       .meaning = "Length of the run; with a gripper its phases fix it.",
+       .use = Use::not_gripper,
+       .field = simulation<&S::duration_s>},
+      {.path = "simulation.initial_acceleration",
+       .type = choice,
+       .meaning = "Acceleration at the start of a network: from the equations of motion, or zero.",
+       .choices = {"consistent", "zero"},
+       .use = Use::network,
+       .field = simulation<&S::initial_acceleration>},
+      {.path = "simulation.trace_interval_s",
+       .type = optional_number,
+       .meaning = "Wanted time between rows of the trace; without it every step.",
+       .field = simulation<&S::trace_interval_s>},
+      {.path = "simulation.pressure_patch_m",
+       .type = number,
+       .meaning = "Side of the square patch over which peak_pressure_Pa averages.",
+       .use = Use::lattice,
+       .field = simulation<&S::pressure_patch_m>},
+      {.path = "simulation.max_strain",
+       .type = number,
+       .meaning = "A larger principal strain of a cell ends the run as out_of_range.",
+       .use = Use::lattice,
+       .field = simulation<&S::max_strain>},
+      {.path = "simulation.max_rotation_rad",
+       .type = number,
+       .meaning = "A larger rotation of the product ends the run as out_of_range.",
+       .use = Use::lattice,
+       .field = simulation<&S::max_rotation_rad>},
+  };
+}
+
+}  // namespace unbruised::studies::key_rows

@@ -1,0 +1,64 @@
+#include "studies/execution/lone_run.hpp"
+
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace unbruised::studies {
+
+ScenarioResult failed_result(std::string cause) {
+  ScenarioResult result;
+  result.outcome = Outcome::diverged;
+  result.cause = std::move(cause);
+  return result;
+}
+
+std::string current_exception_text() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::exception& error) {
+    return std::string("internal error: ") + error.what();
+  } catch (...) {
+    return "internal error of unknown kind";
+  }
+}
+
+std::shared_ptr<const SharedModel> build_model(const Simulator& simulator, const Scenario& scenario,
+                                               std::string& error) {
+  try {
+    std::shared_ptr<const SharedModel> model = simulator.build(scenario, error);
+    if (!model && error.empty()) error = "the model cannot be built";
+    return model;
+  } catch (...) {
+    error = current_exception_text();
+    return nullptr;
+  }
+}
+
+std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,
+                                                 const std::atomic<bool>* stop) {
+  try {
+    const std::unique_ptr<LaneEngine> lanes = model.make_lanes();
+    lanes->load(0, scenario);
+    if (trace != nullptr) lanes->record_trace(0, *trace);
+    while (!is_set(stop)) {
+      lanes->step();
+      if (!lanes->finished().empty()) return lanes->finished().front().result;
+    }
+    return std::nullopt;
+  } catch (...) {
+    return failed_result(current_exception_text());
+  }
+}
+
+std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario, Trace* trace,
+                                        const std::atomic<bool>* stop) {
+  std::string error;
+  const std::shared_ptr<const SharedModel> model = build_model(simulator, scenario, error);
+  if (!model) return failed_result(error);
+  return run_in_fresh_lanes(*model, scenario, trace, stop);
+}
+
+}  // namespace unbruised::studies

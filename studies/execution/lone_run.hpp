@@ -1,0 +1,39 @@
+#pragma once
+
+/// @file
+/// One scenario alone, in the same kernels as any batch; and what becomes of exceptions: causes of rows.
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/outcome/outcome.hpp"
+#include "core/outcome/trace.hpp"
+#include "core/scenario/scenario.hpp"
+#include "studies/execution/simulator.hpp"
+
+namespace unbruised::studies {
+
+/// A result that says why there is none: `diverged` with the cause.
+ScenarioResult failed_result(std::string cause);
+/// The exception being handled, as the cause of a row.
+std::string current_exception_text();
+/// The model of a scenario; nullptr and `error` where it cannot be built, for whatever reason.
+std::shared_ptr<const SharedModel> build_model(const Simulator& simulator, const Scenario& scenario,
+                                               std::string& error);
+/// One scenario in lane 0 of fresh lanes until it ends; nothing when stopped.
+/// @param trace filled when not null. @param stop may be null.
+std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,
+                                                 const std::atomic<bool>* stop);
+/// The same with a model of its own.
+/// @return nothing when stopped; a `diverged` result with the cause where there is no model or an exception.
+std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario, Trace* trace,
+                                        const std::atomic<bool>* stop);
+
+/// Does the flag say so? Never when null.
+inline bool is_set(const std::atomic<bool>* flag) {
+  return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
+}  // namespace unbruised::studies

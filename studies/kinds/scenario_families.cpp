@@ -1,0 +1,103 @@
+#include "studies/kinds/scenario_families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "studies/kinds/search_study.hpp"
+#include "studies/kinds/window_findings.hpp"
+#include "studies/kinds/window_search.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+// -- Known beforehand. -------------------------------------------------------------------------------------------
+
+std::vector<ColumnInfo> set_columns(const Study& study) { return scenario_set(study).columns; }
+
+std::optional<Scenario> scenario_of_set(const Study& study, const ScenarioRow& row) {
+  const ScenarioSet set = scenario_set(study);
+  if (row.id >= set.count) return std::nullopt;
+  return set.scenario(row.id);
+}
+
+double once(const Study& /*study*/, const std::vector<std::size_t>& /*group_of*/) { return 1.0; }
+
+// -- Forces at every point of a grid. ----------------------------------------------------------------------------
+
+/// Combinations of a window study whose search is rehearsed; more are scaled up.
+constexpr std::size_t kRehearsedCombinations = 1000;
+/// Two forces at either end of the window that answers a window study, at half the time step: twice the steps.
+constexpr double kHalfStepEvaluations = 8.0;
+
+std::vector<ColumnInfo> force_columns(const Study& study) {
+  std::vector<ColumnInfo> columns = scenario_set(study).columns;
+  add_window_columns(study, columns);
+  return columns;
+}
+
+std::optional<Scenario> scenario_of_force(const Study& study, const ScenarioRow& row) {
+  return scenario_of_window_inputs(study, row.inputs);
+}
+
+/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
+double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
+  const WindowSettings& range = study.window();
+  const std::size_t count = std::min(group_of.size(), kRehearsedCombinations);
+  WindowSearchSettings settings{
+      .from_N = range.from_N,
+      .to_N = range.to_N,
+      .tolerance = range.tolerance,
+      .factor_group = {group_of.begin(), group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
+  const double ratio = range.to_N / range.from_N;
+  const double hold_N = range.from_N * std::pow(ratio, 0.37);
+  const double damage_N = range.from_N * std::pow(ratio, 0.71);
+  const ForceEvaluator rehearse = [&](const std::vector<ForceRequest>& requests) {
+    std::vector<GripSample> answers;
+    for (const ForceRequest& request : requests) {
+      answers.push_back({.grip_force_N = request.grip_force_N,
+                         .holds = request.grip_force_N >= hold_N ? Verdict::yes : Verdict::no,
+                         .undamaged = request.grip_force_N <= damage_N ? Verdict::yes : Verdict::no});
+    }
+    return std::optional(std::move(answers));
+  };
+  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count) +
+         kHalfStepEvaluations / static_cast<double>(group_of.size());
+}
+
+// -- Questions of searches. --------------------------------------------------------------------------------------
+
+/// Products of a search that are looked at to guess what the others are like.
+constexpr std::size_t kProbedProducts = 64;
+
+std::optional<Scenario> scenario_of_question(const Study& study, const ScenarioRow& row) {
+  return scenario_of_search_inputs(study, row.inputs);
+}
+
+ScenarioSet probes(const Study& study) { return search_probes(study, kProbedProducts); }
+
+double questions_each(const Study& study, const std::vector<std::size_t>& group_of) {
+  return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(group_of.size());
+}
+
+}  // namespace
+
+const ScenarioFamily kFixedScenarios = {.count = ScenarioCount::exact,
+                                        .columns = set_columns,
+                                        .scenario_of_row = scenario_of_set,
+                                        .known = scenario_set,
+                                        .evaluations_each = once};
+
+const ScenarioFamily kAskedForces = {.count = ScenarioCount::about,
+                                     .columns = force_columns,
+                                     .scenario_of_row = scenario_of_force,
+                                     .known = scenario_set,
+                                     .evaluations_each = rehearsed_evaluations};
+
+const ScenarioFamily kAskedQuestions = {.count = ScenarioCount::at_most,
+                                        .columns = search_columns,
+                                        .scenario_of_row = scenario_of_question,
+                                        .known = probes,
+                                        .evaluations_each = questions_each};
+
+}  // namespace unbruised::studies

@@ -1,0 +1,17 @@
+#pragma once
+
+/// @file
+/// The three ways in which kinds come by their scenarios.
+
+#include "studies/kinds/kind_table.hpp"
+
+namespace unbruised::studies {
+
+/// simulate, sweep, sample, compare, sensitivity: all are known beforehand.
+extern const ScenarioFamily kFixedScenarios;
+/// window: grip forces are asked for at every point of the grid.
+extern const ScenarioFamily kAskedForces;
+/// optimize, robust, pareto: searches ask.
+extern const ScenarioFamily kAskedQuestions;
+
+}  // namespace unbruised::studies

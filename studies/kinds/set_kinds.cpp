@@ -1,0 +1,91 @@
+#include "studies/kinds/set_kinds.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include "studies/execution/batch_runner.hpp"
+#include "studies/findings/found_tables.hpp"
+#include "studies/findings/grid_answer.hpp"
+#include "studies/kinds/study_answer.hpp"
+#include "studies/kinds/window_findings.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// Every scenario that is not done yet.
+KindAnswer run_set(const KindInput& input) {
+  const ScenarioSet set = scenario_set(input.study);
+  Batch batch{.ids = {}, .scenario = set.scenario, .stop = input.stop};
+  for (std::uint64_t id = 0; id < set.count; ++id) {
+    if (!input.journal.is_done(id)) batch.ids.push_back(id);
+  }
+  input.journal.expect(set.count, set.count - batch.ids.size());
+  const BatchReport done = run_batch(input.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
+    input.journal.record({.id = id, .result = result, .inputs = set.inputs(id)});
+  });
+  KindAnswer answer;
+  answer.lane_use = done.lane_use;
+  answer.interrupted = done.stopped;
+  return answer;
+}
+
+/// The set, then its tables.
+template <class LookAt>
+KindAnswer run_set_and(const KindInput& input, LookAt look_at) {
+  KindAnswer answer = run_set(input);
+  if (!answer.interrupted) look_at(answer, input.journal.rows());
+  return answer;
+}
+
+}  // namespace
+
+KindAnswer run_simulate(const KindInput& input) {
+  const bool is_done = input.journal.is_done(0);
+  input.journal.expect(1, is_done ? 1 : 0);
+  KindAnswer answer;
+  Trace trace;
+  const auto result = input.executor.run_traced(input.study.scenario(0), trace, input.stop);
+  answer.interrupted = !result;
+  if (!result) return answer;
+  if (!is_done) input.journal.record({.id = 0, .result = *result, .inputs = grid_inputs(input.study, 0)});
+  answer.trace = std::move(trace);
+  return answer;
+}
+
+KindAnswer run_sweep(const KindInput& input) {
+  const Study& study = input.study;
+  return run_set_and(input, [&study](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+    const std::vector<ColumnInfo> columns = input_columns(study);
+    if (std::optional<StudyWindow> window = window_of_sweep(study, rows)) {
+      const WindowAnswer found = answer_of(study, *window, columns, rows);
+      answer.found = {set_points_table(found)};
+      answer.strategy = window_strategy(study, *window, found);
+      answer.window = std::move(window->table);
+      return;
+    }
+    GridAnswer found = grid_answer(columns, rows);
+    answer.strategy = grid_strategy(study, found);
+    answer.found = {std::move(found.table)};
+  });
+}
+
+KindAnswer run_sample(const KindInput& input) {
+  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+    answer.found = sample_tables(input.study, rows);
+  });
+}
+
+KindAnswer run_compare(const KindInput& input) {
+  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+    answer.found = compare_tables(input.study, rows);
+    answer.strategy = compare_strategy(input.study, answer.found);
+  });
+}
+
+KindAnswer run_sensitivity(const KindInput& input) {
+  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+    answer.found = sensitivity_tables(input.study, rows);
+  });
+}
+
+}  // namespace unbruised::studies

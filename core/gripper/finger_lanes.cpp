@@ -22,14 +22,10 @@ void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper
   const double speed = keeps_it_up ? steady : set_speed;
   const double drive = keeps_it_up ? values.drive_viscous_N_s_m * steady : force_limit_N;
   for (State& s : state_) {
-    for (Lane* value : {&s.way, &s.speed, &s.acceleration, &s.drive, &s.free_force, &s.viscous, &s.stop, &s.depth})
-      value->set(lane, 0.0);
-  }
-  for (State& s : state_) {
+    for (Lane* value : {&s.way, &s.free_force, &s.viscous, &s.stop, &s.depth}) value->set(lane, 0.0);
     s.speed.set(lane, speed);
     s.drive.set(lane, drive);
-    s.acceleration.set(lane,
-                       keeps_it_up ? 0.0 : (drive - values.drive_viscous_N_s_m * speed) / values.finger_mass_kg);
+    s.acceleration.set(lane, (drive - values.drive_viscous_N_s_m * speed) / values.finger_mass_kg);
   }
   stroke_.set(lane, values.stroke_m);
   stop_time_.set(lane, 2.0 * std::sqrt(values.finger_mass_kg / kStopStiffness_N_m));  // damped critically
@@ -63,9 +59,8 @@ Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>
 
 Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
   const State& s = state_[finger];
-  const Lane way = (s.free_force - contact + gain_ * (command_.set_speed_m_s + s.viscous)) * inverse_driven_;
-  const Lane wanted = gain_ * (command_.set_speed_m_s - (a1_ * way - s.viscous));
-  return max(-command_.force_limit_N, min(command_.force_limit_N, wanted));
+  return drive_at_way(finger,
+                      (s.free_force - contact + gain_ * (command_.set_speed_m_s + s.viscous)) * inverse_driven_);
 }
 
 Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {

@@ -146,25 +146,17 @@ void CellPlasticity::end_step(const WilsonTheta& w, const Mask& running) {
   for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
     if (touched_[cell] == 0) continue;
     for (std::size_t i = 6 * cell; i < 6 * cell + 6; ++i) {
-      const Lane next = select(running, w.at_end(strain_.get(i), strain_theta_.get(i)), strain_.get(i));
-      strain_.put(i, next);
-      strain_theta_.put(i, next);
+      take_over(w, running, i, strain_, strain_theta_);
     }
     const Lane before = accumulated_.get(cell);
-    const Lane after = select(running, w.at_end(before, accumulated_theta_.get(cell)), before);
-    accumulated_.put(cell, after);
-    accumulated_theta_.put(cell, after);
+    const Lane after = take_over(w, running, cell, accumulated_, accumulated_theta_);
     const Lane flow = after - before;
     const Lane stored = Lane(0.5) * hardening_ * (after + before) * flow * volume;
     plastic_work_ += select(flow > Lane(0.0), stored + yield_stress_ * flow * volume, Lane(0.0));
     hardening_energy_ += stored;
     largest_plastic_ = max(largest_plastic_, after);
   }
-  for (std::size_t i = 0; i < load_.rows(); ++i) {
-    const Lane next = select(running, w.at_end(load_.get(i), load_theta_.get(i)), load_.get(i));
-    load_.put(i, next);
-    load_theta_.put(i, next);
-  }
+  for (std::size_t i = 0; i < load_.rows(); ++i) take_over(w, running, i, load_, load_theta_);
 }
 
 double CellPlasticity::self_energy(int lane) const {
@@ -189,10 +181,6 @@ std::optional<double> CellPlasticity::volume_above_m3(int lane, double threshold
   return volume;
 }
 
-std::vector<double> CellPlasticity::plastic_load_N(int lane) const {
-  std::vector<double> force(load_.rows());
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] = load_.at(i, lane);
-  return force;
-}
+std::vector<double> CellPlasticity::plastic_load_N(int lane) const { return of_lane(load_, lane); }
 
 }  // namespace unbruised

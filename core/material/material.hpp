@@ -47,6 +47,20 @@ class Material {
   [[nodiscard]] virtual std::optional<double> volume_above_m3(int lane, double threshold) const = 0;
 
  protected:
+  /// Moves a row that is linear in time to t + dt in the lanes of `running`. @return the row there
+  static Lane take_over(const WilsonTheta& wilson, const Mask& running, std::size_t row, LaneArray& now,
+                        LaneArray& theta) {
+    const Lane before = now.get(row);
+    const Lane after = select(running, wilson.at_end(before, theta.get(row)), before);
+    now.put(row, after);
+    theta.put(row, after);
+    return after;
+  }
+  static std::vector<double> of_lane(const LaneArray& rows, int lane) {
+    std::vector<double> values(rows.rows());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.at(i, lane);
+    return values;
+  }
   void clear_account(int lane) {
     for (Lane* value : {&largest_strain_, &largest_plastic_, &plastic_work_, &hardening_energy_})
       value->set(lane, 0.0);

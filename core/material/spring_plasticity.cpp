@@ -112,24 +112,15 @@ Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
 void SpringPlasticity::end_step(const WilsonTheta& w, const Mask& running) {
   for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
     const SpringGeometry& spring = springs_[yielding_spring_[i]];
-    const Lane elongation =
-        select(running, w.at_end(elongation_.get(i), elongation_theta_.get(i)), elongation_.get(i));
-    elongation_.put(i, elongation);
-    elongation_theta_.put(i, elongation);
+    take_over(w, running, i, elongation_, elongation_theta_);
     const Lane before = accumulated_.get(i);
-    const Lane after = select(running, w.at_end(before, accumulated_theta_.get(i)), before);
-    accumulated_.put(i, after);
-    accumulated_theta_.put(i, after);
+    const Lane after = take_over(w, running, i, accumulated_, accumulated_theta_);
     const Lane stored = Lane(0.5 * spring.hardening_ratio * spring.stiffness) * (after * after - before * before);
     hardening_energy_ += stored;
     plastic_work_ += stored + Lane(spring.yield_force) * (after - before);
     largest_plastic_ = max(largest_plastic_, after / Lane(spring.rest_length));
   }
-  for (std::size_t i = 0; i < load_.rows(); ++i) {
-    const Lane next = select(running, w.at_end(load_.get(i), load_theta_.get(i)), load_.get(i));
-    load_.put(i, next);
-    load_theta_.put(i, next);
-  }
+  for (std::size_t i = 0; i < load_.rows(); ++i) take_over(w, running, i, load_, load_theta_);
 }
 
 double SpringPlasticity::self_energy(int lane) const {
@@ -142,10 +133,6 @@ double SpringPlasticity::self_energy(int lane) const {
   return energy;
 }
 
-std::vector<double> SpringPlasticity::plastic_load_N(int lane) const {
-  std::vector<double> force(load_.rows());
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] = load_.at(i, lane);
-  return force;
-}
+std::vector<double> SpringPlasticity::plastic_load_N(int lane) const { return of_lane(load_, lane); }
 
 }  // namespace unbruised

@@ -9,6 +9,7 @@
 
 #include "core/contact/contact_time.hpp"
 #include "studies/config/execution_error.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -48,7 +49,7 @@ std::vector<Side> sides_of(const StudyData& data) {
   if (searches_force(data.settings.kind)) {
     // The answer lies somewhere inside the range; its upper end is often a number nobody expects to reach.
     const WindowSettings& range = data.settings.window;
-    sides.emplace_back("strategy.grip_force_N", range.from_N, std::sqrt(range.from_N * range.to_N));
+    sides.emplace_back(kGripForceKey, range.from_N, std::sqrt(range.from_N * range.to_N));
   }
   return sides;
 }

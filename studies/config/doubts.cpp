@@ -7,6 +7,7 @@
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/plausible.hpp"
 #include "studies/config/execution_error.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -38,7 +39,7 @@ std::vector<End> ends_of(const StudyData& data) {
     add(r.key, quantile(r.distribution, kLowQuantile), quantile(r.distribution, kHighQuantile));
   }
   if (searches_force(data.settings.kind)) {
-    const std::string key = "strategy.grip_force_N";
+    const std::string key = kGripForceKey;
     ends.push_back({key, data.settings.window.from_N, key, "window.from_N"});
     ends.push_back({key, data.settings.window.to_N, key, "window.to_N"});
   }

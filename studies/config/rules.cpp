@@ -5,11 +5,12 @@
 
 #include "core/outcome/damage_limits.hpp"
 #include "studies/config/doubts.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
 
-constexpr std::string_view kGripForce = "strategy.grip_force_N";
+constexpr std::string_view kGripForce = kGripForceKey;
 
 std::string renamed(std::string text, std::string_view name) {
   for (std::size_t at = text.find(kGripForce); at != std::string::npos; at = text.find(kGripForce, at + 1)) {

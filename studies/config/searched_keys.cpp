@@ -9,6 +9,7 @@
 #include "studies/config/execution_error.hpp"
 #include "studies/config/search_parts.hpp"
 #include "studies/statistics/distribution.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -134,7 +135,7 @@ class SearchedKeys {
       const FieldRef field = field_of(scenario, address);
       if (is_written && number_at(field, address.elements)) return;
       StrategyParameters& strategy = scenario.strategy;
-      const bool is_grip = key == "strategy.grip_force_N";
+      const bool is_grip = key == kGripForceKey;
       const double given = is_grip ? std::min(highest, std::max(value, strategy.contact_force_N)) : value;
       assign_number(field, given, address.elements);
       strategy.contact_force_N = std::min(strategy.contact_force_N, strategy.grip_force_N);

@@ -16,6 +16,7 @@
 #include "studies/config/study_check.hpp"
 #include "studies/config/study_data.hpp"
 #include "studies/config/study_names.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -40,7 +41,7 @@ class Reader {
     blocks_ = read_blocks(text_.block_entries, text_.block_tables, problems_);
     assemble_bases(known);
     complete_search(data_, blocks_, assemblies_.front(), problems_);
-    if (problems_.empty() && !is_given("simulation.time_step_s")) choose_time_step(data_);
+    if (problems_.empty() && !is_given(kTimeStepKey)) choose_time_step(data_);
     if (problems_.empty()) check_rules();
     if (problems_.empty()) check_box_rules(data_, blocks_, problems_);
     if (!problems_.empty()) return error();
@@ -127,7 +128,7 @@ class Reader {
   [[nodiscard]] double least_grip_force(const Scenario& base) const {
     double least_N = base.strategy.grip_force_N;
     for (const VaryColumn& column : data_.plan.columns) {
-      if (column.input.key != "strategy.grip_force_N" || column.input.numbers.empty()) continue;
+      if (column.input.key != kGripForceKey || column.input.numbers.empty()) continue;
       least_N = *std::min_element(column.input.numbers.begin(), column.input.numbers.end());
     }
     return least_N;
@@ -139,7 +140,7 @@ class Reader {
     constexpr const char* kContact = "strategy.contact_force_N";
     const auto searched = blocks_.keys();
     const bool is_searched = std::any_of(searched.begin(), searched.end(), [](const auto& item) {
-      return item.first == "strategy.grip_force_N" || item.first == kContact;
+      return item.first == kGripForceKey || item.first == kContact;
     });
     if (assembly.given.contains(kContact) || is_searched || !(least_N > 0.0)) return;
     double& contact_force_N = assembly.scenario.strategy.contact_force_N;

@@ -5,12 +5,12 @@
 
 #include "studies/config/execution_error.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/key_names.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
 
-constexpr const char* kGripForceKey = "strategy.grip_force_N";
 /// A force this near to a multiple of the step, in steps, is one.
 constexpr double kOnStep = 1e-6;
 

@@ -9,11 +9,11 @@
 #include "studies/findings/key_columns.hpp"
 #include "studies/findings/key_roles.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
 
-constexpr const char* kGripForceKey = "strategy.grip_force_N";
 constexpr const char* kNoneAtHalfStep = "no window at half the time step";
 
 /// How much the half time step narrows an end of a row: >= 1 for the lower, <= 1 for the upper one.

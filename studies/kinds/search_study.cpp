@@ -11,6 +11,7 @@
 #include "studies/statistics/design.hpp"
 #include "studies/statistics/seed_purpose.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/key_names.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
@@ -22,7 +23,6 @@ constexpr double kMoreCells = 1.25;
 /// Products on which the time step and the mesh are checked.
 constexpr std::size_t kCheckedProducts = 32;
 
-constexpr const char* kTimeStepKey = "simulation.time_step_s";
 constexpr const char* kCellSizeKey = "product.cell_size_m";
 
 ProductSample first_products(const ProductSample& all, std::size_t count) {

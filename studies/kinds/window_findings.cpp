@@ -6,11 +6,10 @@
 
 #include "studies/goals/verdict.hpp"
 #include "studies/scenarios/scenario_set.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
-
-constexpr const char* kTimeStepKey = "simulation.time_step_s";
 
 std::optional<std::size_t> column_of(const Study& study, const std::string& key) {
   for (std::size_t i = 0; i < study.inputs().size(); ++i) {

@@ -14,10 +14,9 @@
 #include "studies/findings/window_answer.hpp"
 #include "studies/kinds/window_search.hpp"
 #include "studies/results/rows.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
-
-inline constexpr const char* kGripForceKey = "strategy.grip_force_N";
 
 /// A window table with a point of the study's grid for each row.
 struct StudyWindow {

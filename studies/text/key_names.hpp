@@ -10,6 +10,10 @@
 
 namespace unbruised::studies {
 
+/// Keys that the studies themselves search, vary or halve.
+inline constexpr const char* kGripForceKey = "strategy.grip_force_N";
+inline constexpr const char* kTimeStepKey = "simulation.time_step_s";
+
 /// A unit and how names, people and UDUNITS write it.
 struct Unit {
   std::string_view suffix;   ///< of the key

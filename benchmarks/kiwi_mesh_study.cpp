@@ -109,8 +109,10 @@ void measure_lattice_patch(const Model& model, const Scenario& scenario, const T
       if (depth <= 0.0) continue;
       const double force = normal_stiffness_N_m(c, layer) / kReliefPlaces * depth;
       const auto offset = relief_offset(q);
-      const double at_y = c.place_m[0] + offset[0] * c.extent_m[0] - contact.patch_form[0].pole_m[0];
-      const double at_z = c.place_m[1] + offset[1] * c.extent_m[1] - contact.patch_form[0].pole_m[1];
+      const double at_y =
+          c.tributary[0].place_m + offset[0] * c.tributary[0].extent_m - contact.patch_form[0].pole_m[0];
+      const double at_z =
+          c.tributary[1].place_m + offset[1] * c.tributary[1].extent_m - contact.patch_form[0].pole_m[1];
       sum += force;
       y += force * at_y;
       z += force * at_z;

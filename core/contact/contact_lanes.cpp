@@ -12,6 +12,12 @@ constexpr double kNearShare = 0.005;
 /// Forces below this are numerical dust of a contact that has opened [N].
 constexpr double kDust = 1e-12;
 
+std::vector<WindowPressure> windows_over(const ContactModel& model) {
+  std::vector<WindowPressure> windows;
+  for (const FaceGrid& face : model.face) windows.emplace_back(face, model.patch_side_m);
+  return windows;
+}
+
 }  // namespace
 
 ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson)
@@ -20,7 +26,8 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       w_(wilson),
       near_margin_(kNearShare * body.smallest_extent_m()),
       register_(model),
-      sweep_(model, surfaces_, register_) {
+      sweep_(model, surfaces_, register_),
+      window_(windows_over(model)) {
   place_free_.fill(Lane(0.0));
 }
 
@@ -73,15 +80,11 @@ void ContactLanes::meet_surface(std::size_t c, const ContactStart& start, const 
   const Lane gap_free = sign * (rest + start.base.get(free + axis) - place_free_[surface]);
   const Mask carrying = register_.is_closed(c);
   const Lane least(candidate.least_relief_m);
-  // A closed contact keeps the share it closed with.
-  const auto tangents = tangent_axes(surface);
-  const std::array<Lane, 2> place = {Lane(candidate.place_m[0]) + start.u.get(node + tangents[0]),
-                                     Lane(candidate.place_m[1]) + start.u.get(node + tangents[1])};
-  const Lane share = surfaces_.share_covered(surface, start.now, place, candidate.extent_m);
-  const Lane kept = select(carrying & (share > Lane(0.0)), register_.share.get(c), share);
-  const Mask near =
-      running & surfaces_[surface].present & (carrying | (gap_free + least < near_margin_)) & (kept > Lane(0.0));
-  register_.share.put(c, kept);
+  const Mask meets = running & surfaces_[surface].present & (carrying | (gap_free + least < near_margin_));
+  // A contact that sticks keeps what it closed with.
+  const Mask moves = meets & !(carrying & !register_.sliding.get(c));
+  if (any(moves)) cover_again(c, start, moves);
+  const Mask near = meets & (register_.share.get(c) > Lane(0.0));
   register_.near.put(c, near);
   register_.gap_now.put(c, gap_now + least);
   register_.gap_free.put(c, gap_free + least);
@@ -97,13 +100,40 @@ void ContactLanes::meet_surface(std::size_t c, const ContactStart& start, const 
   sweep_.prepare(c, surfaces_[surface].relaxation_s * w_.viscous(-gap_now, rate, second_rate));
 }
 
+/// Takes in which part of a candidate's piece lies under its surface now. What the layer held beyond an edge is
+/// lost.
+void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const Mask& lanes) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const SurfaceLane& surface = surfaces_[candidate.surface];
+  const auto tangents = tangent_axes(candidate.surface);
+  const auto node = 3 * static_cast<std::size_t>(candidate.node);
+  std::array<CoveredPiece, 2> piece;
+  if (candidate.area_m2 > 0.0) {
+    for (std::size_t t = 0; t < 2; ++t) {
+      piece[t] = candidate.tributary[t].covered_by(surfaces_.reach(candidate.surface, start.now, t),
+                                                   start.u.get(node + static_cast<std::size_t>(tangents[t])));
+    }
+  }
+  const Lane share_before = register_.share.get(c);
+  const LayerEnergy before = register_.stored_energy(c, surface);
+  const Lane depth_before = squared_depth(candidate, register_.penetration.get(c), register_.cover(c));
+  register_.set_cover(c, piece, lanes);
+  // Of the same layer at the same place the energy goes with what carries it: an elastic force by the depths under
+  // the surface, a shear by the area.
+  const Lane kept = register_.share.get(c) / max(share_before, Lane(1e-300));
+  const Lane depth = squared_depth(candidate, register_.penetration.get(c), register_.cover(c));
+  const Lane kept_depth = select(depth_before > Lane(0.0), depth / max(depth_before, Lane(1e-300)), Lane(1.0));
+  const Lane lost = before.pressed * (Lane(1.0) - kept * kept_depth) + before.sheared * (Lane(1.0) - kept);
+  dissipated_ += select(lanes & (share_before > Lane(0.0)), lost, Lane(0.0));
+}
+
 void ContactLanes::end_step(const ContactEnd& end, const Mask& running) {
   tally_.fill(SurfaceTally{});
   patch_pressure_ = Lane(0.0);
   first_touch_ = Lane(2.0);
   carry_open_anchors(end, running);
   for (int c : sweep_.live_candidates()) end_candidate(static_cast<std::size_t>(c), end, running);
-  for (int c : sweep_.live_candidates()) measure_patch(static_cast<std::size_t>(c), running);
+  for (int surface = 0; surface < kSurfaceCount; ++surface) measure_windows(surface, end, running);
 }
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
@@ -210,7 +240,13 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
   sums.closed += closed;
   sums.sliding += select(step.sliding, Lane(1.0), Lane(0.0));
   sums.travel += closed * sqrt(step.travel[0] * step.travel[0] + step.travel[1] * step.travel[1]);
-  sums.add_moments(model_.candidate[c], step.after[0], register_.penetration_theta.get(c));
+  if (is_pad(model_.candidate[c].surface)) {
+    sums.add_moments(model_.candidate[c], step.after[0],
+                     {register_.penetration_theta.get(c),
+                      register_.cover(c),
+                      {register_.mean[0].get(c), register_.mean[1].get(c)},
+                      {register_.mean_square[0].get(c), register_.mean_square[1].get(c)}});
+  }
 }
 
 /// Adds the torque of a pad's contact about the palm centre.
@@ -236,13 +272,31 @@ void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
   first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
 }
 
-void ContactLanes::measure_patch(std::size_t c, const Mask& running) {
-  Lane patch(0.0);
-  for (std::size_t p = model_.patch_start[c]; p < model_.patch_start[c + 1]; ++p) {
-    const PatchWeight& share = model_.patch_weight[p];
-    patch += Lane(share.weight) * register_.normal.get(static_cast<std::size_t>(share.candidate));
+/// Measures the pressure in windows over one surface.
+void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mask& running) {
+  const auto at = static_cast<std::size_t>(surface);
+  if (model_.face[at].candidate.empty() || none(running & (tally_[at].normal > Lane(0.0)))) return;
+  // The face moves past the surface as the particles that carry force do.
+  const auto tangents = tangent_axes(surface);
+  Lane force(0.0);
+  std::array<Lane, 2> moved{Lane(0.0), Lane(0.0)};
+  for (const int c : sweep_.live_candidates()) {
+    const auto k = static_cast<std::size_t>(c);
+    if (model_.candidate[k].surface != surface) continue;
+    const Lane normal = max0(register_.normal.get(k));
+    const auto node = 3 * static_cast<std::size_t>(model_.candidate[k].node);
+    force += normal;
+    for (std::size_t t = 0; t < 2; ++t)
+      moved[t] += normal * end.u.get(node + static_cast<std::size_t>(tangents[t]));
   }
-  patch_pressure_ = max(patch_pressure_, select(running, patch / Lane(model_.patch_area_m2), Lane(0.0)));
+  std::array<Stretch, 2> reach;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Lane mean = moved[t] / max(force, Lane(kDust));
+    const Stretch there = surfaces_.reach(surface, end.next, t);
+    reach[t] = {there.low - mean, there.high - mean};
+  }
+  const Lane largest = window_[at].largest_Pa(register_.normal, reach);
+  patch_pressure_ = max(patch_pressure_, select(running, largest, Lane(0.0)));
 }
 
 Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {

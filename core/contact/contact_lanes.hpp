@@ -19,6 +19,7 @@
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
+#include "core/contact/window_pressure.hpp"
 #include "core/gripper/finger_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
@@ -99,6 +100,7 @@ class ContactLanes {
     Lane penetration_before, penetration;  ///< at t and t + dt
   };
   void meet_surface(std::size_t candidate, const ContactStart& start, const Mask& running);
+  void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
   void carry_open_anchors(const ContactEnd& end, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
   void advance_forces(std::size_t candidate, const Mask& running, CandidateStep& step);
@@ -108,7 +110,7 @@ class ContactLanes {
   void tally_candidate(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_torque(std::size_t candidate, const ContactEnd& end, const Mask& running, const CandidateStep& step);
   void note_touch(std::size_t candidate, const CandidateStep& step);
-  void measure_patch(std::size_t candidate, const Mask& running);
+  void measure_windows(int surface, const ContactEnd& end, const Mask& running);
 
   const ContactModel& model_;
   const BodyModel& body_;
@@ -118,6 +120,7 @@ class ContactLanes {
   SurfaceLanes surfaces_;
   ContactRegister register_;
   ContactSweep sweep_;
+  std::vector<WindowPressure> window_;  ///< over each surface
 
   // Of the present step.
   std::array<AxisMotion, kSurfaceCount> motion_;  ///< of each surface along its normal axis, at t

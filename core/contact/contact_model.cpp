@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "core/algebra/lane_solve.hpp"
+#include "core/contact/tributary_face.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
 
 /// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
-constexpr std::array<int, kSurfaceCount> kFacingSide = {0, 1, 4};
+constexpr std::array<std::size_t, kSurfaceCount> kFacingSide = {0, 1, 4};
 
 constexpr std::size_t kPadAxis = 0;
 
@@ -51,14 +53,16 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
   std::array<double, 3> place{};
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
-    place[along] = c.place_m[t] - lattice.center_m[along];
+    place[along] = c.tributary[t].place_m - lattice.center_m[along];
   }
   const TrueShape shape(parameters);
   const double here = shape.half_chord_m(axis, place);
   for (int q = 0; q < kReliefPlaces; ++q) {
     std::array<double, 3> there = place;
     const auto offset = relief_offset(q);
-    for (std::size_t t = 0; t < 2; ++t) there[static_cast<std::size_t>(tangents[t])] += offset[t] * c.extent_m[t];
+    for (std::size_t t = 0; t < 2; ++t) {
+      there[static_cast<std::size_t>(tangents[t])] += offset[t] * c.tributary[t].extent_m;
+    }
     const double chord = shape.half_chord_m(axis, there);
     c.relief_m[static_cast<std::size_t>(q)] = chord < 0.0 ? 1e3 : here - chord;
   }
@@ -67,33 +71,45 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
   if (c.flat) {
     c.relief_m.fill(0.0);
   } else {
-    c.cell_compliance_m_Pa =
-        kCellCompliance * std::sqrt(c.extent_m[0] * c.extent_m[1]) / plane_strain_modulus(parameters);
+    c.cell_compliance_m_Pa = kCellCompliance * std::sqrt(c.tributary[0].extent_m * c.tributary[1].extent_m) /
+                             plane_strain_modulus(parameters);
   }
   c.least_relief_m = *std::min_element(c.relief_m.begin(), c.relief_m.end());
 }
 
-/// Length of the overlap of two intervals given by centre and width.
-double overlap(double center_a, double width_a, double center_b, double width_b) {
-  const double low = std::max(center_a - width_a / 2, center_b - width_b / 2);
-  const double high = std::min(center_a + width_a / 2, center_b + width_b / 2);
-  return std::max(0.0, high - low);
-}
-
-void fill_patches(double side_m, ContactModel& contact) {
-  contact.patch_area_m2 = side_m * side_m;
-  contact.patch_start.push_back(0);
-  for (const ContactCandidate& center : contact.candidate) {
-    for (std::size_t j = 0; j < contact.candidate.size(); ++j) {
-      const ContactCandidate& other = contact.candidate[j];
-      if (other.surface != center.surface || other.area_m2 == 0.0) continue;
-      const double weight = overlap(center.place_m[0], side_m, other.place_m[0], other.extent_m[0]) *
-                            overlap(center.place_m[1], side_m, other.place_m[1], other.extent_m[1]) /
-                            (other.extent_m[0] * other.extent_m[1]);
-      if (weight > 0.0) contact.patch_weight.push_back({static_cast<int>(j), weight});
+/// The candidates of a surface as a grid; a product's particles stand in one.
+FaceGrid face_grid(const ContactModel& contact, int surface, const LatticeParameters& parameters,
+                   const FacePlane& plane) {
+  FaceGrid grid;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const double half = 0.5 * parameters.size_m[plane.tangent[t]];
+    grid.low_m[t] = plane.center_m[t] - half;
+    grid.high_m[t] = plane.center_m[t] + half;
+    std::map<double, Tributary> pieces;  // by place; a cell on a side of one particle is a cell of the grid
+    for (const ContactCandidate& candidate : contact.candidate) {
+      if (candidate.surface != surface) continue;
+      const Tributary& piece = candidate.tributary[t];
+      auto [at, added] = pieces.try_emplace(piece.place_m, piece);
+      for (std::size_t side = 0; side < 2; ++side)
+        at->second.cell[side] = at->second.cell[side] || piece.cell[side];
     }
-    contact.patch_start.push_back(contact.patch_weight.size());
+    for (const auto& [place, piece] : pieces) grid.piece[t].push_back(piece);
   }
+  grid.candidate.assign(grid.piece[0].size() * grid.piece[1].size(), -1);
+  const auto at = [&grid](std::size_t t, double place_m) {
+    const auto& pieces = grid.piece[t];
+    const auto found =
+        std::lower_bound(pieces.begin(), pieces.end(), place_m,
+                         [](const Tributary& piece, double place) { return piece.place_m < place; });
+    return static_cast<std::size_t>(found - pieces.begin());
+  };
+  for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
+    const ContactCandidate& candidate = contact.candidate[c];
+    if (candidate.surface != surface) continue;
+    const std::size_t i = at(0, candidate.tributary[0].place_m), j = at(1, candidate.tributary[1].place_m);
+    grid.candidate[i * grid.piece[1].size() + j] = static_cast<int>(c);
+  }
+  return grid;
 }
 
 /// Sorts candidates by node and numbers the contact nodes.
@@ -180,37 +196,53 @@ PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain
   return form;
 }
 
+namespace {
+
+/// The particles of one side that can touch a surface.
+void add_candidates(const LatticeParameters& parameters, const Lattice& lattice, int surface,
+                    const FacePlane& plane, double pole_m, ContactModel& contact) {
+  const auto& points = lattice.side[kFacingSide[static_cast<std::size_t>(surface)]];
+  const TrueShape shape(parameters);
+  const TributaryFace face(shape, lattice, plane, points);
+  const double sign = normal_sign(surface);
+  const double depth = kCandidateDepth * parameters.size_m[plane.axis];
+  for (const SurfacePoint& point : points) {
+    if (sign * (point.position_m - pole_m) > depth) continue;
+    const auto& position_m = lattice.position_m[static_cast<std::size_t>(point.node)];
+    ContactCandidate candidate;
+    candidate.surface = surface;
+    candidate.node = point.node;
+    candidate.surface_m = point.position_m;
+    candidate.area_m2 = face.area_m2(position_m);
+    for (std::size_t t = 0; t < 2; ++t) candidate.tributary[t] = face.piece(position_m, t);
+    fill_relief(parameters, lattice, plane.axis, candidate);
+    contact.candidate.push_back(candidate);
+  }
+}
+
+}  // namespace
+
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
                              double pressure_patch_m) {
   ContactModel contact;
   contact.patch_form.fill(patch_form(parameters, lattice));
   contact.pad_extent_m = {lattice.cell_extent_m[1], lattice.cell_extent_m[2]};
+  contact.patch_side_m = pressure_patch_m;
+  std::vector<FacePlane> plane;
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
-    const auto& points = lattice.side[kFacingSide[surface]];
-    const int axis = normal_axis(surface);
-    const auto tangents = tangent_axes(surface);
-    const double sign = normal_sign(surface);  // the surface lies at the low end where its force points up
-    // Of the true shape: with an even number of particles across, none stands on it.
-    const double pole = lattice.center_m[static_cast<std::size_t>(axis)] - sign * 0.5 * parameters.size_m[axis];
-    if (is_pad(surface)) contact.pole_m[surface] = pole;
-    const double depth = kCandidateDepth * parameters.size_m[axis];
-    for (const SurfacePoint& point : points) {
-      if (sign * (point.position_m - pole) > depth) continue;
-      ContactCandidate candidate;
-      candidate.surface = surface;
-      candidate.node = point.node;
-      candidate.surface_m = point.position_m;
-      candidate.area_m2 = point.area_m2;
-      for (int t = 0; t < 2; ++t) {
-        candidate.place_m[t] = lattice.position_m[point.node][tangents[t]];
-        candidate.extent_m[t] = lattice.cell_extent_m[tangents[t]];
-      }
-      fill_relief(parameters, lattice, static_cast<std::size_t>(axis), candidate);
-      contact.candidate.push_back(candidate);
-    }
+    const auto axis = static_cast<std::size_t>(normal_axis(surface));
+    plane.emplace_back(lattice, axis, tangent_axes(surface));
+    // Of the true shape: with an even number of particles across, none stands on it. The surface lies at the low
+    // end where its force points up.
+    const double pole = lattice.center_m[axis] - normal_sign(surface) * 0.5 * parameters.size_m[axis];
+    if (is_pad(surface)) contact.pole_m[static_cast<std::size_t>(surface)] = pole;
+    add_candidates(parameters, lattice, surface, plane.back(), pole, contact);
   }
   number_nodes(contact);
-  fill_patches(pressure_patch_m, contact);
+  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+    const auto at = static_cast<std::size_t>(surface);
+    contact.face[at] = face_grid(contact, surface, parameters, plane[at]);
+  }
   return contact;
 }
 
@@ -224,11 +256,10 @@ ContactModel network_contact(const NetworkParameters& parameters) {
     candidate.node = static_cast<int>(i);
     candidate.surface_m = particle.position_m[2];
     candidate.stiffness_N_m = particle.contact_stiffness_N_m;
-    candidate.place_m = {particle.position_m[0], particle.position_m[1]};
+    for (std::size_t t = 0; t < 2; ++t) candidate.tributary[t].place_m = particle.position_m[t];
     contact.candidate.push_back(candidate);
   }
   number_nodes(contact);
-  fill_patches(1.0, contact);
   return contact;
 }
 

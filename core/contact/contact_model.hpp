@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/contact/tributary.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {
 
-/// The true surface over a particle's tributary rectangle is sampled at this many places, so that a curved contact
-/// grows smoothly and not particle by particle.
-inline constexpr int kReliefSide = 4;
+/// Places at which the true surface is sampled over a particle's tributary rectangle.
 inline constexpr int kReliefPlaces = kReliefSide * kReliefSide;
 
 /// One particle that may touch one surface.
@@ -25,10 +24,9 @@ struct ContactCandidate {
   int node = 0;                                  ///< particle
   int contact_node = 0;                          ///< index into ContactModel::node
   double surface_m = 0;                          ///< coordinate of the true surface at rest, along the normal axis
-  double area_m2 = 0;                            ///< tributary area, 0 for network particles
+  double area_m2 = 0;                            ///< tributary area of the true face, 0 for network particles
   double stiffness_N_m = 0;                      ///< of a network particle's own layer; 0: from the area
-  std::array<double, 2> place_m{};               ///< rest coordinates in the plane of the surface
-  std::array<double, 2> extent_m{};              ///< of the tributary rectangle
+  std::array<Tributary, 2> tributary{};          ///< along the tangent axes of the surface
   bool flat = true;                              ///< no relief: the whole rectangle touches at once
   std::array<double, kReliefPlaces> relief_m{};  ///< how far the true surface lies behind the one at the particle
   double least_relief_m = 0;
@@ -59,10 +57,11 @@ struct PatchForm {
   std::array<double, 2> pole_m{0.0, 0.0};
 };
 
-/// One entry of a row of the pressure patches.
-struct PatchWeight {
-  int candidate = 0;
-  double weight = 0;  ///< share of that candidate's tributary area inside the patch
+/// The candidates of one surface as a grid over the face.
+struct FaceGrid {
+  std::array<std::vector<Tributary>, 2> piece;  ///< along the tangent axes of the surface, ascending
+  std::vector<int> candidate;                   ///< at i * piece[1].size() + j; -1: there is none
+  std::array<double, 2> low_m{}, high_m{};      ///< the true face reaches from, to
 };
 
 struct ContactModel {
@@ -74,9 +73,8 @@ struct ContactModel {
   std::array<PatchForm, kFingerCount> patch_form;
   std::array<double, 2> pad_extent_m{};       ///< tributary rectangle of a pad contact, y and z
   std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
-  std::vector<std::size_t> patch_start;       ///< per candidate, into patch_weight
-  std::vector<PatchWeight> patch_weight;
-  double patch_area_m2 = 0;
+  std::array<FaceGrid, kSurfaceCount> face;   ///< of a lattice product
+  double patch_side_m = 0;                    ///< of the square over which pressure is averaged
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
 };

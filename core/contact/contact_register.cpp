@@ -8,26 +8,35 @@ namespace unbruised {
 
 ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
-                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0],
-                          &travel[1], &share, &gap_now, &gap_free}) {
+  for (LaneArray* rows : {&normal,           &tangent[0],     &tangent[1],        &normal_theta, &tangent_theta[0],
+                          &tangent_theta[1], &penetration,    &penetration_theta, &viscous,      &anchor[0],
+                          &anchor[1],        &travel[0],      &travel[1],         &share,        &mean[0],
+                          &mean[1],          &mean_square[0], &mean_square[1],    &gap_now,      &gap_free}) {
     *rows = LaneArray(n);
   }
+  for (LaneArray& rows : place_weight) {
+    rows = LaneArray(n * kReliefSide);
+    rows.fill(1.0);
+  }
+  cut.assign(n, 0);
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) *rows = MaskArray(n);
 }
 
 void ContactRegister::clear(int lane) {
-  for (LaneArray* rows :
-       {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1], &penetration,
-        &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0], &travel[1], &share}) {
+  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
+                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0],
+                          &travel[1], &share, &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
     rows->clear_lane(lane);
+  }
+  for (LaneArray& weights : place_weight) {
+    for (std::size_t row = 0; row < weights.rows(); ++row) weights.at(row, lane) = 1.0;
   }
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) rows->clear_lane(lane);
 }
 
 void ContactRegister::set_rest(int lane, const StaticRest& rest) {
   for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
-    if (!(rest.normal_force_N[c] > 0.0)) continue;
+    if (!(rest.normal_force_N[c] > 0.0)) continue;  // the support has no edge
     penetration.at(c, lane) = rest.penetration_m[c];
     normal.at(c, lane) = normal_theta.at(c, lane) = rest.normal_force_N[c];
     share.at(c, lane) = 1.0;
@@ -62,25 +71,54 @@ Lane ContactRegister::normal_stiffness(std::size_t c, const SurfaceLane& surface
 }
 
 Lane ContactRegister::elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& p) const {
-  return normal_stiffness(c, surface) * layer_law(model_.candidate[c], p, Lane(0.0), Lane(0.0)).force;
+  return normal_stiffness(c, surface) * layer_law(model_.candidate[c], p, Lane(0.0), Lane(0.0), cover(c)).force;
+}
+
+PlaceCover ContactRegister::cover(std::size_t c) const {
+  if (cut[c] == 0) return {};
+  return {place_weight[0].row(c * kReliefSide), place_weight[1].row(c * kReliefSide)};
+}
+
+void ContactRegister::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes) {
+  share.put(c, select(lanes, piece[0].share * piece[1].share, share.get(c)));
+  bool whole = true;
+  for (std::size_t t = 0; t < 2; ++t) {
+    if (!model_.candidate[c].tributary[t].curved) {
+      mean[t].put(c, select(lanes, piece[t].mean_m, mean[t].get(c)));
+      mean_square[t].put(c, select(lanes, piece[t].mean_square_m2, mean_square[t].get(c)));
+      continue;
+    }
+    const Lane inverse = Lane(1.0) / max(piece[t].share, Lane(1e-300));
+    for (std::size_t k = 0; k < kReliefSide; ++k) {
+      const std::size_t row = c * kReliefSide + k;
+      const Lane weight = select(lanes, piece[t].place[k] * inverse, place_weight[t].get(row));
+      place_weight[t].put(row, weight);
+      whole = whole && none(weight < Lane(1.0)) && none(weight > Lane(1.0));
+    }
+  }
+  cut[c] = whole ? 0 : 1;
+}
+
+LayerEnergy ContactRegister::stored_energy(std::size_t c, const SurfaceLane& surface) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const Mask closed = is_closed(c);
+  // A viscous layer that recovers more slowly than the particle leaves is still pressed when it carries nothing.
+  const Mask pressed = (surface.relaxation_s > Lane(0.0)) & (penetration.get(c) > Lane(0.0));
+  if (none(closed | pressed)) return {};
+  const Lane press = normal_stiffness(c, surface);
+  const Lane n = normal.get(c), t1 = tangent[0].get(c), t2 = tangent[1].get(c);
+  const Lane in_place = press * squared_depth(candidate, penetration.get(c), cover(c)) * Lane(0.5);
+  Lane stored = in_place;
+  if (candidate.flat) stored = select(pressed, in_place, Lane(0.5) * n * n / max(press, Lane(1e-300)));
+  const Lane sheared = Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer_stiffness(c, surface), Lane(1e-300));
+  return {select(closed | pressed, stored, Lane(0.0)), select(closed, sheared, Lane(0.0))};
 }
 
 Lane ContactRegister::stored_energy(const SurfaceLanes& surfaces) const {
   Lane energy(0.0);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    const ContactCandidate& candidate = model_.candidate[c];
-    const SurfaceLane& surface = surfaces[candidate.surface];
-    const Mask closed = is_closed(c);
-    // A viscous layer that recovers more slowly than the particle leaves is still pressed when it carries nothing.
-    const Mask pressed = (surface.relaxation_s > Lane(0.0)) & (penetration.get(c) > Lane(0.0));
-    if (none(closed | pressed)) continue;
-    const Lane press = normal_stiffness(c, surface);
-    const Lane n = normal.get(c), t1 = tangent[0].get(c), t2 = tangent[1].get(c);
-    const Lane in_place = press * squared_depth(candidate, penetration.get(c)) * Lane(0.5);
-    Lane stored = in_place;
-    if (candidate.flat) stored = select(pressed, in_place, Lane(0.5) * n * n / max(press, Lane(1e-300)));
-    const Lane sheared = Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer_stiffness(c, surface), Lane(1e-300));
-    energy += select(closed, stored + sheared, select(pressed, stored, Lane(0.0)));
+    const LayerEnergy stored = stored_energy(c, surfaces[model_.candidate[c].surface]);
+    energy += stored.pressed + stored.sheared;
   }
   return energy;
 }

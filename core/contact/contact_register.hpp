@@ -10,12 +10,18 @@
 
 #include "core/contact/contact_event.hpp"
 #include "core/contact/contact_model.hpp"
+#include "core/contact/place_cover.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/surface/surface_lanes.hpp"
 
 namespace unbruised {
+
+/// Stored in the layer of a contact [J].
+struct LayerEnergy {
+  Lane pressed{0.0}, sheared{0.0};
+};
 
 class ContactRegister {
  public:
@@ -40,6 +46,12 @@ class ContactRegister {
   [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
   /// Force of the layer at rest at this penetration [N].
   [[nodiscard]] Lane elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& penetration) const;
+  /// The weights of its places.
+  [[nodiscard]] PlaceCover cover(std::size_t c) const;
+  /// Takes in what of a candidate's piece the surface covers, in `lanes`.
+  void set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
+  /// Stored in one candidate's layer [J].
+  [[nodiscard]] LayerEnergy stored_energy(std::size_t c, const SurfaceLane& surface) const;
   /// Stored in the layers, [J].
   [[nodiscard]] Lane stored_energy(const SurfaceLanes& surfaces) const;
 
@@ -55,7 +67,11 @@ class ContactRegister {
   LaneArray penetration, penetration_theta;  ///< of the particle's place; meaningful while closed
   LaneArray viscous;                         ///< viscous part of `normal`; 0 where the layer has none
   std::array<LaneArray, 2> anchor, travel;
-  LaneArray share;  ///< of the tributary rectangle that the surface covers
+  // Of the part of its tributary piece that the surface covers.
+  LaneArray share;                             ///< of its area
+  std::array<LaneArray, 2> mean, mean_square;  ///< offset from the particle along flat tangents
+  std::array<LaneArray, 2> place_weight;       ///< along curved tangents, kReliefSide rows each
+  std::vector<char> cut;                       ///< does an edge of the surface cut the places, in any lane?
   MaskArray sliding;
   // Per candidate, of the present step.
   MaskArray near;                     ///< takes part in the solve

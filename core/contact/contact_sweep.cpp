@@ -116,7 +116,8 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
   const Lane& rate_slope = rate_slope_[surface];
-  const LayerLaw law = layer_law(candidate, penetration, rate_slope * penetration - viscous_.get(c), rate_slope);
+  const LayerLaw law = layer_law(candidate, penetration, rate_slope * penetration - viscous_.get(c), rate_slope,
+                                 contacts_.cover(c));
   const Lane old_normal = contacts_.normal_theta.get(c);
   const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
   const Lane wanted = old_normal + (layer * law.force - old_normal) / (Lane(1.0) + layer * down * compliance);

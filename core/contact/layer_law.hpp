@@ -5,6 +5,7 @@
 /// rectangle: in lanes for the contact solve, and as a secant for the static state.
 
 #include "core/contact/contact_model.hpp"
+#include "core/contact/place_cover.hpp"
 #include "core/lanes/lane.hpp"
 
 namespace unbruised {
@@ -25,26 +26,36 @@ struct LayerLaw {
   }
 };
 
+/// @param cover of the candidate's places
 inline LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate,
-                          const Lane& rate_slope) {
+                          const Lane& rate_slope, const PlaceCover& cover) {
   LayerLaw law;
   if (candidate.flat) {
     law.add_place(p, rate, rate_slope);
     return law;
   }
-  for (const double relief : candidate.relief_m) law.add_place(p - Lane(relief), rate, rate_slope);
+  if (cover.is_full()) {
+    for (const double relief : candidate.relief_m) law.add_place(p - Lane(relief), rate, rate_slope);
+  } else {
+    for (int q = 0; q < kReliefPlaces; ++q) {
+      LayerLaw place;
+      place.add_place(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]), rate, rate_slope);
+      law.force += cover.weight(q) * place.force;
+      law.slope += cover.weight(q) * place.slope;
+    }
+  }
   law.force *= Lane(1.0 / kReliefPlaces);
   law.slope *= Lane(1.0 / kReliefPlaces);
   return law;
 }
 
 /// Mean square of the depths of the tributary places.
-inline Lane squared_depth(const ContactCandidate& candidate, const Lane& p) {
+inline Lane squared_depth(const ContactCandidate& candidate, const Lane& p, const PlaceCover& cover) {
   if (candidate.flat) return max0(p) * max0(p);
   Lane squares(0.0);
-  for (const double relief : candidate.relief_m) {
-    const Lane depth = max0(p - Lane(relief));
-    squares += depth * depth;
+  for (int q = 0; q < kReliefPlaces; ++q) {
+    const Lane depth = max0(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
+    squares += depth * depth * (cover.is_full() ? Lane(1.0) : cover.weight(q));
   }
   return squares * Lane(1.0 / kReliefPlaces);
 }

@@ -1,6 +1,45 @@
 #include "core/contact/surface_tally.hpp"
 
 namespace unbruised {
+namespace {
+
+/// Of the force over the places of a curved contact.
+struct PlaceMoments {
+  std::array<Lane, 2> mean, square;
+  Lane product;
+};
+
+/// The force sits where the places touch, in proportion to their depth; nowhere deep, at the particle.
+PlaceMoments place_moments(const ContactCandidate& candidate, const PressedPiece& piece) {
+  const Lane y(candidate.tributary[0].place_m), z(candidate.tributary[1].place_m);
+  PlaceMoments m{{y, z}, {y * y, z * z}, y * z};
+  if (candidate.flat) return m;
+  Lane sum(0.0), product(0.0);
+  std::array<Lane, 2> first{Lane(0.0), Lane(0.0)}, second{Lane(0.0), Lane(0.0)};
+  for (int q = 0; q < kReliefPlaces; ++q) {
+    Lane depth = max0(piece.penetration - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
+    if (!piece.cover.is_full()) depth *= piece.cover.weight(q);
+    const auto offset = relief_offset(q);
+    const std::array<Lane, 2> place = {y + Lane(offset[0] * candidate.tributary[0].extent_m),
+                                       z + Lane(offset[1] * candidate.tributary[1].extent_m)};
+    sum += depth;
+    product += depth * place[0] * place[1];
+    for (std::size_t t = 0; t < 2; ++t) {
+      first[t] += depth * place[t];
+      second[t] += depth * place[t] * place[t];
+    }
+  }
+  const Mask spread = sum > Lane(1e-12);
+  const Lane inverse = Lane(1.0) / max(sum, Lane(1e-12));
+  for (std::size_t t = 0; t < 2; ++t) {
+    m.mean[t] = select(spread, first[t] * inverse, m.mean[t]);
+    m.square[t] = select(spread, second[t] * inverse, m.square[t]);
+  }
+  m.product = select(spread, product * inverse, m.product);
+  return m;
+}
+
+}  // namespace
 
 void SurfaceTally::clear_lane(int lane) {
   for (Lane* value : {&normal, &closed, &sliding, &travel}) value->set(lane, 0.0);
@@ -15,32 +54,22 @@ std::array<Lane, 3> SurfaceTally::force(int surface) const {
 }
 
 void SurfaceTally::add_moments(const ContactCandidate& candidate, const Lane& normal_force,
-                               const Lane& penetration) {
-  const Lane y(candidate.place_m[0]), z(candidate.place_m[1]);
-  Lane m1[2] = {y, z};
-  Lane m2[3] = {y * y, z * z, y * z};
-  if (!candidate.flat) {
-    // The force sits where the places touch, in proportion to their depth.
-    Lane sum(0.0), firsts[2] = {0.0, 0.0}, seconds[3] = {0.0, 0.0, 0.0};
-    for (int q = 0; q < kReliefPlaces; ++q) {
-      const Lane depth = max0(penetration - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
-      const auto offset = relief_offset(q);
-      const Lane yq(candidate.place_m[0] + offset[0] * candidate.extent_m[0]);
-      const Lane zq(candidate.place_m[1] + offset[1] * candidate.extent_m[1]);
-      sum += depth;
-      firsts[0] += depth * yq;
-      firsts[1] += depth * zq;
-      seconds[0] += depth * yq * yq;
-      seconds[1] += depth * zq * zq;
-      seconds[2] += depth * yq * zq;
-    }
-    const Mask spread = sum > Lane(1e-12);
-    const Lane inverse = Lane(1.0) / max(sum, Lane(1e-12));
-    for (int i = 0; i < 2; ++i) m1[i] = select(spread, firsts[i] * inverse, m1[i]);
-    for (int i = 0; i < 3; ++i) m2[i] = select(spread, seconds[i] * inverse, m2[i]);
+                               const PressedPiece& piece) {
+  const PlaceMoments places = place_moments(candidate, piece);
+  std::array<Lane, 2> mean, square;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Tributary& along = candidate.tributary[t];
+    const Lane place(along.place_m), offset = piece.mean_m[t];
+    mean[t] = along.curved ? places.mean[t] : place + offset;
+    square[t] = along.curved ? places.square[t] : place * (place + Lane(2.0) * offset) + piece.mean_square_m2[t];
   }
-  for (std::size_t i = 0; i < 2; ++i) first[i] += normal_force * m1[i];
-  for (std::size_t i = 0; i < 3; ++i) second[i] += normal_force * m2[i];
+  const bool joint = candidate.tributary[0].curved && candidate.tributary[1].curved;
+  const Lane product = joint ? places.product : mean[0] * mean[1];
+  for (std::size_t t = 0; t < 2; ++t) {
+    first[t] += normal_force * mean[t];
+    second[t] += normal_force * square[t];
+  }
+  second[2] += normal_force * product;
 }
 
 void SurfaceTally::add_torque(const std::array<Lane, 3>& arm, const std::array<Lane, 3>& force_at,

@@ -7,9 +7,18 @@
 #include <cstddef>
 
 #include "core/contact/contact_model.hpp"
+#include "core/contact/place_cover.hpp"
 #include "core/lanes/lane.hpp"
 
 namespace unbruised {
+
+/// Where in a candidate's tributary piece its force sits.
+struct PressedPiece {
+  Lane penetration;  ///< of the particle's place
+  PlaceCover cover;
+  std::array<Lane, 2> mean_m,
+      mean_square_m2;  ///< offset of the covered part from the particle, along flat tangents
+};
 
 /// What one surface does to the product, per lane.
 struct SurfaceTally {
@@ -28,8 +37,7 @@ struct SurfaceTally {
   /// Forgets what another scenario left in a lane.
   void clear_lane(int lane);
   /// Adds the moments of one candidate's normal force over the plane.
-  /// @param penetration of the particle's place, which says where in the rectangle the force sits
-  void add_moments(const ContactCandidate& candidate, const Lane& normal_force, const Lane& penetration);
+  void add_moments(const ContactCandidate& candidate, const Lane& normal_force, const PressedPiece& piece);
   /// Adds the torque of a force on the product about the point its arm is measured from.
   void add_torque(const std::array<Lane, 3>& arm, const std::array<Lane, 3>& force, const Mask& running);
 };

@@ -68,6 +68,11 @@ double TrueShape::volume_m3() const {
   return std::numbers::pi / (round_axes == 3 ? 6.0 : 4.0) * box;
 }
 
+double TrueShape::face_area_m2(std::size_t axis) const {
+  const double bounds = size_m_[(axis + 1) % 3] * size_m_[(axis + 2) % 3];
+  return round_[(axis + 1) % 3] && round_[(axis + 2) % 3] ? std::numbers::pi / 4.0 * bounds : bounds;
+}
+
 bool TrueShape::contains(const std::array<double, 3>& place_m) const {
   double round_sum = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {

@@ -28,6 +28,8 @@ class TrueShape {
   /// Along how many of the two directions across it does the side that faces `axis` curve?
   [[nodiscard]] int curvatures(std::size_t axis) const;
   [[nodiscard]] double volume_m3() const;
+  /// Area of the flat side that faces `axis` [m2].
+  [[nodiscard]] double face_area_m2(std::size_t axis) const;
   [[nodiscard]] bool contains(const std::array<double, 3>& place_m) const;
   /// Half the chord along `axis` through a place (its own component along the axis does not count) [m]; negative
   /// where the line misses the shape.

@@ -5,6 +5,9 @@
 namespace unbruised {
 namespace {
 
+/// Beyond anything that is handled.
+constexpr double kFar_m = 1e6;
+
 double pad_friction(const ProductParameters& product) {
   return std::visit([](const auto& parameters) { return parameters.friction; }, product);
 }
@@ -43,17 +46,12 @@ AxisMotion SurfaceLanes::motion(int surface, const CarrierMotion& carriers, cons
   return motion;
 }
 
-Lane SurfaceLanes::share_covered(int surface, const CarrierMotion& carriers, const std::array<Lane, 2>& place_m,
-                                 const std::array<double, 2>& extent_m) const {
-  Lane share(1.0);
-  if (!is_pad(surface)) return share;
+Stretch SurfaceLanes::reach(int surface, const CarrierMotion& carriers, std::size_t tangent) const {
+  if (!is_pad(surface)) return {Lane(-kFar_m), Lane(kFar_m)};
   const SurfaceLane& pad = surface_[surface];
-  const auto tangents = tangent_axes(surface);
-  for (std::size_t t = 0; t < 2; ++t) {
-    const Lane place = place_m[t] - carrier_of(surface, carriers)[tangents[t]].place_m - pad.center_m[t];
-    share *= overlap(place, Lane(0.5 * extent_m[t]), Lane(0.5) * pad.size_m[t]) * Lane(1.0 / extent_m[t]);
-  }
-  return share;
+  const auto axis = static_cast<std::size_t>(tangent_axes(surface)[tangent]);
+  const Lane center = carrier_of(surface, carriers)[axis].place_m + pad.center_m[tangent];
+  return {center - Lane(0.5) * pad.size_m[tangent], center + Lane(0.5) * pad.size_m[tangent]};
 }
 
 }  // namespace unbruised

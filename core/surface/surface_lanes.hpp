@@ -12,6 +12,11 @@
 
 namespace unbruised {
 
+/// A stretch of an axis, per lane [m].
+struct Stretch {
+  Lane low, high;
+};
+
 /// One surface, per lane.
 struct SurfaceLane {
   Mask present{false};
@@ -42,10 +47,9 @@ class SurfaceLanes {
   /// Place, velocity and acceleration along the normal axis.
   /// @param closing motion of its finger; not looked at where no finger carries it
   [[nodiscard]] AxisMotion motion(int surface, const CarrierMotion& carriers, const AxisMotion& closing) const;
-  /// Share of a rectangle that lies under the surface; 1 where the surface has no edge.
-  /// @param place_m, extent_m of the rectangle's centre and sides along the tangent axes
-  [[nodiscard]] Lane share_covered(int surface, const CarrierMotion& carriers, const std::array<Lane, 2>& place_m,
-                                   const std::array<double, 2>& extent_m) const;
+  /// From where to where the surface reaches along one of its tangent axes; far beyond any product where it has no
+  /// edge.
+  [[nodiscard]] Stretch reach(int surface, const CarrierMotion& carriers, std::size_t tangent) const;
 
  private:
   std::array<SurfaceLane, kSurfaceCount> surface_;

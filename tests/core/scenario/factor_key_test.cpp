@@ -57,7 +57,7 @@ class Perturbation {
 std::vector<double> numbers_of(const Model& model) {
   const Model::Parts& parts = model.parts();
   std::vector<double> all = {parts.wilson->dt, parts.wilson->theta, parts.body.relaxation_time_s,
-                             parts.contact.patch_area_m2};
+                             parts.contact.patch_side_m};
   const auto add = [&all](const auto& values) { all.insert(all.end(), values.begin(), values.end()); };
   for (const auto* values : {&parts.body.mass_kg, &parts.body.K.value, &parts.body.C.value,
                              &parts.body.factor.value, &parts.body.rest_force_N, &parts.contact.compliance}) {
@@ -72,8 +72,8 @@ std::vector<double> numbers_of(const Model& model) {
     add(std::vector<double>{candidate.surface_m, candidate.area_m2, candidate.stiffness_N_m,
                             candidate.cell_compliance_m_Pa});
     add(candidate.relief_m);
+    for (const Tributary& piece : candidate.tributary) add(std::vector<double>{piece.place_m, piece.extent_m});
   }
-  for (const PatchWeight& weight : parts.contact.patch_weight) all.push_back(weight.weight);
   return all;
 }
 

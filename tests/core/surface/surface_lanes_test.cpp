@@ -70,18 +70,19 @@ TEST(SurfaceLanes, AMovingCarrierGivesPlaceVelocityAndAcceleration) {
   EXPECT_EQ(support.acceleration_m_s2[kLane], 0.03);
 }
 
-TEST(SurfaceLanes, APadCoversWhatLiesUnderItAndTheSupportEverything) {
+TEST(SurfaceLanes, APadReachesToItsEdgesAndTheSupportBeyondEverything) {
   const SurfaceLanes surfaces = loaded();
+  CarrierMotion carriers = at_rest();
+  set_motion(carriers.palm[1], kLane, {0.1, 0.0, 0.0});
   // The pad's centre: y = offset, z = the product's centre + grip height; half extents 10 mm and 20 mm.
-  const std::array<double, 2> extent = {0.004, 0.004};
-  const auto share = [&](int surface, double y, double z) {
-    return surfaces.share_covered(surface, at_rest(), {Lane(y), Lane(z)}, extent)[kLane];
-  };
-  EXPECT_DOUBLE_EQ(share(kLeftPad, 0.001, 0.027), 1.0);
-  EXPECT_NEAR(share(kLeftPad, 0.011, 0.027), 0.5, 1e-12) << "half of it beyond the edge along y";
-  EXPECT_NEAR(share(kLeftPad, 0.011, 0.047), 0.25, 1e-12) << "at a corner";
-  EXPECT_EQ(share(kLeftPad, 0.02, 0.027), 0.0);
-  EXPECT_EQ(share(kSupport, 10.0, 10.0), 1.0);
+  const Stretch y = surfaces.reach(kLeftPad, carriers, 0), z = surfaces.reach(kLeftPad, carriers, 1);
+  EXPECT_DOUBLE_EQ(y.low[kLane], 0.1 + 0.001 - 0.01) << "the palm carries it";
+  EXPECT_DOUBLE_EQ(y.high[kLane], 0.1 + 0.001 + 0.01);
+  EXPECT_DOUBLE_EQ(z.low[kLane], 0.027 - 0.02);
+  EXPECT_DOUBLE_EQ(z.high[kLane], 0.027 + 0.02);
+  const Stretch support = surfaces.reach(kSupport, carriers, 0);
+  EXPECT_LT(support.low[kLane], -1e3);
+  EXPECT_GT(support.high[kLane], 1e3);
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+// The pieces of a face: what lies within a stretch adds up to it, in force and in moment.
+
+#include "core/contact/tributary.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace unbruised {
+namespace {
+
+/// The particles of a face of 40 mm in cells of this many, from 0 to 40 mm.
+std::vector<Tributary> face(int cells) {
+  std::vector<Tributary> pieces;
+  for (int i = 0; i <= cells; ++i) pieces.push_back({0.04 * i / cells, 0.04 / cells, false, {i > 0, i < cells}});
+  return pieces;
+}
+
+/// Round-off of sums of some ten lengths of centimetres.
+constexpr double kSum = 1e-15;
+
+TEST(Tributary, PiecesUnderAStretchAddUpToItInForceAndMoment) {
+  const double starts[] = {-0.01, 0.0, 0.0031, 0.0175, 0.039}, ends[] = {0.0032, 0.02, 0.0333, 0.04, 0.07};
+  for (const int cells : {1, 2, 5, 16}) {
+    for (const double from : starts) {
+      for (const double to : ends) {
+        if (to <= from) continue;
+        double force = 0.0, moment = 0.0, by_pieces = 0.0;
+        for (const Tributary& piece : face(cells)) {
+          const CoveredPiece covered = piece.covered_by({Lane(from), Lane(to)}, Lane(0.0));
+          const double weight = covered.share[0] * full_weight_m(piece);
+          EXPECT_NEAR(weight, piece.weight_m({Lane(from), Lane(to)}, Lane(0.0))[0], kSum);
+          force += weight;
+          moment += weight * piece.place_m;
+          by_pieces += weight * (piece.place_m + covered.mean_m[0]);
+        }
+        const double low = std::max(from, 0.0), high = std::min(to, 0.04);
+        EXPECT_NEAR(force, high - low, kSum) << cells << ": " << from << " to " << to;
+        // Hat functions carry a line: acting at the particles, the moment is the same.
+        EXPECT_NEAR(moment, 0.5 * (high * high - low * low), kSum);
+        EXPECT_NEAR(by_pieces, 0.5 * (high * high - low * low), kSum);
+      }
+    }
+  }
+}
+
+TEST(Tributary, SecondMomentsAreThoseOfTheStretch) {
+  for (const int cells : {1, 3, 8}) {
+    double second = 0.0;
+    for (const Tributary& piece : face(cells)) {
+      const CoveredPiece covered = piece.covered_by({Lane(0.007), Lane(0.031)}, Lane(0.0));
+      const double y = piece.place_m;
+      second += covered.share[0] * full_weight_m(piece) *
+                (y * y + 2.0 * y * covered.mean_m[0] + covered.mean_square_m2[0]);
+    }
+    EXPECT_NEAR(second, (std::pow(0.031, 3) - std::pow(0.007, 3)) / 3.0, kSum) << cells;
+  }
+}
+
+TEST(Tributary, AFullyCoveredPieceIsCoveredToTheLastBit) {
+  for (const bool curved : {false, true}) {
+    const Tributary piece{0.0123, 0.0077, curved, {true, curved}};
+    const CoveredPiece covered = piece.covered_by({Lane(-1.0), Lane(1.0)}, Lane(0.0037));
+    EXPECT_EQ(covered.share[0], 1.0);
+    for (const Lane& place : covered.place) EXPECT_EQ(place[0], 1.0);
+  }
+}
+
+TEST(Tributary, ACurvedPieceIsOneCellWideAndCutPlaceByPlace) {
+  const Tributary piece{0.0, 0.004, true, {true, true}};
+  // Its places are 1 mm wide from -2 to 2 mm; the particle has moved by 1 mm.
+  const CoveredPiece covered = piece.covered_by({Lane(0.0005), Lane(0.1)}, Lane(0.001));
+  const double expected[] = {0.0, 0.5, 1.0, 1.0};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(covered.place[k][0], expected[k], 1e-12);
+  EXPECT_NEAR(covered.share[0], 2.5 / 4.0, 1e-12);
+}
+
+TEST(Tributary, NothingIsCoveredBeyondTheRimOfTheFace) {
+  const Tributary rim{0.04, 0.01, false, {true, false}};
+  EXPECT_EQ(rim.covered_by({Lane(0.04), Lane(0.05)}, Lane(0.0)).share[0], 0.0);
+  EXPECT_EQ(rim.covered_by({Lane(0.0401), Lane(0.05)}, Lane(0.0)).share[0], 0.0);
+  EXPECT_GT(rim.covered_by({Lane(0.0399), Lane(0.05)}, Lane(0.0)).share[0], 0.0);
+}
+
+}  // namespace
+}  // namespace unbruised

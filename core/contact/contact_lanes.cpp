@@ -33,6 +33,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
   register_.clear(lane);
+  for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
   for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m});
@@ -295,8 +296,9 @@ void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mas
     const Stretch there = surfaces_.reach(surface, end.next, t);
     reach[t] = {there.low - mean, there.high - mean};
   }
-  const Lane largest = window_[at].largest_Pa(register_.normal, reach);
-  patch_pressure_ = max(patch_pressure_, select(running, largest, Lane(0.0)));
+  const Mask carrying = running & (force > Lane(0.0));
+  const Lane largest = window_[at].largest_Pa(register_.normal, reach, carrying);
+  patch_pressure_ = max(patch_pressure_, select(carrying, largest, Lane(0.0)));
 }
 
 Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {

@@ -10,6 +10,8 @@ namespace {
 constexpr double kStepsPerSide = 4.0;
 /// A rounding error must not add a step.
 constexpr double kRounding = 1e-9;
+/// Windows are laid again where the surface has moved this share of their side over the face.
+constexpr double kLeastMove = 1e-3;
 
 /// Windows along a stretch of each length, an odd number: one stands in the middle.
 Lane window_count(const Lane& length_m, double side_m) {
@@ -32,9 +34,17 @@ double largest_of(const Lane& value) {
 WindowPressure::WindowPressure(const FaceGrid& grid, double side_m)
     : grid_(grid), side_m_(side_m), row_N_(grid.piece[0].size()) {}
 
-void WindowPressure::lay_windows(std::size_t t, const Stretch& reach) {
+void WindowPressure::clear(int lane) {
+  for (Axis& axis : axis_) {
+    axis.reach.low.set(lane, 0.0);  // no surface has this reach
+    axis.reach.high.set(lane, 0.0);
+  }
+}
+
+void WindowPressure::lay_windows(std::size_t t) {
   const auto& pieces = grid_.piece[t];
   Axis& axis = axis_[t];
+  const Stretch& reach = axis.reach;
   const Stretch covered{max(reach.low, Lane(grid_.low_m[t])), min(reach.high, Lane(grid_.high_m[t]))};
   const Lane length = max0(covered.high - covered.low), half(0.5 * side_m_);
   const Lane count = window_count(length, side_m_);
@@ -58,8 +68,16 @@ void WindowPressure::lay_windows(std::size_t t, const Stretch& reach) {
   }
 }
 
-Lane WindowPressure::largest_Pa(const LaneArray& normal_N, const std::array<Stretch, 2>& reach) {
-  for (std::size_t t = 0; t < 2; ++t) lay_windows(t, reach[t]);
+Lane WindowPressure::largest_Pa(const LaneArray& normal_N, const std::array<Stretch, 2>& reach,
+                                const Mask& lanes) {
+  const Lane least(kLeastMove * side_m_);
+  for (std::size_t t = 0; t < 2; ++t) {
+    Stretch& laid = axis_[t].reach;
+    const Mask moved = lanes & ((abs(reach[t].low - laid.low) > least) | (abs(reach[t].high - laid.high) > least));
+    if (none(moved)) continue;
+    laid = {select(moved, reach[t].low, laid.low), select(moved, reach[t].high, laid.high)};
+    lay_windows(t);
+  }
   const std::size_t rows = grid_.piece[0].size(), columns = grid_.piece[1].size();
   Lane largest(0.0);
   for (std::size_t l = 0; l < axis_[1].windows; ++l) {

@@ -22,17 +22,21 @@ class WindowPressure {
   /// face where it is large enough, and in its middle where not.
   /// @param normal_N force of every candidate of the contact model
   /// @param reach of the surface along the tangents, relative to the particles' places at rest
-  [[nodiscard]] Lane largest_Pa(const LaneArray& normal_N, const std::array<Stretch, 2>& reach);
+  /// @param lanes that are asked for
+  [[nodiscard]] Lane largest_Pa(const LaneArray& normal_N, const std::array<Stretch, 2>& reach, const Mask& lanes);
+  /// Forgets where the windows of another scenario lay.
+  void clear(int lane);
 
  private:
   /// Which part of each piece's force along one axis lies in which window.
   struct Axis {
+    Stretch reach{Lane(0.0), Lane(0.0)};  ///< of the surface when its windows were laid
     std::size_t windows = 0;
     LaneArray share;                                ///< rows window x pieces + piece
     std::vector<std::array<std::size_t, 2>> piece;  ///< of each window: from, to
   };
   /// Lays windows over the covered part, close enough that the largest is hardly missed: a quarter of their side.
-  void lay_windows(std::size_t tangent, const Stretch& reach);
+  void lay_windows(std::size_t tangent);
 
   const FaceGrid& grid_;
   double side_m_;

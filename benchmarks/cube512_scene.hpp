@@ -35,8 +35,8 @@ inline LatticeParameters cube512_product() {
 
 /// Two independent fingers of 0.1 kg with flat 5 x 5 cm pads, driven by the force alone: the wanted speed is out
 /// of reach and the gain large, so the drive always gives its limit.
-inline GripperParameters cube512_gripper() {
-  GripperParameters gripper;
+inline ParallelJawParameters cube512_gripper() {
+  ParallelJawParameters gripper;
   gripper.finger_mass_kg = 0.1;
   gripper.pad_size_m = {0.05, 0.05};
   gripper.pad_thickness_m = 3e-3;

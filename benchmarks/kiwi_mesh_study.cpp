@@ -44,7 +44,7 @@ Scenario kiwi(double cell_size_m) {
   product.at_frequency_Hz = 50.0;
   product.friction = kFriction;
   scenario.product = product;
-  GripperParameters gripper;
+  ParallelJawParameters gripper;
   gripper.pad_relaxation_time_s = 0.002;
   scenario.gripper = gripper;
   scenario.strategy.lift_acceleration_m_s2 = 2.0;
@@ -69,7 +69,7 @@ Scenario slow_grip(Scenario scenario) {
 Scenario sphere_between_plates(double cell_size_m) {
   Scenario scenario = slow_grip(kiwi(cell_size_m));
   std::get<LatticeParameters>(scenario.product).size_m[1] = 2 * kRadius_m;
-  scenario.gripper->pad_modulus_Pa = 5e6;
+  jaw_of(scenario).pad_modulus_Pa = 5e6;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
   return scenario;
@@ -94,7 +94,7 @@ double last(const Trace& trace, const std::string& name, std::size_t width, std:
 /// Mean pressure of the left finger's patch over 1.07 Y, its area from the second moments of the contact forces.
 void measure_lattice_patch(const Model& model, const Scenario& scenario, const Trace& trace, Grip& grip) {
   const ContactModel& contact = model.parts().contact;
-  const double layer = scenario.gripper->pad_modulus_Pa / scenario.gripper->pad_thickness_m;
+  const double layer = jaw_of(scenario).pad_modulus_Pa / jaw_of(scenario).pad_thickness_m;
   const double way = last(trace, "finger_way_m", 2, 0);
   grip.final_force_N = last(trace, "finger_force_N", 6, 0);
   grip.approach_m = 0.5 * (way + last(trace, "finger_way_m", 2, 1)) - approach_gap_m(scenario);
@@ -235,7 +235,7 @@ void print_rows(bool sphere, int finest) {
     const Scenario scenario =
         sphere ? sphere_between_plates(2 * kRadius_m / n) : slow_grip(kiwi(2 * kRadius_m / n));
     const auto model = build(scenario);
-    const double layer = scenario.gripper->pad_modulus_Pa / scenario.gripper->pad_thickness_m;
+    const double layer = jaw_of(scenario).pad_modulus_Pa / jaw_of(scenario).pad_thickness_m;
     const std::vector<Grip> grips = run_grips(model, scenario, 0.4, 20.0, true);
     const auto final_force = [](const Grip& g) { return g.final_force_N; };
     const auto over_hertz = [&](double approach_m) {
@@ -260,7 +260,7 @@ void print_rows(bool sphere, int finest) {
   const PatchForm& form = model->parts().contact.patch_form[0];
   std::printf("elastic patch: first yield at %.2f N on a rigid plate, %.2f N on this layer\n\n",
               elastic_yield_force_N(form, 1e30),
-              elastic_yield_force_N(form, scenario.gripper->pad_modulus_Pa / scenario.gripper->pad_thickness_m));
+              elastic_yield_force_N(form, jaw_of(scenario).pad_modulus_Pa / jaw_of(scenario).pad_thickness_m));
 }
 
 /// The window's ends of whole handling cycles.

@@ -54,7 +54,7 @@ double half_period_s(const LayeredFace& face, double mass_kg, double speed_m_s, 
   return std::numbers::pi * std::sqrt(mass_kg / stiffness);
 }
 
-LayeredFace side_at_pad(const LatticeParameters& product, const GripperParameters& gripper) {
+LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParameters& gripper) {
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[0],
@@ -81,7 +81,7 @@ LayeredFace side_at_support(const LatticeParameters& product, const CellParamete
 /// With which the product meets the support; 0: it does not hit it.
 double landing_speed_m_s(const Scenario& scenario, const LatticeParameters& product) {
   const double gravity_m_s2 = std::abs(scenario.cell.gravity_m_s2[2]);
-  if (scenario.gripper) return std::sqrt(2.0 * gravity_m_s2 * scenario.strategy.release_height_m);
+  if (has_gripper(scenario)) return std::sqrt(2.0 * gravity_m_s2 * scenario.strategy.release_height_m);
   return std::abs(product.initial_velocity_m_s[2]);
 }
 
@@ -99,9 +99,10 @@ double network_contact_time_s(const NetworkParameters& network) {
 
 double finger_contact_time_s(const Scenario& scenario) {
   const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  if (!scenario.gripper || product == nullptr) return kNever;
-  return half_period_s(side_at_pad(*product, *scenario.gripper), scenario.gripper->finger_mass_kg,
-                       scenario.strategy.approach_speed_m_s, scenario.strategy.grip_force_N);
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr || product == nullptr) return kNever;
+  return half_period_s(side_at_pad(*product, *jaw), jaw->finger_mass_kg, scenario.strategy.approach_speed_m_s,
+                       scenario.strategy.grip_force_N);
 }
 
 double support_contact_time_s(const Scenario& scenario) {

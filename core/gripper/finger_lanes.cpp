@@ -10,10 +10,10 @@ constexpr double kStopStiffness_N_m = 1e7;
 
 }  // namespace
 
-void FingerLanes::load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s,
+void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s,
                        double force_limit_N) {
-  const GripperParameters values = gripper.value_or(GripperParameters{});
-  const double set_speed = gripper ? closing_speed_m_s : 0.0;
+  const ParallelJawParameters values = jaw != nullptr ? *jaw : ParallelJawParameters{};
+  const double set_speed = jaw != nullptr ? closing_speed_m_s : 0.0;
   // Steady motion: the drive, gain (v_set - v), overcomes the guide's friction c v. Where its limit does not let
   // it, the fingers come with the speed that is set and are braked.
   const double steady =

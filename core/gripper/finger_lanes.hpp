@@ -26,10 +26,9 @@ struct DriveCommand {
 
 class FingerLanes {
  public:
-  /// Puts a gripper into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
-  /// limit `force_limit_N` keeps it up; none: pads that never touch.
-  void load(int lane, const std::optional<GripperParameters>& gripper, double closing_speed_m_s,
-            double force_limit_N);
+  /// Puts a jaw into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
+  /// limit `force_limit_N` keeps it up; null: pads that never touch.
+  void load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N);
 
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
@@ -49,6 +48,8 @@ class FingerLanes {
 
   /// Closing way of the finger that is furthest in.
   [[nodiscard]] Lane furthest_way() const;
+  /// Has a finger come to the end of its stroke?
+  [[nodiscard]] Mask at_end_of_stroke() const { return furthest_way() >= stroke_; }
 
   /// Energy of motion relative to the palm, and of the end stop, [J].
   [[nodiscard]] Lane energy() const;

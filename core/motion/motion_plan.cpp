@@ -9,12 +9,11 @@ namespace unbruised {
 
 MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
     : strategy_(scenario.strategy), place_height_m_(scenario.cell.place_height_m), ramp_start_s_(ramp_start_s) {
-  if (scenario.gripper) {
+  if (const auto* jaw = parallel_jaw(scenario)) {
     const StrategyParameters& s = strategy_;
     const CellParameters& cell = scenario.cell;
     // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
-    pressing_speed_m_s_ =
-        std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / scenario.gripper->drive_gain_N_s_m);
+    pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / jaw->drive_gain_N_s_m);
     lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
     const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
     if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};

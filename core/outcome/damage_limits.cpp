@@ -17,7 +17,7 @@ bool can_yield(const Scenario& scenario) {
 bool can_act(const DamageLimit& limit, const Scenario& scenario) {
   const bool needs_gripper = limit.needs != DamageNeeds::yield;
   const bool needs_yield = limit.needs != DamageNeeds::gripper;
-  return (!needs_gripper || scenario.gripper) && (!needs_yield || can_yield(scenario));
+  return (!needs_gripper || has_gripper(scenario)) && (!needs_yield || can_yield(scenario));
 }
 
 std::vector<const DamageLimit*> active_damage_limits(const Scenario& scenario) {

@@ -34,7 +34,7 @@ void refuse_infinite_metrics(ScenarioResult& result, double end_time_s) {
 }  // namespace
 
 HandlingRecord::HandlingRecord(const Scenario& scenario)
-    : limits_(scenario.limits), hold_s_(scenario.strategy.hold_s), has_gripper_(scenario.gripper.has_value()) {
+    : limits_(scenario.limits), hold_s_(scenario.strategy.hold_s), has_gripper_(has_gripper(scenario)) {
   if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
     friction_ = lattice->friction;
     has_product_yield_ = lattice->yield_stress_Pa.has_value();

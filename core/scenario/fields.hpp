@@ -97,7 +97,10 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"friction", Decides::run, kNotNegative}, friction);
 }
 
-template <FieldsOf<GripperParameters> T, class Visit>
+template <FieldsOf<NoGripper> T, class Visit>
+void visit_fields(T&, Visit&&) {}
+
+template <FieldsOf<ParallelJawParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_relaxation_time_s,
          drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N, max_speed_m_s, coupling, min_force_N, force_accuracy,
@@ -205,7 +208,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
     each("product.load[].", network->load);
     visit("product.", -1, *network);
   }
-  if (gripper) visit("gripper.", -1, *gripper);
+  std::visit([&visit](auto& kind) { visit("gripper.", -1, kind); }, gripper);
   visit("cell.", -1, cell);
   visit("strategy.", -1, strategy);
   visit("limits.", -1, limits);

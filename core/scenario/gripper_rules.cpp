@@ -7,34 +7,44 @@
 namespace unbruised {
 namespace {
 
-const LatticeParameters* gripped(const Scenario& s) {
-  return s.gripper ? std::get_if<LatticeParameters>(&s.product) : nullptr;
+/// A jaw with an opening, and the product that is to fit into it.
+struct OpenJaw {
+  double opening_m;
+  double width_m;  ///< of the product along x
+};
+
+std::optional<OpenJaw> open_jaw(const Scenario& s) {
+  const auto* jaw = parallel_jaw(s);
+  const auto* product = std::get_if<LatticeParameters>(&s.product);
+  if (jaw == nullptr || product == nullptr || !jaw->opening_m) return std::nullopt;
+  return OpenJaw{*jaw->opening_m, product->size_m[0]};
 }
 
 void product_fits_opening(const Scenario& s, Violations& out) {
-  const auto* product = gripped(s);
-  if (product == nullptr || !s.gripper->opening_m || product->size_m[0] < *s.gripper->opening_m) return;
-  out.push_back({"gripper.opening_m", spelled(*s.gripper->opening_m),
-                 "must be > product.size_m[0] = " + spelled(product->size_m[0]) +
-                     ": the product is wider than the open gripper"});
+  const auto jaw = open_jaw(s);
+  if (!jaw || jaw->width_m < jaw->opening_m) return;
+  out.push_back(
+      {"gripper.opening_m", spelled(jaw->opening_m),
+       "must be > product.size_m[0] = " + spelled(jaw->width_m) + ": the product is wider than the open gripper"});
 }
 
 void gap_follows_opening(const Scenario& s, Violations& out) {
-  const auto* product = gripped(s);
-  if (product == nullptr || !s.gripper->opening_m || !s.cell.approach_gap_m) return;
+  const auto jaw = open_jaw(s);
+  if (!jaw || !s.cell.approach_gap_m) return;
   constexpr double kSame_m = 1e-9;  // what decimals of millimetres lose in sums
-  const double left = 0.5 * (*s.gripper->opening_m - product->size_m[0]);
+  const double left = 0.5 * (jaw->opening_m - jaw->width_m);
   if (left <= 0.0 || std::abs(left - *s.cell.approach_gap_m) <= kSame_m) return;
   out.push_back({"cell.approach_gap_m", spelled(*s.cell.approach_gap_m),
-                 "contradicts gripper.opening_m = " + spelled(*s.gripper->opening_m) + ", which leaves " +
+                 "contradicts gripper.opening_m = " + spelled(jaw->opening_m) + ", which leaves " +
                      for_people(left) + " m on either side of the product; leave one of them out"});
 }
 
 void fingers_reach(const Scenario& s, Violations& out) {
-  if (!s.gripper) return;
+  const auto* jaw = parallel_jaw(s);
+  if (jaw == nullptr) return;
   const double gap = approach_gap_m(s);
-  if (s.gripper->stroke_m > gap || gap <= 0.0) return;
-  out.push_back({"gripper.stroke_m", spelled(s.gripper->stroke_m),
+  if (jaw->stroke_m > gap || gap <= 0.0) return;
+  out.push_back({"gripper.stroke_m", spelled(jaw->stroke_m),
                  "must be > the way to the product, " + for_people(gap) + " m: the fingers never reach it"});
 }
 

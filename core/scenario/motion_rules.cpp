@@ -7,14 +7,15 @@ namespace {
 /// The rule where there is a gripper.
 Rule gripped(Rule rule) {
   rule.check = [check = std::move(rule.check)](const Scenario& s, Violations& out) {
-    if (s.gripper) check(s, out);
+    if (has_gripper(s)) check(s, out);
   };
   return rule;
 }
 
 void place_below_lift(const Scenario& s, Violations& out) {
   const CellParameters& c = s.cell;
-  if (!s.gripper || (c.lift_height_m > 0.0 ? c.place_height_m < c.lift_height_m : c.place_height_m <= 0.0)) return;
+  if (!has_gripper(s) || (c.lift_height_m > 0.0 ? c.place_height_m < c.lift_height_m : c.place_height_m <= 0.0))
+    return;
   add_bound(out, "cell.place_height_m", c.place_height_m, "cell.lift_height_m", c.lift_height_m,
             c.lift_height_m > 0.0 ? Strictness::below : Strictness::at_most);
 }
@@ -23,14 +24,14 @@ void release_below_lift(const Scenario& s, Violations& out) {
   const double release = s.strategy.release_height_m;
   const double room = s.cell.lift_height_m - s.cell.place_height_m;
   constexpr double kRounding_m = 1e-12;  // 0.1 - 0.03 is not 0.07
-  if (!s.gripper || room < 0.0 || release <= room + kRounding_m) return;
+  if (!has_gripper(s) || room < 0.0 || release <= room + kRounding_m) return;
   out.push_back({"strategy.release_height_m", spelled(release),
                  "must be <= cell.lift_height_m - cell.place_height_m = " + for_people(room) +
                      " m: the product would be lowered upwards"});
 }
 
 void duration_known(const Scenario& s, Violations& out) {
-  if (s.gripper || s.simulation.duration_s) return;
+  if (has_gripper(s) || s.simulation.duration_s) return;
   out.push_back({"simulation.duration_s", "", "missing; a study without [gripper] needs it"});
 }
 

@@ -20,7 +20,7 @@ std::string counted(std::size_t count) {
 bool is_wall(const NetworkParticle& p) { return p.fixed[0] && p.fixed[1] && p.fixed[2]; }
 
 void is_not_gripped(const Scenario& s, Violations& out) {
-  if (network_of(s) == nullptr || !s.gripper) return;
+  if (network_of(s) == nullptr || !has_gripper(s)) return;
   out.push_back({"gripper", "", "a network cannot be gripped in this version; remove [gripper]"});
 }
 

@@ -31,21 +31,33 @@ void visit_numbers(T& member, NumberPlace place, const NumberVisit& visit) {
   }
 }
 
-/// A scenario that has every struct of parameters but a network.
-Scenario with_all_of_a_lattice() {
-  Scenario scenario;
-  scenario.gripper = GripperParameters{};
-  return scenario;
+template <class Variant, std::size_t... kind>
+std::vector<Variant> one_of_each(std::index_sequence<kind...> /*kinds*/) {
+  return {Variant(std::in_place_index<kind>)...};
 }
 
-Scenario with_all_of_a_network() {
-  Scenario scenario = with_all_of_a_lattice();
-  NetworkParameters network;
-  network.particle.resize(1);
-  network.spring.resize(1);
-  network.load.resize(1);
-  scenario.product = network;
-  return scenario;
+/// Each kind of product or gripper, by default.
+template <class Variant>
+std::vector<Variant> one_of_each() {
+  return one_of_each<Variant>(std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+/// Scenarios that together have every struct of parameters.
+std::vector<Scenario> specimens() {
+  std::vector<Scenario> all;
+  for (ProductParameters product : one_of_each<ProductParameters>()) {
+    if (auto* network = std::get_if<NetworkParameters>(&product)) {
+      network->particle.resize(1);
+      network->spring.resize(1);
+      network->load.resize(1);
+    }
+    for (const GripperParameters& gripper : one_of_each<GripperParameters>()) {
+      Scenario& scenario = all.emplace_back();
+      scenario.product = product;
+      scenario.gripper = gripper;
+    }
+  }
+  return all;
 }
 
 std::optional<double> value_of(NumberSlot slot) {
@@ -70,19 +82,21 @@ void NumberField::each(Scenario& scenario, const NumberVisit& visit) const {
 
 const std::vector<NumberField>& number_fields() {
   static const std::vector<NumberField> table = [] {
-    std::vector<NumberField> product, rest;
+    std::vector<NumberField> product, gripper, rest;
     const auto add = [&](std::string_view prefix, int, auto& parameters) {
       visit_fields(parameters, [&](const Field& field, auto& member) {
         if constexpr (kIsNumber<std::remove_cvref_t<decltype(member)>>) {
-          std::vector<NumberField>& part = prefix.starts_with("product.") ? product : rest;
+          std::vector<NumberField>& part = prefix.starts_with("product.")   ? product
+                                           : prefix.starts_with("gripper.") ? gripper
+                                                                            : rest;
           NumberField number{std::string(prefix) + std::string(field.name), prefix.size(), field.range};
           const auto known = [&](const NumberField& other) { return other.path == number.path; };
           if (std::none_of(part.begin(), part.end(), known)) part.push_back(std::move(number));
         }
       });
     };
-    for (Scenario scenario : {with_all_of_a_lattice(), with_all_of_a_network()}) visit_parameters(scenario, add);
-    product.insert(product.end(), rest.begin(), rest.end());
+    for (Scenario scenario : specimens()) visit_parameters(scenario, add);
+    for (const auto* part : {&gripper, &rest}) product.insert(product.end(), part->begin(), part->end());
     return product;
   }();
   return table;

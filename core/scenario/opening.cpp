@@ -5,8 +5,9 @@ namespace unbruised {
 double approach_gap_m(const Scenario& scenario) {
   if (scenario.cell.approach_gap_m) return *scenario.cell.approach_gap_m;
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
-  const bool has_opening = scenario.gripper && scenario.gripper->opening_m && lattice != nullptr;
-  return has_opening ? 0.5 * (*scenario.gripper->opening_m - lattice->size_m[0]) : kUsualApproachGap_m;
+  const auto* jaw = parallel_jaw(scenario);
+  const bool has_opening = jaw != nullptr && jaw->opening_m && lattice != nullptr;
+  return has_opening ? 0.5 * (*jaw->opening_m - lattice->size_m[0]) : kUsualApproachGap_m;
 }
 
 }  // namespace unbruised

@@ -137,8 +137,9 @@ Rows product_rows() {
 // -- Gripper. ----------------------------------------------------------------------------------------------
 
 void stroke_of_opening(const Scenario& s, const MeasureVisit& visit) {
-  if (!s.gripper || !s.gripper->opening_m) return;
-  visit({"gripper.stroke_m", s.gripper->stroke_m, 2.0 * s.gripper->stroke_m / *s.gripper->opening_m});
+  const auto* jaw = parallel_jaw(s);
+  if (jaw == nullptr || !jaw->opening_m) return;
+  visit({"gripper.stroke_m", jaw->stroke_m, 2.0 * jaw->stroke_m / *jaw->opening_m});
 }
 
 Rows gripper_rows() {
@@ -184,21 +185,24 @@ void gravity_down(const Scenario& s, const MeasureVisit& visit) {
 
 /// Height of the pads that faces the product; negative: the air between them.
 void pad_overlap(const Scenario& s, const MeasureVisit& visit) {
-  if (!s.gripper) return;
-  const double half = 0.5 * (lattice_of(s).size_m[2] + s.gripper->pad_size_m[1]);
+  const auto* jaw = parallel_jaw(s);
+  if (jaw == nullptr) return;
+  const double half = 0.5 * (lattice_of(s).size_m[2] + jaw->pad_size_m[1]);
   visit({"cell.grip_height_m", s.cell.grip_height_m, half - std::abs(s.cell.grip_height_m)});
 }
 void pad_overlap_across(const Scenario& s, const MeasureVisit& visit) {
-  if (!s.gripper) return;
-  const double half = 0.5 * (lattice_of(s).size_m[1] + s.gripper->pad_size_m[0]);
+  const auto* jaw = parallel_jaw(s);
+  if (jaw == nullptr) return;
+  const double half = 0.5 * (lattice_of(s).size_m[1] + jaw->pad_size_m[0]);
   visit({"cell.grip_offset_m", s.cell.grip_offset_m, half - std::abs(s.cell.grip_offset_m)});
 }
 
 void approach_gap(const Scenario& s, const MeasureVisit& visit) {
-  if (!s.gripper) return;
+  if (!has_gripper(s)) return;
   const double gap = approach_gap_m(s);
-  if (s.cell.approach_gap_m || !s.gripper->opening_m) return visit({"cell.approach_gap_m", gap, gap});
-  visit({"gripper.opening_m", *s.gripper->opening_m, gap});
+  const auto* jaw = parallel_jaw(s);
+  if (s.cell.approach_gap_m || jaw == nullptr || !jaw->opening_m) return visit({"cell.approach_gap_m", gap, gap});
+  visit({"gripper.opening_m", *jaw->opening_m, gap});
 }
 
 Rows cell_rows() {
@@ -258,7 +262,7 @@ Rows cell_rows() {
 /// Grip force over the least that holds the product against gravity and the lift, m (g + a) / (2 friction).
 void force_over_least(const Scenario& s, const MeasureVisit& visit) {
   const LatticeParameters& p = lattice_of(s);
-  if (!s.gripper || p.friction == 0.0) return;
+  if (!has_gripper(s) || p.friction == 0.0) return;
   const auto& g = s.cell.gravity_m_s2;
   const double load_N = lattice_mass_kg(p) * (std::hypot(g[0], g[1], g[2]) + s.strategy.lift_acceleration_m_s2);
   visit({"strategy.grip_force_N", s.strategy.grip_force_N, 2.0 * p.friction * s.strategy.grip_force_N / load_N});

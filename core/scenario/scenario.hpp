@@ -97,8 +97,11 @@ enum class FingerCoupling {
   independent,  ///< each finger is driven alone
 };
 
+/// The product moves freely for simulation.duration_s.
+struct NoGripper {};
+
 /// A parallel jaw: two driven fingers with flat pads that face each other along x.
-struct GripperParameters {
+struct ParallelJawParameters {
   /// > 0, each finger
   double finger_mass_kg = 0.1;
   /// > 0, > the way to the product; how far each finger can travel inwards from its starting place.
@@ -130,6 +133,9 @@ struct GripperParameters {
   /// approach needs
   std::optional<double> opening_m;
 };
+
+/// The kinds of gripper. Each is a struct of parameters with its fields in fields.hpp, and lanes that move it.
+using GripperParameters = std::variant<NoGripper, ParallelJawParameters>;
 
 /// What stands around gripper and product.
 struct CellParameters {
@@ -236,12 +242,31 @@ struct SimulationParameters {
 /// One fully specified run.
 struct Scenario {
   ProductParameters product = LatticeParameters{};
-  /// None: no gripper; the product moves freely for simulation.duration_s.
-  std::optional<GripperParameters> gripper;
+  GripperParameters gripper = NoGripper{};
   CellParameters cell;
   StrategyParameters strategy;
   LimitParameters limits;
   SimulationParameters simulation;
 };
+
+/// Does any kind of gripper hold the product?
+inline bool has_gripper(const Scenario& scenario) { return !std::holds_alternative<NoGripper>(scenario.gripper); }
+
+/// The parallel jaw of a scenario; nullptr where the gripper is of another kind or there is none.
+inline ParallelJawParameters* parallel_jaw(Scenario& scenario) {
+  return std::get_if<ParallelJawParameters>(&scenario.gripper);
+}
+inline const ParallelJawParameters* parallel_jaw(const Scenario& scenario) {
+  return std::get_if<ParallelJawParameters>(&scenario.gripper);
+}
+const ParallelJawParameters* parallel_jaw(const Scenario&& scenario) = delete;
+/// The same where it is known to be there.
+/// @throws std::bad_variant_access
+inline ParallelJawParameters& jaw_of(Scenario& scenario) {
+  return std::get<ParallelJawParameters>(scenario.gripper);
+}
+inline const ParallelJawParameters& jaw_of(const Scenario& scenario) {
+  return std::get<ParallelJawParameters>(scenario.gripper);
+}
 
 }  // namespace unbruised

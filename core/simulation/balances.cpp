@@ -17,7 +17,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   }
   initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
   double kinetic = view.body.kinetic_energy_J(lane);
-  if (scenario.gripper) kinetic += view.fingers.energy()[lane];
+  if (has_gripper(scenario)) kinetic += view.fingers.energy()[lane];
   positive_work_.set(lane, kinetic);
 }
 
@@ -69,7 +69,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
     metrics[Metric::impulse_balance_error] =
         impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }
-  const bool driven = scenario.gripper.has_value();
+  const bool driven = has_gripper(scenario);
   const double dissipated = view.body.damped_J(lane)                                                         //
                             + view.contact.dissipated()[lane]                                                //
                             + (view.material.plastic_work()[lane] - view.material.hardening_energy()[lane])  //

@@ -98,7 +98,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
     set_motion(now.cell[i], lane, {});
   }
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
-  fingers.load(lane, scenario.gripper,
+  fingers.load(lane, parallel_jaw(scenario),
                scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
                r.cycle.plan().force_limit_N(0.0));
   contact.load(lane, scenario);
@@ -135,7 +135,7 @@ void LaneSimulation::Impl::follow_plans() {
     if (!r.busy) continue;
     set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), theta);
     set_carriers(lane, r.cycle.plan(), r.end_time_s(w), next);
-    if (!r.scenario.gripper) continue;
+    if (!has_gripper(r.scenario)) continue;
     command_drives(lane, r.cycle.plan(), r.theta_time_s(w), fingers, theta, command);
   }
 }

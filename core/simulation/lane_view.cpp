@@ -30,7 +30,7 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
     if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
   }
   energy += material.self_energy(lane) + material.hardening_energy()[lane];
-  return energy + contact.stored_energy()[lane] + (scenario.gripper ? fingers.energy()[lane] : 0.0);
+  return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? fingers.energy()[lane] : 0.0);
 }
 
 StepObservation LaneView::observe(int lane, const Scenario& scenario, double time_s) const {
@@ -45,7 +45,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   }
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
-  if (!scenario.gripper) return seen;
+  if (!has_gripper(scenario)) return seen;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const SurfaceTally& tally = contact.tally()[f];
     FingerObservation& finger = seen.finger[f];
@@ -63,7 +63,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   seen.patch_pressure_Pa = contact.patch_pressure()[lane];
   const double closing = fingers.way(0)[lane] + fingers.way(1)[lane];
   seen.compression_m = closing - 2.0 * approach_gap_m(scenario);
-  seen.end_of_stroke = fingers.furthest_way()[lane] >= scenario.gripper->stroke_m;
+  seen.end_of_stroke = fingers.at_end_of_stroke()[lane];
   return seen;
 }
 
@@ -71,7 +71,7 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   TraceRow row;
   row.time_s = time_s;
   row.lane = lane;
-  row.gripper = scenario.gripper.has_value();
+  row.gripper = has_gripper(scenario);
   row.yields = can_yield(scenario);
   for (std::size_t surface = 0; surface < kSurfaceCount; ++surface) {
     row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);

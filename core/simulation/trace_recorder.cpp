@@ -52,7 +52,7 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
           {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
-  if (!scenario.gripper) return;
+  if (!has_gripper(scenario)) return;
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"}, {2, 3});
   declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {2});
   declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {2});

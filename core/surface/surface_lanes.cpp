@@ -16,18 +16,18 @@ double pad_friction(const ProductParameters& product) {
 
 void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product) {
   const CellParameters& cell = scenario.cell;
+  const auto* jaw = parallel_jaw(scenario);
   for (int pad = 0; pad < kFingerCount; ++pad) {
     SurfaceLane& surface = surface_[pad];
-    surface.present.set(lane, scenario.gripper.has_value());
+    surface.present.set(lane, jaw != nullptr);
     surface.friction.set(lane, pad_friction(scenario.product));
     surface.center_m[0].set(lane, product.center_m[1] + cell.grip_offset_m);
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
-    if (!scenario.gripper) continue;
-    const GripperParameters& gripper = *scenario.gripper;
-    surface.stiffness_N_m3.set(lane, gripper.pad_modulus_Pa / gripper.pad_thickness_m);
-    surface.relaxation_s.set(lane, gripper.pad_relaxation_time_s);
+    if (jaw == nullptr) continue;
+    surface.stiffness_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    surface.relaxation_s.set(lane, jaw->pad_relaxation_time_s);
     surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
-    for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, gripper.pad_size_m[t]);
+    for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, jaw->pad_size_m[t]);
   }
   SurfaceLane& support = surface_[kSupport];
   support.present.set(lane, cell.support);

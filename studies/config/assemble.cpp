@@ -106,7 +106,7 @@ struct Assembler {
       network->load.resize(list_size("product.load["));
       scenario.cell.support = false;
     }
-    if (input.has_gripper) scenario.gripper.emplace();
+    if (input.has_gripper) scenario.gripper = ParallelJawParameters{};
     give_usual_layer_damping(scenario);
     if (!input.has_gripper) return;
     if (std::holds_alternative<NetworkParameters>(scenario.product)) {
@@ -220,8 +220,9 @@ struct Assembler {
   /// Where no opening says how far the pads stand away, the resolved config says the usual way.
   void settle_approach_gap() {
     Scenario& scenario = out.scenario;
-    const bool follows = scenario.gripper && (scenario.gripper->opening_m || varied("gripper.opening_m"));
-    if (!scenario.gripper || follows || scenario.cell.approach_gap_m || varied("cell.approach_gap_m")) return;
+    const auto* jaw = parallel_jaw(scenario);
+    const bool follows = jaw != nullptr && (jaw->opening_m || varied("gripper.opening_m"));
+    if (!has_gripper(scenario) || follows || scenario.cell.approach_gap_m || varied("cell.approach_gap_m")) return;
     scenario.cell.approach_gap_m = kUsualApproachGap_m;
   }
 

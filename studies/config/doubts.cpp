@@ -118,7 +118,7 @@ std::vector<std::string> without_effect(const Scenario& scenario) {
                                                : ": never exceeded, the product has no yield stress"));
   }
   const auto* p = std::get_if<LatticeParameters>(&scenario.product);
-  if (scenario.gripper && p != nullptr && p->friction == 0.0) {
+  if (has_gripper(scenario) && p != nullptr && p->friction == 0.0) {
     out.emplace_back("product.friction is 0: no grip force can hold the product");
   }
   return out;

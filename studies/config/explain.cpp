@@ -49,7 +49,7 @@ std::string type_words(const KeySpec& spec) {
 /// A scenario in which every key has a field.
 Scenario specimen(const KeySpec& spec) {
   Scenario scenario;
-  scenario.gripper.emplace();
+  scenario.gripper = ParallelJawParameters{};
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
     NetworkParameters network;
     network.particle.resize(1);

@@ -54,9 +54,9 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return lattice != nullptr && (lattice->shape == Shape::cylinder || varied("product.shape"));
     case Use::gripper:
     case Use::not_window:
-      return scenario.gripper.has_value();
+      return has_gripper(scenario);
     case Use::not_gripper:
-      return !scenario.gripper.has_value();
+      return !has_gripper(scenario);
     case Use::support:
       return support;
     case Use::lattice_support:
@@ -69,7 +69,7 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
 }
 
 std::string why_unused(Use use, const Scenario& scenario) {
-  if (use == Use::not_window && !scenario.gripper) use = Use::gripper;
+  if (use == Use::not_window && !has_gripper(scenario)) use = Use::gripper;
   switch (use) {
     case Use::always:
       return "";

@@ -162,12 +162,12 @@ std::string resolved_text(const StudyData& data) {
     writer.product("product", base);
     writer.sources("product");
   }
-  if (base.gripper && !gripper_varies) {
+  if (has_gripper(base) && !gripper_varies) {
     writer.table("gripper", base);
     writer.sources("gripper");
   }
   writer.table("cell", base);
-  if (base.gripper) writer.table("strategy", base);
+  if (has_gripper(base)) writer.table("strategy", base);
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);
   for (std::size_t i = 0; i < data.plan.blocks.size(); ++i) writer.block(i);

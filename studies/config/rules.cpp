@@ -55,7 +55,7 @@ void window_ordered(const Scenario& /*scenario*/, const StudySettings& settings,
 
 /// An answer that says "undamaged" where nothing could ever have been damaged is no answer.
 void damage_can_show(const Scenario& s, const StudySettings& settings, Violations& out) {
-  const bool is_judged = s.gripper && s.limits.damage == DamageJudging::judged;
+  const bool is_judged = has_gripper(s) && s.limits.damage == DamageJudging::judged;
   if (!judges_damage(settings.kind) || !is_judged || !active_damage_limits(s).empty()) return;
   const std::string idle = idle_limits(s);
   const std::string ways =

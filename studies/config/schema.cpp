@@ -72,7 +72,7 @@ KeyAddress find_strategy_key(std::string_view path) {
 
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
   if (spec.field == nullptr) return false;
-  if (spec.path.starts_with("gripper.")) return scenario.gripper.has_value();
+  if (spec.path.starts_with("gripper.")) return has_gripper(scenario);
   if (!spec.path.starts_with("product.") || spec.path == "product.friction") return true;
   const auto* network = std::get_if<NetworkParameters>(&scenario.product);
   const auto inside = [index](const auto& list) { return static_cast<std::size_t>(index) < list.size(); };

@@ -24,7 +24,7 @@ LaneStepRate measured_lane_step_rate() {
 }
 
 double simulated_duration_s(const Scenario& scenario) {
-  if (!scenario.gripper) return scenario.simulation.duration_s.value_or(0.0);
+  if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
   const StrategyParameters& strategy = scenario.strategy;
   const double approach_s = approach_gap_m(scenario) / strategy.approach_speed_m_s;
   return MotionPlan(scenario, strategy.ramp_from_start ? 0.0 : approach_s).end_s();

@@ -86,11 +86,12 @@ void warn_about_accuracy(const Study& study, double accuracy, std::vector<std::s
 
 std::vector<std::string> grip_force_warnings(const Study& study) {
   std::vector<std::string> warnings;
-  const std::optional<GripperParameters> gripper = study.scenario(0).gripper;
-  if (!gripper || searches_force(study.kind())) return warnings;
-  warn_about_least_force(study, gripper->min_force_N, warnings);
-  warn_about_steps(study, gripper->force_step_N, warnings);
-  warn_about_accuracy(study, gripper->force_accuracy, warnings);
+  const Scenario scenario = study.scenario(0);
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr || searches_force(study.kind())) return warnings;
+  warn_about_least_force(study, jaw->min_force_N, warnings);
+  warn_about_steps(study, jaw->force_step_N, warnings);
+  warn_about_accuracy(study, jaw->force_accuracy, warnings);
   return warnings;
 }
 

@@ -39,7 +39,8 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
   std::string what;
   const auto add = [&](std::string_view words) { what += joined({what.empty() ? "" : ", ", words}); };
   if (is_undamped(*product)) add("the product (relaxation_time_s or loss_ratio)");
-  if (scenario.gripper && scenario.gripper->pad_relaxation_time_s == 0.0) add("the pads (pad_relaxation_time_s)");
+  if (const auto* jaw = parallel_jaw(scenario); jaw != nullptr && jaw->pad_relaxation_time_s == 0.0)
+    add("the pads (pad_relaxation_time_s)");
   if (scenario.cell.support && scenario.cell.support_relaxation_time_s == 0.0) {
     add("the support (support_relaxation_time_s)");
   }

@@ -125,7 +125,7 @@ bool blames_gripper(std::string_view sentence) {
   return sentence.starts_with(kNotForThisGripper) || sentence.starts_with(kTooNarrowForIt);
 }
 
-ForceSetting force_setting(const GripperParameters& gripper) {
+ForceSetting force_setting(const ParallelJawParameters& gripper) {
   return {.min_N = gripper.min_force_N,
           .max_N = gripper.max_force_N,
           .accuracy = gripper.force_accuracy,

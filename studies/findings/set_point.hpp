@@ -32,7 +32,7 @@ struct ForceSetting {
   /// >= 0; settings are multiples of it; 0: any
   double step_N = 0.0;
 };
-ForceSetting force_setting(const GripperParameters& gripper);
+ForceSetting force_setting(const ParallelJawParameters& gripper);
 
 struct SetPoint {
   bool exists = false;

@@ -197,7 +197,7 @@ std::string sensitivity_template(const TemplateNumbers& numbers) {
 
 TemplateNumbers template_numbers(const Scenario& scenario) {
   const auto& product = std::get<LatticeParameters>(scenario.product);
-  const GripperParameters& gripper = scenario.gripper.value();
+  const ParallelJawParameters& gripper = jaw_of(scenario);
   const double mass_kg = lattice_mass_kg(product);
   const double gravity_m_s2 = std::abs(scenario.cell.gravity_m_s2[2]);
   // Without friction nothing is held; a tenth stands for it, and the study says what comes of it.

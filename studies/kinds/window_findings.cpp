@@ -115,7 +115,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
 WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vector<ColumnInfo>& inputs,
                        const std::vector<ScenarioRow>& rows) {
   const SettingOfRow setting = [&](std::size_t row) {
-    return force_setting(study.scenario(window.points[row]).gripper.value_or(GripperParameters{}));
+    return force_setting(jaw_of(study.scenario(window.points[row])));
   };
   add_set_points(window.table, setting);
   return window_answer(window.table, setting, inputs, rows);

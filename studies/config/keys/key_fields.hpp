@@ -53,8 +53,16 @@ FieldRef load(Scenario& scenario, int index) {
   return field_ref(std::get<NetworkParameters>(scenario.product).load.at(static_cast<std::size_t>(index)).*member);
 }
 template <auto member>
-FieldRef gripper(Scenario& scenario, int /*index*/) {
-  return field_ref((*scenario.gripper).*member);
+FieldRef parallel_jaw(Scenario& scenario, int /*index*/) {
+  return field_ref(jaw_of(scenario).*member);
+}
+/// Its words are the kinds behind NoGripper, in the order of the variant.
+inline FieldRef gripper_kind(Scenario& scenario, int /*index*/) {
+  return ChoiceRef{&scenario.gripper,
+                   [](const void* gripper) {
+                     return static_cast<int>(static_cast<const GripperParameters*>(gripper)->index()) - 1;
+                   },
+                   [](void*, int) {}};  // the only kind is there already
 }
 template <auto member>
 FieldRef cell(Scenario& scenario, int /*index*/) {

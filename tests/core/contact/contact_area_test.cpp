@@ -24,7 +24,7 @@ Scenario pressed_block(double cell_size_m, const std::array<double, 2>& pad_size
   block.mass_kg = 0.1;
   block.youngs_modulus_Pa = 1e9;
   block.friction = 0.0;
-  scenario.gripper->pad_size_m = pad_size_m;
+  jaw_of(scenario).pad_size_m = pad_size_m;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
   scenario.cell.lift_height_m = 0.0;
@@ -63,7 +63,7 @@ Pressed press(const Scenario& scenario) {
 
 /// Both pads in series under a uniform pressure, and the block of area 25 cm2 where they cover it in full.
 double closed_form_approach_m(const Scenario& scenario, double force_N, double area_m2) {
-  const GripperParameters& gripper = *scenario.gripper;
+  const ParallelJawParameters& gripper = jaw_of(scenario);
   return 2.0 * force_N * gripper.pad_thickness_m / (gripper.pad_modulus_Pa * area_m2);
 }
 

@@ -43,9 +43,9 @@ TEST(ContactTime, OfAFingerOnABlockIsHalfAPeriodOnLayerAndBlockInSeries) {
   block.size_m = {0.05, 0.05, 0.05};
   block.youngs_modulus_Pa = 0.2e6;
   scenario.product = block;
-  scenario.gripper.emplace();
-  scenario.gripper->finger_mass_kg = 0.1;
-  scenario.gripper->pad_size_m = {0.03, 0.03};
+  scenario.gripper = ParallelJawParameters{};
+  jaw_of(scenario).finger_mass_kg = 0.1;
+  jaw_of(scenario).pad_size_m = {0.03, 0.03};
   const double area = 9e-4, product = 0.2e6 * area / 0.025, layer = 0.4e6 * area / 0.003;
   const double expected = std::numbers::pi * std::sqrt(0.1 * (1.0 / product + 1.0 / layer));
   EXPECT_NEAR(finger_contact_time_s(scenario), expected, 1e-12);  // the same arithmetic in another order
@@ -67,7 +67,7 @@ TEST(ContactTime, OfANetworkIsHalfAPeriodOfItsMassOnItsTouchingLayers) {
 
 TEST(ContactTime, CountsTheSupportOnlyWhereTheProductFallsOntoIt) {
   Scenario scenario;
-  scenario.gripper.emplace();
+  scenario.gripper = ParallelJawParameters{};
   std::get<LatticeParameters>(scenario.product).mass_kg = 0.1;
   EXPECT_EQ(support_contact_time_s(scenario), kNever);
   scenario.strategy.release_height_m = 0.02;

@@ -57,7 +57,7 @@ TEST(FirstYield, RatioGrowsWithTheGripForce) {
 TEST(FirstYield, ComesEarlierUnderAPadSmallerThanThePatch) {
   Scenario scenario = kiwi_grip(0.00625);
   const double wide = yield_force_N(scenario, 2.0, 10.0);
-  scenario.gripper->pad_size_m = {0.012, 0.012};
+  jaw_of(scenario).pad_size_m = {0.012, 0.012};
   const double narrow = yield_force_N(scenario, 0.5, 10.0);
   EXPECT_LT(narrow, 0.9 * wide);
 }
@@ -65,7 +65,7 @@ TEST(FirstYield, ComesEarlierUnderAPadSmallerThanThePatch) {
 TEST(FirstYield, ComesLaterUnderASofterPad) {
   Scenario scenario = kiwi_grip(0.00625);
   const double soft = yield_force_N(scenario, 2.0, 10.0);
-  scenario.gripper->pad_modulus_Pa *= 10.0;
+  jaw_of(scenario).pad_modulus_Pa *= 10.0;
   const double firm = yield_force_N(scenario, 2.0, 10.0);
   EXPECT_LT(firm, 0.8 * soft);
   // Between the rigid plate's 3.32 N (elliptic Hertz, radii of 50.4 and 25 mm) and the soft pad's.

@@ -16,7 +16,7 @@ constexpr double kFriction = 0.5;
 /// A flat block, too low to tip over, lying on the support.
 Scenario block() {
   Scenario scenario = small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   lattice_of(scenario).size_m = {0.06, 0.06, 0.02};
   lattice_of(scenario).cell_size_m = 0.01;
   lattice_of(scenario).youngs_modulus_Pa = 1e6;

@@ -36,11 +36,11 @@ inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
   scenario.cell.approach_gap_m = 1e-4;
-  scenario.gripper->pad_size_m = {0.06, 0.06};
-  scenario.gripper->pad_thickness_m = 1e-3;
-  scenario.gripper->pad_modulus_Pa = layer * 1e-3;
-  scenario.gripper->drive_viscous_N_s_m = 50.0;
-  scenario.gripper->max_force_N = 1000.0;
+  jaw_of(scenario).pad_size_m = {0.06, 0.06};
+  jaw_of(scenario).pad_thickness_m = 1e-3;
+  jaw_of(scenario).pad_modulus_Pa = layer * 1e-3;
+  jaw_of(scenario).drive_viscous_N_s_m = 50.0;
+  jaw_of(scenario).max_force_N = 1000.0;
   scenario.strategy.approach_speed_m_s = 0.01;
   scenario.strategy.grip_force_N = force_N;
   scenario.strategy.contact_force_N = 0.6;

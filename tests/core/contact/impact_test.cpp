@@ -51,7 +51,7 @@ TEST(BarImpact, IsBoundedAgainstAnAllButRigidWall) {
 /// A ball of 6 cm falling onto the support without gravity.
 Scenario falling_ball(double time_step_s, double relaxation_time_s) {
   Scenario scenario = small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   LatticeParameters& ball = lattice_of(scenario);
   ball.shape = Shape::sphere;
   ball.size_m = {0.06, 0.06, 0.06};

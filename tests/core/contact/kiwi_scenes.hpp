@@ -27,7 +27,7 @@ inline Scenario kiwi_grip(double cell_size_m) {
   kiwi.at_frequency_Hz = 50.0;
   kiwi.friction = 0.6;
   scenario.product = kiwi;
-  scenario.gripper = GripperParameters{};
+  scenario.gripper = ParallelJawParameters{};
   scenario.cell.approach_gap_m = 5e-4;
   scenario.strategy.approach_speed_m_s = 0.02;
   scenario.strategy.contact_force_N = 0.1;
@@ -42,7 +42,7 @@ inline Scenario kiwi_grip(double cell_size_m) {
 inline Scenario sphere_between_plates(double cell_size_m) {
   Scenario scenario = kiwi_grip(cell_size_m);
   lattice_of(scenario).size_m[1] = 0.050;
-  scenario.gripper->pad_modulus_Pa = 5e6;
+  jaw_of(scenario).pad_modulus_Pa = 5e6;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
   return scenario;

@@ -116,7 +116,7 @@ TEST(StaticSolver, AProductAtRestStaysAtRest) {
     Scenario scenario = small_box();
     lattice_of(scenario).shape = shape;
     lattice_of(scenario).cell_size_m = 0.005;
-    scenario.gripper.reset();
+    scenario.gripper = NoGripper{};
     scenario.simulation.duration_s = 0.2;
     Trace trace;
     run(scenario, &trace);

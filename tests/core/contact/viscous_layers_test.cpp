@@ -21,8 +21,8 @@ Scenario carried_block(const std::array<double, 2>& transfer_m, double relaxatio
   block.mass_kg = 0.1;
   block.youngs_modulus_Pa = 2e6;
   block.friction = 0.6;
-  scenario.gripper->pad_modulus_Pa = 2.5e6;
-  scenario.gripper->pad_relaxation_time_s = relaxation_time_s;
+  jaw_of(scenario).pad_modulus_Pa = 2.5e6;
+  jaw_of(scenario).pad_relaxation_time_s = relaxation_time_s;
   scenario.cell.transfer_m = transfer_m;
   scenario.strategy.grip_force_N = 5.0;
   scenario.strategy.contact_force_N = 0.3;
@@ -49,7 +49,7 @@ TEST(ViscousLayers, SqueezeNoHarderWhenCarriedAlongTheGripAxisThanAcrossIt) {
 
 /// Whole cycles in which fingers strike, hold and let go. @return energy_balance_error
 double energy_error(Scenario scenario, double relaxation_time_s, double time_step_s) {
-  scenario.gripper->pad_relaxation_time_s = relaxation_time_s;
+  jaw_of(scenario).pad_relaxation_time_s = relaxation_time_s;
   scenario.simulation.time_step_s = time_step_s;
   const ScenarioResult result = run(scenario);
   EXPECT_EQ(result.outcome, Outcome::held) << result.cause;

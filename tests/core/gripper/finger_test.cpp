@@ -15,7 +15,7 @@ TEST(Finger, PressesAtRestWithExactlyTheGripForce) {
   for (double force : {0.3, 0.5}) {
     for (FingerCoupling coupling : {FingerCoupling::centric, FingerCoupling::independent}) {
       Scenario scenario = small_box();
-      scenario.gripper->coupling = coupling;
+      jaw_of(scenario).coupling = coupling;
       scenario.strategy.grip_force_N = force;
       scenario.strategy.settle_s = 0.4;
       Trace trace;
@@ -46,8 +46,8 @@ TEST(Finger, DriveNeverGivesMoreThanItsLimit) {
   // friction.
   Scenario scenario = small_box();
   scenario.cell.approach_gap_m = 0.035;
-  scenario.gripper->drive_viscous_N_s_m = 20.0;
-  scenario.gripper->finger_mass_kg = 0.02;
+  jaw_of(scenario).drive_viscous_N_s_m = 20.0;
+  jaw_of(scenario).finger_mass_kg = 0.02;
   scenario.strategy.approach_speed_m_s = 0.05;
   scenario.strategy.contact_force_N = 0.4;
   scenario.strategy.grip_force_N = 0.5;
@@ -66,8 +66,8 @@ TEST(Finger, CoastsWithoutDriveAsTheClosedForm) {
     Scenario scenario = small_box();
     scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
     scenario.cell.approach_gap_m = gap;
-    scenario.gripper->finger_mass_kg = m;
-    scenario.gripper->drive_viscous_N_s_m = c;
+    jaw_of(scenario).finger_mass_kg = m;
+    jaw_of(scenario).drive_viscous_N_s_m = c;
     scenario.strategy.approach_speed_m_s = v;
     scenario.strategy.contact_force_N = 0.0;
     scenario.simulation.time_step_s = dt;
@@ -82,10 +82,10 @@ TEST(Finger, RestsAgainstTheEndOfItsStroke) {
   // The stop leaves the product the squeeze of the way beyond the gap, whatever the drive pushes with.
   for (const FingerCoupling coupling : {FingerCoupling::centric, FingerCoupling::independent}) {
     Scenario scenario = small_box();
-    scenario.gripper->coupling = coupling;
+    jaw_of(scenario).coupling = coupling;
     const double gap = 5e-3;
     scenario.cell.approach_gap_m = gap;
-    scenario.gripper->stroke_m = gap + 2e-4;
+    jaw_of(scenario).stroke_m = gap + 2e-4;
     scenario.strategy.grip_force_N = 20.0;
     scenario.strategy.settle_s = 0.4;
     scenario.simulation.time_step_s = 1e-4;  // six steps in the period of finger and stop
@@ -96,10 +96,10 @@ TEST(Finger, RestsAgainstTheEndOfItsStroke) {
     double deepest = 0.0;
     for (const double w : way) deepest = std::max(deepest, w);
     // 20 N press a stop of 1e7 N/m in by 2 um; what the impact adds at 0.05 m/s is v sqrt(m/k) = 5 um.
-    EXPECT_LT(deepest, scenario.gripper->stroke_m + 1e-5);
+    EXPECT_LT(deepest, jaw_of(scenario).stroke_m + 1e-5);
     const auto k = static_cast<std::size_t>((gap / scenario.strategy.approach_speed_m_s + 0.3) /
                                             scenario.simulation.time_step_s);
-    EXPECT_NEAR(way[k], scenario.gripper->stroke_m, 3e-6);
+    EXPECT_NEAR(way[k], jaw_of(scenario).stroke_m, 3e-6);
     EXPECT_NEAR(speed[k], 0.0, 1e-7);
     EXPECT_LT(force[k], 19.0) << "the stop carries the rest";
     EXPECT_GT(force[k], 0.0);
@@ -109,10 +109,10 @@ TEST(Finger, RestsAgainstTheEndOfItsStroke) {
 TEST(Finger, StrikesWithItsMomentum) {
   // What fast fingers bring along is their momentum, and it goes into the product.
   Scenario scenario = small_box();
-  scenario.gripper->coupling = FingerCoupling::independent;
+  jaw_of(scenario).coupling = FingerCoupling::independent;
   scenario.strategy.approach_speed_m_s = 0.2;
   scenario.strategy.grip_force_N = 0.3;
-  scenario.gripper->drive_viscous_N_s_m = 0.0;
+  jaw_of(scenario).drive_viscous_N_s_m = 0.0;
   scenario.cell.approach_gap_m = 0.02;
   scenario.strategy.contact_force_N = 0.3;
   scenario.strategy.grip_ramp_s = 0.0;
@@ -135,7 +135,7 @@ TEST(Finger, StrikesWithItsMomentum) {
   EXPECT_NEAR(impulse, wanted, 0.02 * wanted);
   // At the same speed the peak grows with the root of the finger's mass, or less where the drive pushes along.
   Scenario heavy = scenario;
-  heavy.gripper->finger_mass_kg = 0.15;
+  jaw_of(heavy).finger_mass_kg = 0.15;
   EXPECT_GT(run(heavy).metrics[Metric::peak_finger_force_N], 1.1 * result.metrics[Metric::peak_finger_force_N]);
   std::cout << "[ measured ] impulse " << impulse << " N s of " << wanted << " N s, peak "
             << result.metrics[Metric::peak_finger_force_N] << " N\n";

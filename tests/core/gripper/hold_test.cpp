@@ -91,8 +91,8 @@ TEST(Grip, AlongItsAxisTheTwoFingerForcesDifferByMassTimesAcceleration) {
   for (FingerCoupling coupling : {FingerCoupling::centric, FingerCoupling::independent}) {
     const double acceleration = 5.0, force = 0.3;
     Scenario scenario = light_box();
-    scenario.gripper->coupling = coupling;
-    scenario.gripper->finger_mass_kg = 0.05;
+    jaw_of(scenario).coupling = coupling;
+    jaw_of(scenario).finger_mass_kg = 0.05;
     scenario.cell.lift_height_m = 0.02;
     scenario.cell.place_height_m = 0.015;
     scenario.cell.transfer_m = {0.3, 0.0};

@@ -12,7 +12,7 @@ using namespace testing;
 TEST(LongHold, DoesNotCreepForAMinuteAtTwiceTheNeededForce) {
   Scenario scenario = small_box();
   lattice_of(scenario).size_m = {0.05, 0.05, 0.05};
-  scenario.gripper->pad_size_m = {0.04, 0.04};
+  jaw_of(scenario).pad_size_m = {0.04, 0.04};
   scenario.strategy.grip_force_N = 2.0 * 0.125 * kGravity / (2.0 * 0.5);
   scenario.strategy.hold_s = 60.0;
   scenario.strategy.lift_acceleration_m_s2 = 1.0;

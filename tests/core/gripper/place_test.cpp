@@ -16,7 +16,7 @@ using namespace testing;
 Scenario board(double grip_offset_m) {
   Scenario scenario = small_box();
   lattice_of(scenario).size_m = {0.02, 0.08, 0.02};
-  scenario.gripper->pad_size_m = {0.02, 0.02};
+  jaw_of(scenario).pad_size_m = {0.02, 0.02};
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.grip_offset_m = grip_offset_m;
   scenario.cell.lift_height_m = 0.0;
@@ -73,7 +73,7 @@ TEST(GripPlace, AnOffsetGripTurnsTheProductWithItsWeightTimesTheOffset) {
   Scenario scenario = small_box();
   scenario.cell.grip_offset_m = 0.004;
   scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.gripper->pad_size_m = {0.01, 0.01};
+  jaw_of(scenario).pad_size_m = {0.01, 0.01};
   scenario.strategy.grip_force_N = 0.5;
   scenario.strategy.hold_s = 0.3;
   const auto sag = [](const Scenario& s) {

@@ -202,7 +202,7 @@ TEST(WilsonTheta, ConvergesWithOrderTwoUnderALoadThatChanges) {
 
 TEST(WilsonTheta, FreeFallIsExact) {
   Scenario scenario = small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   scenario.cell.support = false;
   scenario.cell.gravity_m_s2 = {0.0, 1.5, -kGravity};
   lattice_of(scenario).initial_velocity_m_s = {0.3, 0.0, 0.7};

@@ -30,9 +30,9 @@ Scenario bar(double largest_stress_Pa) {
   scenario.cell.lift_height_m = 0.0;
   scenario.cell.transfer_m = {0.0, 0.0};
   scenario.cell.approach_gap_m = 1e-4;
-  scenario.gripper->pad_size_m = {0.04, 0.04};
-  scenario.gripper->pad_modulus_Pa = 1e8;
-  scenario.gripper->drive_viscous_N_s_m = 100.0;
+  jaw_of(scenario).pad_size_m = {0.04, 0.04};
+  jaw_of(scenario).pad_modulus_Pa = 1e8;
+  jaw_of(scenario).drive_viscous_N_s_m = 100.0;
   scenario.strategy.approach_speed_m_s = 0.01;
   scenario.strategy.contact_force_N = 0.1;
   scenario.strategy.grip_force_N = largest_stress_Pa * kWidth_m * kWidth_m;

@@ -12,9 +12,9 @@ namespace {
 /// Round numbers, so that the times of the plan can be added up by hand.
 Scenario scene() {
   Scenario scenario;
-  scenario.gripper = GripperParameters{};
-  scenario.gripper->stroke_m = 0.04;
-  scenario.gripper->drive_gain_N_s_m = 100.0;
+  scenario.gripper = ParallelJawParameters{};
+  jaw_of(scenario).stroke_m = 0.04;
+  jaw_of(scenario).drive_gain_N_s_m = 100.0;
   scenario.cell.approach_gap_m = 0.01;
   scenario.cell.lift_height_m = 0.1;
   scenario.cell.transfer_m = {0.3, 0.4};
@@ -126,7 +126,7 @@ TEST(MotionPlan, RaisesTheForceLimitLinearlyAndAimsAtASpeedThatReachesIt) {
   EXPECT_EQ(plan.set_speed_m_s(1.1), 0.05) << "2 F / gain = 0.05 m/s is no more than the approach";
   EXPECT_EQ(plan.set_speed_m_s(plan.release_start_s()), -0.1);
   Scenario weak = scene();
-  weak.gripper->drive_gain_N_s_m = 50.0;
+  jaw_of(weak).drive_gain_N_s_m = 50.0;
   EXPECT_EQ(MotionPlan(weak, 1.0).set_speed_m_s(1.1), 0.1);
 }
 
@@ -135,7 +135,7 @@ TEST(MotionPlan, EndsAtTheDurationWhereThatComesFirst) {
   scenario.simulation.duration_s = 1.25;
   EXPECT_EQ(MotionPlan(scenario, 0.0).end_s(), 1.25);
   EXPECT_EQ(MotionPlan(scenario, kNever).end_s(), 1.25);
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   EXPECT_EQ(MotionPlan(scenario, kNever).end_s(), 1.25);
   scenario = scene();
   scenario.simulation.duration_s = 100.0;

@@ -16,7 +16,7 @@ constexpr double kStep_s = 0.01;
 /// Contact at 0.1 s, a lift from 0.3 s on.
 Scenario scene() {
   Scenario scenario;
-  scenario.gripper = GripperParameters{};
+  scenario.gripper = ParallelJawParameters{};
   scenario.cell.approach_gap_m = 0.01;
   scenario.strategy.grip_ramp_s = 0.1;
   scenario.strategy.settle_s = 0.1;

@@ -145,7 +145,7 @@ TEST(Outcome, AGraspIsJudgedAtTheEndOfItsPhaseWhereverTheFirstContactFellIntoASt
 
 TEST(Outcome, MetricsThatDoNotExistAreNaN) {
   Scenario free = small_box();
-  free.gripper.reset();
+  free.gripper = NoGripper{};
   free.simulation.duration_s = 0.05;
   const ScenarioResult result = run(free);
   for (Metric metric : {Metric::cycle_time_s, Metric::lift_time_s, Metric::friction_margin_min,

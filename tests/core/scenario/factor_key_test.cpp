@@ -159,7 +159,7 @@ TEST(FactorKey, TellsProductsOfDifferentKindsApart) {
 
 TEST(FactorKey, LeavesOutWhatLanesMayDifferIn) {
   Scenario other = by_mass();
-  other.gripper->pad_modulus_Pa *= 2.0;
+  jaw_of(other).pad_modulus_Pa *= 2.0;
   other.cell.gravity_m_s2[2] *= 0.5;
   other.strategy.grip_force_N *= 2.0;
   other.limits.slip_m *= 2.0;

@@ -40,7 +40,7 @@ TEST(NumberFields, ReadWhatIsThereAndNothingElse) {
   EXPECT_EQ(number_of(*find_number_field("product.mass_kg"), scenario), 0.1);
   EXPECT_EQ(number_of(*find_number_field("product.density_kg_m3"), scenario), std::nullopt);
   EXPECT_EQ(number_of(*find_number_field("product.spring[].stiffness_N_m"), scenario), std::nullopt);
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   EXPECT_EQ(number_of(*find_number_field("gripper.stroke_m"), scenario), std::nullopt);
   EXPECT_EQ(find_number_field("strategy.profile"), nullptr);
 }

@@ -15,7 +15,7 @@ using namespace testing;
 TEST(Opening, LeavesTheSameGapOnEitherSideOfTheProduct) {
   Scenario scenario = usual_grip();
   EXPECT_EQ(approach_gap_m(scenario), kUsualApproachGap_m);
-  scenario.gripper->opening_m = 0.08;
+  jaw_of(scenario).opening_m = 0.08;
   EXPECT_DOUBLE_EQ(approach_gap_m(scenario), 0.015);
   lattice_in(scenario).size_m[0] = 0.06;  // another product in the same gripper
   EXPECT_DOUBLE_EQ(approach_gap_m(scenario), 0.01);
@@ -24,7 +24,7 @@ TEST(Opening, LeavesTheSameGapOnEitherSideOfTheProduct) {
 
 TEST(Opening, MayStandBesideAGapThatAgreesWithIt) {
   Scenario scenario = usual_grip();
-  scenario.gripper->opening_m = 0.08;
+  jaw_of(scenario).opening_m = 0.08;
   scenario.cell.approach_gap_m = 0.015;
   EXPECT_TRUE(validate(scenario).empty());
   scenario.cell.approach_gap_m = 0.016;
@@ -37,7 +37,7 @@ TEST(Opening, MayStandBesideAGapThatAgreesWithIt) {
 
 TEST(Opening, IsWiderThanTheProduct) {
   Scenario scenario = usual_grip();
-  scenario.gripper->opening_m = 0.05;
+  jaw_of(scenario).opening_m = 0.05;
   const Violations broken = validate(scenario);
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].field, "gripper.opening_m");
@@ -46,7 +46,7 @@ TEST(Opening, IsWiderThanTheProduct) {
 
 TEST(Opening, IsClosedByAStrokeThatReaches) {
   Scenario scenario = usual_grip();
-  scenario.gripper->opening_m = 0.14;
+  jaw_of(scenario).opening_m = 0.14;
   const Violations broken = validate(scenario);
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].field, "gripper.stroke_m");

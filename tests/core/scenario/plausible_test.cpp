@@ -69,7 +69,7 @@ TEST(Plausible, MegapascalsTakenForPascalsAreSaid) {
 TEST(Plausible, MillimetresTakenForMetresAreSaidOnceForAField) {
   EXPECT_EQ(
       said_after([](S s) {
-        s.gripper->pad_size_m = {30.0, 30.0};
+        jaw_of(s).pad_size_m = {30.0, 30.0};
       }),
       Sentences{"gripper.pad_size_m[0] = 30.0 means a pad side of 30 m (plausible: 0.002 to 0.3): millimetres "
                 "taken for metres (0.03)?"});
@@ -93,7 +93,7 @@ TEST(Plausible, MillisecondsTakenForSecondsAreSaid) {
 TEST(Plausible, MillimetresPerSecondTakenForMetresPerSecondAreSaid) {
   EXPECT_EQ(
       said_after([](S s) {
-        s.gripper->max_speed_m_s = 50.0;
+        jaw_of(s).max_speed_m_s = 50.0;
         s.strategy.approach_speed_m_s = 50.0;
       }),
       (Sentences{"gripper.max_speed_m_s = 50.0 means a largest finger speed of 50 m/s (plausible: 0.001 to 3): "
@@ -127,8 +127,8 @@ TEST(Plausible, PadsThatPassAboveTheProductAreSaid) {
 TEST(Plausible, TheStrokeOfBothFingersTakenForOneIsSaid) {
   EXPECT_EQ(
       said_after([](S s) {
-        s.gripper->opening_m = 0.08;
-        s.gripper->stroke_m = 0.08;
+        jaw_of(s).opening_m = 0.08;
+        jaw_of(s).stroke_m = 0.08;
       }),
       Sentences{
           "gripper.stroke_m = 0.08 gives a stroke over half the opening of 2 (plausible: 0 to 1): the stroke "
@@ -163,8 +163,8 @@ bool trips(const PlausibleRow& row, const Scenario& scenario) {
 /// A scenario with the row's first field far above or below what is plausible.
 bool can_be_tripped(const PlausibleRow& row) {
   for (Scenario base : {usual_grip(), usual_network()}) {
-    base.gripper.emplace();
-    base.gripper->opening_m = 0.08;
+    base.gripper = ParallelJawParameters{};
+    jaw_of(base).opening_m = 0.08;
     if (!std::holds_alternative<LatticeParameters>(base.product)) continue;
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;

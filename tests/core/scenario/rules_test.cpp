@@ -55,7 +55,7 @@ std::vector<Breach> lattice_breaches() {
 
 std::vector<Breach> network_breaches() {
   return {
-      {"gripper", "a network cannot be gripped", usual_network, [](S s) { s.gripper.emplace(); }},
+      {"gripper", "a network cannot be gripped", usual_network, [](S s) { s.gripper = ParallelJawParameters{}; }},
       {"product.particle", "a network needs particles", usual_network,
        [](S s) { s.product = NetworkParameters{}; }},
       {"product.particle[0].fixed", "every particle is fixed", usual_network,
@@ -96,13 +96,13 @@ std::vector<Breach> network_breaches() {
 
 std::vector<Breach> handling_breaches() {
   return {
-      {"gripper.stroke_m", "must be > the way", usual_grip, [](S s) { s.gripper->stroke_m = 0.005; }},
-      {"gripper.min_force_N", "must be <= gripper.max", usual_grip, [](S s) { s.gripper->min_force_N = 101.0; }},
-      {"gripper.force_step_N", "must be <= gripper.max", usual_grip, [](S s) { s.gripper->force_step_N = 101.0; }},
-      {"gripper.opening_m", "must be > product.size_m[0]", usual_grip, [](S s) { s.gripper->opening_m = 0.04; }},
+      {"gripper.stroke_m", "must be > the way", usual_grip, [](S s) { jaw_of(s).stroke_m = 0.005; }},
+      {"gripper.min_force_N", "must be <= gripper.max", usual_grip, [](S s) { jaw_of(s).min_force_N = 101.0; }},
+      {"gripper.force_step_N", "must be <= gripper.max", usual_grip, [](S s) { jaw_of(s).force_step_N = 101.0; }},
+      {"gripper.opening_m", "must be > product.size_m[0]", usual_grip, [](S s) { jaw_of(s).opening_m = 0.04; }},
       {"cell.approach_gap_m", "contradicts", usual_grip,
        [](S s) {
-         s.gripper->opening_m = 0.08;
+         jaw_of(s).opening_m = 0.08;
          s.cell.approach_gap_m = 0.005;
        }},
       {"strategy.approach_speed_m_s", "must be <= gripper.max", usual_grip,

@@ -21,7 +21,7 @@ inline Scenario usual_grip() {
   product.loss_ratio = 0.2;
   product.at_frequency_Hz = 50.0;
   scenario.product = product;
-  scenario.gripper.emplace();
+  scenario.gripper = ParallelJawParameters{};
   scenario.limits.permanent_set_m = 1e-4;
   scenario.limits.plastic_strain = 0.01;
   scenario.limits.bruised_volume_m3 = 1e-7;

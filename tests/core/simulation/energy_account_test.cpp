@@ -66,7 +66,7 @@ Scenario resting_on_a_viscous_layer() {
 /// Fingers whose guides take most of the work.
 Scenario guides() {
   Scenario scenario = small_box();
-  scenario.gripper->drive_viscous_N_s_m = 20.0;
+  jaw_of(scenario).drive_viscous_N_s_m = 20.0;
   scenario.simulation.time_step_s = 1e-3;
   return scenario;
 }
@@ -74,7 +74,7 @@ Scenario guides() {
 /// A block that slides to rest on the support.
 Scenario sliding() {
   Scenario scenario = small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   lattice_of(scenario).initial_velocity_m_s = {0.3, 0.0, 0.0};
   scenario.simulation.duration_s = 0.3;
   scenario.simulation.time_step_s = 1e-3;
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Dissipations, EnergyAccount,
 /// A ball of 2 cm in free fall onto the support.
 Scenario bouncing_ball(double speed_m_s, double duration_s) {
   Scenario scenario = small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   lattice_of(scenario).shape = Shape::sphere;
   lattice_of(scenario).cell_size_m = 0.005;
   lattice_of(scenario).initial_velocity_m_s = {0.0, 0.0, speed_m_s};

@@ -161,11 +161,11 @@ std::vector<Scenario> violent_neighbours() {
   add([](Scenario& s) { s.cell.gravity_m_s2 = {0.0, 1e308, -1e308}; });
   add([](Scenario& s) { s.cell.gravity_m_s2 = {0.0, 0.0, -1e5}; });
   add([](Scenario& s) { lattice_of(s).friction = 1e6; });
-  add([](Scenario& s) { s.gripper->drive_gain_N_s_m = 1e12; });
-  add([](Scenario& s) { s.gripper->finger_mass_kg = 1e-12; });
+  add([](Scenario& s) { jaw_of(s).drive_gain_N_s_m = 1e12; });
+  add([](Scenario& s) { jaw_of(s).finger_mass_kg = 1e-12; });
   add([](Scenario& s) { s.strategy.lift_acceleration_m_s2 = 1e6; });
   add([](Scenario& s) {
-    s.gripper->max_force_N = 1e6;
+    jaw_of(s).max_force_N = 1e6;
     s.strategy.grip_force_N = 1e6;
   });
   return all;

@@ -32,8 +32,8 @@ std::vector<Scenario> neighbours() {
   lattice_of(elastic).yield_stress_Pa.reset();
   lattice_of(elastic).tangent_modulus_Pa.reset();
   lattice_of(elastic).friction = 0.05;
-  elastic.gripper->coupling = FingerCoupling::independent;
-  elastic.gripper->pad_relaxation_time_s = 2e-3;
+  jaw_of(elastic).coupling = FingerCoupling::independent;
+  jaw_of(elastic).pad_relaxation_time_s = 2e-3;
   all.push_back(elastic);
   Scenario diverging = yielding_box();
   lattice_of(diverging).initial_velocity_m_s = {0.0, 1e200, 1e200};
@@ -50,7 +50,7 @@ std::vector<Scenario> neighbours() {
   missing.strategy.ramp_from_start = true;
   all.push_back(missing);
   Scenario free = yielding_box();
-  free.gripper.reset();
+  free.gripper = NoGripper{};
   free.cell.support = false;
   free.simulation.duration_s = 0.3;
   all.push_back(free);

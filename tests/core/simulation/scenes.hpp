@@ -112,7 +112,7 @@ inline Scenario small_box() {
   product.relaxation_time_s = 2e-3;
   product.friction = 0.5;
   scenario.product = product;
-  GripperParameters gripper;
+  ParallelJawParameters gripper;
   gripper.pad_size_m = {0.03, 0.03};
   scenario.gripper = gripper;
   scenario.cell.approach_gap_m = 0.002;

@@ -40,7 +40,7 @@ TEST(TraceRecorder, ShowsEveryQuantityThatDecidesUpToItsMetric) {
 
 TEST(TraceRecorder, BeginsWithTheForcesOfTheProductAtRest) {
   Scenario scenario = testing::small_box();
-  scenario.gripper.reset();
+  scenario.gripper = NoGripper{};
   scenario.simulation.duration_s = 0.02;
   Trace trace;
   testing::run(scenario, &trace);

@@ -11,10 +11,10 @@ constexpr int kLane = 3;
 
 Scenario scene() {
   Scenario scenario;
-  scenario.gripper = GripperParameters{};
-  scenario.gripper->pad_size_m = {0.02, 0.04};
-  scenario.gripper->pad_modulus_Pa = 3e5;
-  scenario.gripper->pad_thickness_m = 0.003;
+  scenario.gripper = ParallelJawParameters{};
+  jaw_of(scenario).pad_size_m = {0.02, 0.04};
+  jaw_of(scenario).pad_modulus_Pa = 3e5;
+  jaw_of(scenario).pad_thickness_m = 0.003;
   scenario.cell.approach_gap_m = 0.005;
   scenario.cell.grip_offset_m = 0.001;
   scenario.cell.grip_height_m = 0.002;

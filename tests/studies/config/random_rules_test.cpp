@@ -83,7 +83,7 @@ class Writer {
   /// A value near the default, or of a usual size where the default is zero or nothing.
   std::string near_default(const KeySpec& spec) {
     Scenario scenario;
-    scenario.gripper.emplace();
+    scenario.gripper = ParallelJawParameters{};
     const FieldRef field = spec.field(scenario, 0);
     const auto one = [&](std::optional<double> usual) {
       const double size = usual.value_or(0.0);

@@ -55,26 +55,27 @@ std::vector<Arrival> lattice_arrivals() {
        [](S s) {
          return lattice(s).initial_velocity_m_s == A3{1.0, 2.0, 3.0};
        }},
-      {"gripper.finger_mass_kg", "0.375", [](S s) { return s.gripper->finger_mass_kg == 0.375; }},
-      {"gripper.stroke_m", "0.375", [](S s) { return s.gripper->stroke_m == 0.375; }},
+      {"gripper.finger_mass_kg", "0.375", [](S s) { return jaw_of(s).finger_mass_kg == 0.375; }},
+      {"gripper.stroke_m", "0.375", [](S s) { return jaw_of(s).stroke_m == 0.375; }},
       {"gripper.pad_size_m", "[0.5, 0.25]",
        [](S s) {
-         return s.gripper->pad_size_m == A2{0.5, 0.25};
+         return jaw_of(s).pad_size_m == A2{0.5, 0.25};
        }},
-      {"gripper.pad_thickness_m", "0.375", [](S s) { return s.gripper->pad_thickness_m == 0.375; }},
-      {"gripper.pad_modulus_Pa", "375.0", [](S s) { return s.gripper->pad_modulus_Pa == 375.0; }},
-      {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return s.gripper->pad_relaxation_time_s == 0.375; }},
-      {"gripper.drive_gain_N_s_m", "375.0", [](S s) { return s.gripper->drive_gain_N_s_m == 375.0; }},
-      {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return s.gripper->drive_viscous_N_s_m == 0.375; }},
-      {"gripper.min_force_N", "0.25", [](S s) { return s.gripper->min_force_N == 0.25; }},
-      {"gripper.force_accuracy", "0.125", [](S s) { return s.gripper->force_accuracy == 0.125; }},
-      {"gripper.force_step_N", "0.125", [](S s) { return s.gripper->force_step_N == 0.125; }},
-      {"gripper.opening_m", "0.375", [](S s) { return s.gripper->opening_m == 0.375; }, {"gripper.stroke_m=0.5"}},
+      {"gripper.pad_thickness_m", "0.375", [](S s) { return jaw_of(s).pad_thickness_m == 0.375; }},
+      {"gripper.pad_modulus_Pa", "375.0", [](S s) { return jaw_of(s).pad_modulus_Pa == 375.0; }},
+      {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return jaw_of(s).pad_relaxation_time_s == 0.375; }},
+      {"gripper.drive_gain_N_s_m", "375.0", [](S s) { return jaw_of(s).drive_gain_N_s_m == 375.0; }},
+      {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return jaw_of(s).drive_viscous_N_s_m == 0.375; }},
+      {"gripper.min_force_N", "0.25", [](S s) { return jaw_of(s).min_force_N == 0.25; }},
+      {"gripper.force_accuracy", "0.125", [](S s) { return jaw_of(s).force_accuracy == 0.125; }},
+      {"gripper.force_step_N", "0.125", [](S s) { return jaw_of(s).force_step_N == 0.125; }},
+      {"gripper.opening_m", "0.375", [](S s) { return jaw_of(s).opening_m == 0.375; }, {"gripper.stroke_m=0.5"}},
       {"cell.grip_offset_m", "0.0078125", [](S s) { return s.cell.grip_offset_m == 0.0078125; }},
-      {"gripper.max_force_N", "375.0", [](S s) { return s.gripper->max_force_N == 375.0; }},
-      {"gripper.max_speed_m_s", "3.75", [](S s) { return s.gripper->max_speed_m_s == 3.75; }},
+      {"gripper.max_force_N", "375.0", [](S s) { return jaw_of(s).max_force_N == 375.0; }},
+      {"gripper.max_speed_m_s", "3.75", [](S s) { return jaw_of(s).max_speed_m_s == 3.75; }},
+      {"gripper.kind", "\"parallel_jaw\"", [](S s) { return parallel_jaw(s) != nullptr; }},
       {"gripper.coupling", "\"independent\"",
-       [](S s) { return s.gripper->coupling == FingerCoupling::independent; }},
+       [](S s) { return jaw_of(s).coupling == FingerCoupling::independent; }},
       {"cell.gravity_m_s2", "[1.0, 2.0, 3.0]",
        [](S s) {
          return s.cell.gravity_m_s2 == A3{1.0, 2.0, 3.0};

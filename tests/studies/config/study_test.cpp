@@ -169,8 +169,8 @@ TEST(Set, OverridesTheStudyAndTheFilesItUses) {
   EXPECT_EQ(kiwi.friction, 0.9);
   EXPECT_EQ(scenario.limits.plastic_strain, std::nullopt);
   EXPECT_EQ(scenario.limits.permanent_set_m, 1e-4);
-  EXPECT_EQ(scenario.gripper->pad_modulus_Pa, 2.5e6);
-  EXPECT_EQ(scenario.gripper->stroke_m, 0.03);
+  EXPECT_EQ(jaw_of(scenario).pad_modulus_Pa, 2.5e6);
+  EXPECT_EQ(jaw_of(scenario).stroke_m, 0.03);
   EXPECT_EQ(study.seed(), 5U);
   EXPECT_EQ(study.name(), "123");
 }

@@ -18,7 +18,7 @@ TEST(UsualDamping, IsGivenWhereAStudySaysNothing) {
   const Study study = study_of(gripped_block("simulate"));
   EXPECT_EQ(product_of(study).loss_ratio, kUsualLossRatio);
   EXPECT_EQ(product_of(study).at_frequency_Hz, kUsualLossFrequency_Hz);
-  EXPECT_EQ(study.scenario(0).gripper->pad_relaxation_time_s, kUsualRelaxationTime_s);
+  EXPECT_EQ(jaw_of(study.scenario(0)).pad_relaxation_time_s, kUsualRelaxationTime_s);
   EXPECT_EQ(study.scenario(0).cell.support_relaxation_time_s, kUsualRelaxationTime_s);
 }
 
@@ -33,7 +33,7 @@ TEST(UsualDamping, AWrittenZeroIsKept) {
       {"product.relaxation_time_s=0", "gripper.pad_relaxation_time_s=0", "cell.support_relaxation_time_s=0"});
   EXPECT_EQ(product_of(study).relaxation_time_s, 0.0);
   EXPECT_EQ(product_of(study).loss_ratio, std::nullopt);
-  EXPECT_EQ(study.scenario(0).gripper->pad_relaxation_time_s, 0.0);
+  EXPECT_EQ(jaw_of(study.scenario(0)).pad_relaxation_time_s, 0.0);
   EXPECT_EQ(study.scenario(0).cell.support_relaxation_time_s, 0.0);
 }
 

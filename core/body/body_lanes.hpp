@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/body/body_state.hpp"
 #include "core/lanes/lane.hpp"
 
 namespace unbruised {
-
-/// The state of one lane, [3n] each.
-struct BodyState {
-  std::vector<double> displacement_m, velocity_m_s, acceleration_m_s2;
-};
 
 class BodyLanes {
  public:

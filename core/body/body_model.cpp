@@ -19,7 +19,8 @@ double relaxation_time(const LatticeParameters& parameters) {
   return 0.0;
 }
 
-void add_lattice(const LatticeParameters& parameters, BodyModel& body) {
+void add_product(const LatticeParameters& parameters, BodyModel& body) {
+  body.is_solid = true;
   body.lattice = build_lattice(parameters);
   body.cell = cell_stiffness(parameters.youngs_modulus_Pa, parameters.poisson_ratio, body.lattice->cell_extent_m);
   body.K = assemble_stiffness(*body.lattice, *body.cell);
@@ -29,7 +30,7 @@ void add_lattice(const LatticeParameters& parameters, BodyModel& body) {
   body.fixed.assign(body.position_m.size(), {false, false, false});
 }
 
-void add_network(const NetworkParameters& parameters, BodyModel& body) {
+void add_product(const NetworkParameters& parameters, BodyModel& body) {
   NetworkSystem system = build_network(parameters);
   body.K = std::move(system.K);
   body.C = std::move(system.C);
@@ -99,7 +100,7 @@ double frequency_bound(const BodyModel& body, const std::vector<int>& freedom) {
 /// product a gripper can grasp 0.16 Hz, for a network, whose scale can be any, a thirty-thousandth of its fastest
 /// frequency.
 double static_shift(const BodyModel& body) {
-  if (body.lattice) return 1.0;
+  if (body.is_solid) return 1.0;
   const double omega = 2.0 * std::numbers::pi * body.max_frequency_Hz;
   return omega > 0.0 ? 1e-9 * omega * omega : 1.0;  // springs between walls only: no elastic mode to stay below
 }
@@ -133,7 +134,7 @@ bool BodyModel::is_anchored() const {
 }
 
 double BodyModel::smallest_extent_m() const {
-  if (!lattice) return 1e6;
+  if (!is_solid) return 1e6;
   std::array<double, 3> low = position_m.front(), high = low;
   for (const auto& p : position_m) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -147,16 +148,12 @@ double BodyModel::smallest_extent_m() const {
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
                                     std::string& error) {
   BodyModel body;
-  if (const auto* lattice = std::get_if<LatticeParameters>(&product)) {
-    add_lattice(*lattice, body);
-  } else {
-    add_network(std::get<NetworkParameters>(product), body);
-  }
+  std::visit([&body](const auto& kind) { add_product(kind, body); }, product);
   body.particle_count = body.position_m.size();
   add_inertia(body);
   std::vector<int> freedom;
   if (!factor_effective_stiffness(wilson, body, freedom, error)) return std::nullopt;
-  if (body.lattice || can_yield(body.springs)) {
+  if (body.is_solid || can_yield(body.springs)) {
     body.statics = StaticSolver::build(body.K, body.mass_kg, freedom, static_shift(body), error);
     if (!body.statics) return std::nullopt;
   }

@@ -21,6 +21,9 @@ namespace unbruised {
 
 /// Read-only once built; shared by all lanes and threads.
 struct BodyModel {
+  /// A solid has an inside and a shape: it starts undeformed, at rest where it has a support, and its strain and
+  /// rotation must stay small. Else there are only particles, which start as their parameters say.
+  bool is_solid = false;
   std::size_t particle_count = 0;
   std::vector<std::array<double, 3>> position_m;
   std::vector<double> mass_kg;
@@ -40,12 +43,12 @@ struct BodyModel {
 
   SupernodalFactor factor;                ///< of K + a0 M + a1 C
   std::vector<int> slot;                  ///< freedom (3 per particle) -> elimination position, -1: fixed
-  std::unique_ptr<StaticSolver> statics;  ///< lattices, and networks that can yield
+  std::unique_ptr<StaticSolver> statics;  ///< solids, and networks that can yield
   double max_frequency_Hz = 0;            ///< Gershgorin bound on the fastest mode
 
   /// Is any freedom held?
   [[nodiscard]] bool is_anchored() const;
-  /// Smallest extent of a lattice's particles [m]; of a network, which has no body to measure closeness with, so
+  /// Smallest extent of a solid's particles [m]; of a network, which has no body to measure closeness with, so
   /// large that all its few contacts are near.
   [[nodiscard]] double smallest_extent_m() const;
   /// Middle of a lattice's true shape; of a network the centre of mass.

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "core/scenario/product.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -26,15 +28,10 @@ CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell
 }
 
 void CellPlasticity::load(int lane, const Scenario& scenario) {
-  const auto& p = std::get<LatticeParameters>(scenario.product);
-  if (p.yield_stress_Pa && p.tangent_modulus_Pa) {
-    yield_stress_.set(lane, *p.yield_stress_Pa);
-    hardening_.set(lane,
-                   p.youngs_modulus_Pa * *p.tangent_modulus_Pa / (p.youngs_modulus_Pa - *p.tangent_modulus_Pa));
-  } else {
-    yield_stress_.set(lane, std::numeric_limits<double>::infinity());
-    hardening_.set(lane, 0.0);
-  }
+  constexpr YieldLaw kElastic{std::numeric_limits<double>::infinity(), 0.0};
+  const YieldLaw law = yield_law(scenario.product).value_or(kElastic);
+  yield_stress_.set(lane, law.yield_stress_Pa);
+  hardening_.set(lane, law.hardening_modulus_Pa);
   for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
     if (touched_[cell] == 0) continue;
     for (std::size_t i = 0; i < 6; ++i)

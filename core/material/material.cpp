@@ -32,7 +32,7 @@ class ElasticMaterial final : public Material {
 }  // namespace
 
 std::unique_ptr<Material> make_material(const BodyModel& body) {
-  if (body.lattice) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell);
+  if (body.cell) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell);
   if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body.springs, body.particle_count);
   return std::make_unique<ElasticMaterial>(body.particle_count);
 }

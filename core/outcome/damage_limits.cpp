@@ -1,18 +1,10 @@
 #include "core/outcome/damage_limits.hpp"
 
-#include <algorithm>
-#include <variant>
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 
-bool can_yield(const Scenario& scenario) {
-  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
-    return lattice->yield_stress_Pa.has_value();
-  }
-  const std::vector<NetworkSpring>& springs = std::get<NetworkParameters>(scenario.product).spring;
-  return std::any_of(springs.begin(), springs.end(),
-                     [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
-}
+bool can_yield(const Scenario& scenario) { return can_yield(scenario.product); }
 
 bool can_act(const DamageLimit& limit, const Scenario& scenario) {
   const bool needs_gripper = limit.needs != DamageNeeds::yield;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/outcome/damage_limits.hpp"
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 namespace {
@@ -34,11 +35,11 @@ void refuse_infinite_metrics(ScenarioResult& result, double end_time_s) {
 }  // namespace
 
 HandlingRecord::HandlingRecord(const Scenario& scenario)
-    : limits_(scenario.limits), hold_s_(scenario.strategy.hold_s), has_gripper_(has_gripper(scenario)) {
-  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
-    friction_ = lattice->friction;
-    has_product_yield_ = lattice->yield_stress_Pa.has_value();
-  }
+    : limits_(scenario.limits),
+      friction_(product_friction(scenario.product)),
+      hold_s_(scenario.strategy.hold_s),
+      has_gripper_(has_gripper(scenario)),
+      has_product_yield_(yield_stress_Pa(scenario.product).has_value()) {
   if (has_gripper_) {
     for (Metric metric : {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m,
                           Metric::slip_max_m, Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m,

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/scenario/opening.hpp"
+#include "core/scenario/product.hpp"
 #include "core/scenario/rule_tables.hpp"
 #include "core/scenario/words.hpp"
 
@@ -15,9 +16,9 @@ struct OpenJaw {
 
 std::optional<OpenJaw> open_jaw(const Scenario& s) {
   const auto* jaw = parallel_jaw(s);
-  const auto* product = std::get_if<LatticeParameters>(&s.product);
-  if (jaw == nullptr || product == nullptr || !jaw->opening_m) return std::nullopt;
-  return OpenJaw{*jaw->opening_m, product->size_m[0]};
+  const auto extents_m = shape_extents_m(s.product);
+  if (jaw == nullptr || !extents_m || !jaw->opening_m) return std::nullopt;
+  return OpenJaw{*jaw->opening_m, (*extents_m)[0]};
 }
 
 void product_fits_opening(const Scenario& s, Violations& out) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/scenario/product.hpp"
+
 namespace unbruised {
 
 void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
@@ -65,7 +67,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   const BodyModel& product = view.model.body;
   double gravity_size = 0.0;
   for (const Lane& g : view.body.gravity()) gravity_size += g[lane] * g[lane];
-  if (!product.is_anchored() && gravity_size > 0.0 && product.lattice) {
+  if (!product.is_anchored() && gravity_size > 0.0 && product.is_solid) {
     metrics[Metric::impulse_balance_error] =
         impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }
@@ -80,8 +82,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   const double put_in = positive_work_[lane] + (driven ? view.fingers.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;
   // Work of loads is not booked.
-  const auto* network = std::get_if<NetworkParameters>(&scenario.product);
-  if (!(put_in > 0.0) || (network != nullptr && !network->load.empty())) return;
+  if (!(put_in > 0.0) || has_loads(scenario.product)) return;
   const double stored = view.stored_energy_J(lane, scenario) - initial_energy_J_[static_cast<std::size_t>(lane)];
   metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
 }

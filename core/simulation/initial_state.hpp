@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "core/body/body_lanes.hpp"
+#include "core/body/body_state.hpp"
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
@@ -22,14 +22,14 @@ class InitialStates {
  public:
   explicit InitialStates(const Model::Parts& model) : model_(model) {}
 
-  /// Lattices start at rest on their support, or in free fall where there is none; networks as they are written.
+  /// Solids start at rest on their support, or in free fall where there is none; networks as they are written.
   /// @param plastic_load_N of what yields as it is mounted, [3 x particles]
   InitialState of(const Scenario& scenario, const std::vector<double>& plastic_load_N);
 
  private:
-  InitialState of_lattice(const LatticeParameters& lattice, const CellParameters& cell);
-  [[nodiscard]] BodyState of_network(const NetworkParameters& network, const Scenario& scenario,
-                                     const std::vector<double>& plastic_load_N) const;
+  void lay_down_or_drop(const CellParameters& cell, InitialState& state);
+  /// Fills the accelerations from the balance of all forces.
+  void accelerate(const Scenario& scenario, const std::vector<double>& plastic_load_N, BodyState& state) const;
 
   const Model::Parts& model_;
   StaticRest rest_;

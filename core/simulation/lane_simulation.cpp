@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/lanes/part_timer.hpp"
+#include "core/scenario/product.hpp"
 #include "core/simulation/balances.hpp"
 #include "core/simulation/initial_state.hpp"
 #include "core/simulation/lane_drives.hpp"
@@ -27,7 +28,7 @@ struct LaneSimulation::Impl {
 
   // The parts of a step, in order.
   void follow_plans();
-  void add_network_loads();
+  void add_loads();
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
   void advance_state();
@@ -103,9 +104,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
                r.cycle.plan().force_limit_N(0.0));
   contact.load(lane, scenario);
   material->load(lane, scenario);
-  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
-    yield_stress.set(lane, lattice->yield_stress_Pa.value_or(1.0));
-  }
+  yield_stress.set(lane, yield_stress_Pa(scenario.product).value_or(1.0));
   const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
@@ -121,7 +120,7 @@ void LaneSimulation::Impl::step() {
   follow_plans();
   fingers.begin_step(w, command);
   body.begin_step(running);
-  add_network_loads();
+  add_loads();
   timer.lap(times.right_hand_side_s);
   solve_step();
   advance_state();
@@ -140,14 +139,13 @@ void LaneSimulation::Impl::follow_plans() {
   }
 }
 
-void LaneSimulation::Impl::add_network_loads() {
+void LaneSimulation::Impl::add_loads() {
   for (int lane = 0; lane < kLanes; ++lane) {
     const LaneRun& r = run_of(lane);
-    if (!r.busy) continue;
-    const auto* network = std::get_if<NetworkParameters>(&r.scenario.product);
-    if (network == nullptr || network->load.empty()) continue;
-    const std::vector<double> at_t = network_load_N(*network, r.time_s(w));
-    const std::vector<double> at_next = network_load_N(*network, r.end_time_s(w), JumpSide::left);
+    const ProductParameters& product = r.scenario.product;
+    if (!r.busy || !has_loads(product)) continue;
+    const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(w));
+    const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(w), JumpSide::left);
     for (std::size_t i = 0; i < at_t.size(); ++i) {
       body.add_force(lane, i, at_t[i] + w.theta * (at_next[i] - at_t[i]));
     }
@@ -264,7 +262,7 @@ void LaneSimulation::Impl::check_validity(int lane, double time_s) {
     r.record.abort(Outcome::diverged, "the motion is not finite", time_s);
   } else if (strain > r.scenario.simulation.max_strain) {
     r.record.abort(Outcome::out_of_range, "a cell's strain > simulation.max_strain", time_s);
-  } else if (parts.body.lattice && body.rotation_rad(lane) > r.scenario.simulation.max_rotation_rad) {
+  } else if (parts.body.is_solid && body.rotation_rad(lane) > r.scenario.simulation.max_rotation_rad) {
     r.record.abort(Outcome::out_of_range, "the product's rotation > simulation.max_rotation_rad", time_s);
   }
 }

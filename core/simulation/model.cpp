@@ -4,6 +4,24 @@
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
+namespace {
+
+ModelSize size_of(const LatticeParameters& parameters, double pressure_patch_m) {
+  const Lattice lattice = build_lattice(parameters);
+  const std::size_t particles = lattice.position_m.size();
+  return {particles, 3 * particles, lattice_contact(parameters, lattice, pressure_patch_m).candidate.size()};
+}
+
+ModelSize size_of(const NetworkParameters& network, double /*pressure_patch_m*/) {
+  ModelSize size{.particle_count = network.particle.size(), .freedom_count = 0, .contact_candidate_count = 0};
+  for (const NetworkParticle& particle : network.particle) {
+    for (bool fixed : particle.fixed) size.freedom_count += fixed ? 0 : 1;
+    size.contact_candidate_count += particle.contact_stiffness_N_m > 0.0 ? 1 : 0;
+  }
+  return size;
+}
+
+}  // namespace
 
 Model::Model() : parts_(std::make_unique<Parts>()) {}
 Model::~Model() = default;
@@ -22,7 +40,7 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
     return nullptr;
   }
   parts.contact = product_contact(scenario.product, parts.body, scenario.simulation.pressure_patch_m);
-  if (parts.body.lattice) parts.rest.emplace(*parts.body.statics, parts.contact);
+  if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
 }
 
@@ -33,22 +51,8 @@ std::size_t Model::factor_entry_count() const { return parts_->body.factor.entry
 double Model::max_frequency_Hz() const { return parts_->body.max_frequency_Hz; }
 
 ModelSize model_size(const Scenario& scenario) {
-  ModelSize size;
-  if (const auto* parameters = std::get_if<LatticeParameters>(&scenario.product)) {
-    const Lattice lattice = build_lattice(*parameters);
-    size.particle_count = lattice.position_m.size();
-    size.freedom_count = 3 * size.particle_count;
-    size.contact_candidate_count =
-        lattice_contact(*parameters, lattice, scenario.simulation.pressure_patch_m).candidate.size();
-    return size;
-  }
-  const auto& network = std::get<NetworkParameters>(scenario.product);
-  size.particle_count = network.particle.size();
-  for (const NetworkParticle& particle : network.particle) {
-    for (bool fixed : particle.fixed) size.freedom_count += fixed ? 0 : 1;
-    size.contact_candidate_count += particle.contact_stiffness_N_m > 0.0 ? 1 : 0;
-  }
-  return size;
+  return std::visit([&](const auto& kind) { return size_of(kind, scenario.simulation.pressure_patch_m); },
+                    scenario.product);
 }
 
 }  // namespace unbruised

@@ -19,7 +19,7 @@ struct Model::Parts {
   std::optional<WilsonTheta> wilson;
   BodyModel body;
   ContactModel contact;
-  std::optional<SupportRest> rest;  ///< lattices
+  std::optional<SupportRest> rest;  ///< solids
 };
 
 }  // namespace unbruised

@@ -1,16 +1,13 @@
 #include "core/surface/surface_lanes.hpp"
 
 #include "core/scenario/opening.hpp"
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 namespace {
 
 /// Beyond anything that is handled.
 constexpr double kFar_m = 1e6;
-
-double pad_friction(const ProductParameters& product) {
-  return std::visit([](const auto& parameters) { return parameters.friction; }, product);
-}
 
 }  // namespace
 
@@ -20,7 +17,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   for (int pad = 0; pad < kFingerCount; ++pad) {
     SurfaceLane& surface = surface_[pad];
     surface.present.set(lane, jaw != nullptr);
-    surface.friction.set(lane, pad_friction(scenario.product));
+    surface.friction.set(lane, product_friction(scenario.product));
     surface.center_m[0].set(lane, product.center_m[1] + cell.grip_offset_m);
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
     if (jaw == nullptr) continue;

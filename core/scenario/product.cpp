@@ -1,0 +1,56 @@
+#include "core/scenario/product.hpp"
+
+#include <algorithm>
+
+namespace unbruised {
+namespace {
+
+std::optional<std::array<double, 3>> extents_of(const LatticeParameters& p) { return p.size_m; }
+std::optional<std::array<double, 3>> extents_of(const NetworkParameters&) { return std::nullopt; }
+
+std::optional<double> yield_stress_of(const LatticeParameters& p) { return p.yield_stress_Pa; }
+std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nullopt; }
+
+std::optional<YieldLaw> law_of(const LatticeParameters& p) {
+  if (!p.yield_stress_Pa || !p.tangent_modulus_Pa) return std::nullopt;
+  const double E = p.youngs_modulus_Pa, E_t = *p.tangent_modulus_Pa;
+  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t)};
+}
+std::optional<YieldLaw> law_of(const NetworkParameters&) { return std::nullopt; }
+
+bool yields(const LatticeParameters& p) { return p.yield_stress_Pa.has_value(); }
+bool yields(const NetworkParameters& p) {
+  return std::any_of(p.spring.begin(), p.spring.end(),
+                     [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
+}
+
+bool is_loaded(const LatticeParameters&) { return false; }
+bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
+
+}  // namespace
+
+double product_friction(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return kind.friction; }, product);
+}
+
+std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return extents_of(kind); }, product);
+}
+
+std::optional<double> yield_stress_Pa(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return yield_stress_of(kind); }, product);
+}
+
+std::optional<YieldLaw> yield_law(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return law_of(kind); }, product);
+}
+
+bool can_yield(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return yields(kind); }, product);
+}
+
+bool has_loads(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return is_loaded(kind); }, product);
+}
+
+}  // namespace unbruised

@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file
+/// What everybody asks of a product, whatever its kind. Another kind answers here, and whoever asks stays as he
+/// is.
+
+#include <array>
+#include <optional>
+
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// Coulomb coefficient against the pads.
+double product_friction(const ProductParameters& product);
+
+/// Full extents of its true shape along x, y, z [m]; none: it has no shape.
+std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product);
+
+/// Yield stress of its material [Pa]; none: it stays elastic, or has springs for a material.
+std::optional<double> yield_stress_Pa(const ProductParameters& product);
+
+/// Linear hardening of a material that yields.
+struct YieldLaw {
+  double yield_stress_Pa;
+  double hardening_modulus_Pa;  ///< yield stress gained per accumulated plastic strain, E E_t / (E - E_t)
+};
+/// None: it stays elastic, or has springs for a material.
+std::optional<YieldLaw> yield_law(const ProductParameters& product);
+
+/// Can it keep a deformation?
+bool can_yield(const ProductParameters& product);
+
+/// Do its parameters say of forces that act on it?
+bool has_loads(const ProductParameters& product);
+
+}  // namespace unbruised

@@ -42,19 +42,23 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
   stiffness_ = Lane(w.a0) * mass_ + a1_ * viscous_;
   inverse_stiffness_ = Lane(1.0) / stiffness_;
   inverse_driven_ = Lane(1.0) / (stiffness_ + a1_ * gain_);
-  compliance_ = select(centric_, Lane(0.5) * inverse_stiffness_, inverse_stiffness_);
+  compliance_ = select(centric_, Lane(1.0 / kFingerCount) * inverse_stiffness_, inverse_stiffness_);
   for (int finger = 0; finger < kFingerCount; ++finger) {
     State& s = state_[finger];
     s.viscous = w.viscous(s.way, s.speed, s.acceleration);
-    // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
-    const Lane inertial =
-        select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command.palm_acceleration_x_m_s2);
-    s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - inertial;
+    s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - palm_force(finger);
   }
 }
 
+Lane FingerLanes::palm_force(int finger) const {
+  // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
+  return select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
+}
+
 Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>& force) const {
-  return select(centric_, Lane(0.5) * (force[0] + force[1]), force[finger]);
+  Lane sum = force[0];
+  for (std::size_t other = 1; other < kFingerCount; ++other) sum += force[other];
+  return select(centric_, Lane(1.0 / kFingerCount) * sum, force[finger]);
 }
 
 Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
@@ -104,8 +108,7 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
   for (int finger = 0; finger < kFingerCount; ++finger) {
     State& s = state_[finger];
     const Lane contact = contact_share(finger, force_theta);
-    const Lane inertial =
-        select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
+    const Lane inertial = palm_force(finger);
     const Lane way_theta = way_at_theta(finger, force_theta);
     const Mask stopped = way_theta > stroke_;
     const Lane drive_theta =
@@ -140,6 +143,12 @@ Lane FingerLanes::furthest_way() const {
   Lane furthest = state_[0].way;
   for (const State& s : state_) furthest = max(furthest, s.way);
   return furthest;
+}
+
+Lane FingerLanes::closing() const {
+  Lane sum = state_[0].way;
+  for (std::size_t finger = 1; finger < kFingerCount; ++finger) sum += state_[finger].way;
+  return sum;
 }
 
 Lane FingerLanes::energy() const {

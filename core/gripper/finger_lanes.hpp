@@ -33,7 +33,7 @@ class FingerLanes {
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
 
-  /// Closing way at t + theta dt of `finger` when the contacts press with `force` on fingers 0 and 1.
+  /// Closing way at t + theta dt of `finger` when the contacts press with `force` on the fingers.
   [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const;
 
   /// Bound on d way / d force for the contact solver's local steps (drive saturated).
@@ -46,6 +46,8 @@ class FingerLanes {
   [[nodiscard]] Lane speed(int finger) const { return state_[finger].speed; }
   [[nodiscard]] Lane acceleration(int finger) const { return state_[finger].acceleration; }
 
+  /// Closing ways of all fingers together: how far the pads have approached each other.
+  [[nodiscard]] Lane closing() const;
   /// Closing way of the finger that is furthest in.
   [[nodiscard]] Lane furthest_way() const;
   /// Has a finger come to the end of its stroke?
@@ -68,6 +70,9 @@ class FingerLanes {
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
+  /// Force of inertia of an accelerated palm against the closing way.
+  [[nodiscard]] Lane palm_force(int finger) const;
+  /// What of the contact forces acts on one finger.
   [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, kFingerCount>& force) const;
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
   /// The same once the way is known.

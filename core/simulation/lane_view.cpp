@@ -61,8 +61,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     }
   }
   seen.patch_pressure_Pa = contact.patch_pressure()[lane];
-  const double closing = fingers.way(0)[lane] + fingers.way(1)[lane];
-  seen.compression_m = closing - 2.0 * approach_gap_m(scenario);
+  seen.compression_m = fingers.closing()[lane] - kFingerCount * approach_gap_m(scenario);
   seen.end_of_stroke = fingers.at_end_of_stroke()[lane];
   return seen;
 }

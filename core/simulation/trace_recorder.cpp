@@ -7,9 +7,9 @@
 namespace unbruised {
 namespace {
 
-void declare(Trace& trace, const char* name, const char* units, const char* long_name,
+void declare(Trace& trace, const char* name, const char* units, std::string long_name,
              std::vector<std::string> dimensions, std::vector<int> extents) {
-  trace.signals.push_back({name, units, long_name, std::move(dimensions), std::move(extents), {}});
+  trace.signals.push_back({name, units, std::move(long_name), std::move(dimensions), std::move(extents), {}});
 }
 
 /// "phase of the cycle: 0 approach, 1 grip, ..."
@@ -44,28 +44,30 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   trace.particle_count = static_cast<int>(position_m.size());
   for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
   declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});
-  declare(trace, "contact_count", "1", "closed contacts per surface: left pad, right pad, support", {"surface"},
-          {3});
-  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {3});
+  declare(trace, "contact_count", "1", "closed contacts per surface: " + surface_codes(), {"surface"},
+          {kSurfaceCount});
+  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {kSurfaceCount});
   declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
   declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
           {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
   if (!has_gripper(scenario)) return;
-  declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"}, {2, 3});
-  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {2});
-  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {2});
+  declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
+          {kFingerCount, 3});
+  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {kFingerCount});
+  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {kFingerCount});
   declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
   declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
           {}, {});
   declare(trace, "slip_m", "m",
           "mean travel of the anchors of each finger's closed contacts since the start of the lift", {"finger"},
-          {2});
-  declare(trace, "phase", "1", phase_codes().c_str(), {}, {});
+          {kFingerCount});
+  declare(trace, "phase", "1", phase_codes(), {}, {});
   if (!can_yield(scenario)) return;
   declare(trace, "contact_yield_ratio", "1",
-          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"}, {2});
+          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"},
+          {kFingerCount});
 }
 
 void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {

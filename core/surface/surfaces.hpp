@@ -5,6 +5,8 @@
 /// is carried, along which axis its normal points, to which side it pushes.
 
 #include <array>
+#include <string>
+#include <string_view>
 
 namespace unbruised {
 
@@ -21,6 +23,7 @@ enum class Carrier {
 };
 
 struct SurfaceGeometry {
+  std::string_view name;
   Carrier carrier;
   int normal_axis;
   /// Of the force it can exert on the product along its normal axis; a finger closes in this direction.
@@ -29,9 +32,9 @@ struct SurfaceGeometry {
 };
 
 inline constexpr std::array<SurfaceGeometry, kSurfaceCount> kSurfaces = {{
-    {Carrier::finger, 0, 1.0, {1, 2}},   // left pad
-    {Carrier::finger, 0, -1.0, {1, 2}},  // right pad
-    {Carrier::cell, 2, 1.0, {0, 1}},     // support
+    {"left pad", Carrier::finger, 0, 1.0, {1, 2}},
+    {"right pad", Carrier::finger, 0, -1.0, {1, 2}},
+    {"support", Carrier::cell, 2, 1.0, {0, 1}},
 }};
 
 constexpr const SurfaceGeometry& geometry_of(int surface) { return kSurfaces[static_cast<std::size_t>(surface)]; }
@@ -40,5 +43,14 @@ constexpr bool is_pad(int surface) { return geometry_of(surface).carrier == Carr
 constexpr int normal_axis(int surface) { return geometry_of(surface).normal_axis; }
 constexpr double normal_sign(int surface) { return geometry_of(surface).normal_sign; }
 constexpr std::array<int, 2> tangent_axes(int surface) { return geometry_of(surface).tangent_axes; }
+
+/// Their numbers and names: "0 left pad, 1 right pad, 2 support".
+inline std::string surface_codes() {
+  std::string text;
+  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+    text += (surface == 0 ? "" : ", ") + std::to_string(surface) + " " + std::string(geometry_of(surface).name);
+  }
+  return text;
+}
 
 }  // namespace unbruised

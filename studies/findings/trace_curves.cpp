@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/surface/surfaces.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -21,7 +22,6 @@ bool is_whole(const Trace& trace, const TraceSignal& signal) {
 
 std::string curve_name(const TraceSignal& signal, std::size_t entry) {
   static constexpr const char* kAxes[] = {"x", "y", "z"};
-  static constexpr const char* kSurfaces[] = {"left pad", "right pad", "support"};
   std::string text;
   std::size_t rest = entry;
   for (std::size_t i = signal.extents.size(); i-- > 0;) {
@@ -31,7 +31,7 @@ std::string curve_name(const TraceSignal& signal, std::size_t entry) {
     const std::string& dimension = signal.dimensions[i];
     std::string part = dimension + " " + std::to_string(at + 1);
     if (dimension == "component" && extent == 3) part = kAxes[at];
-    if (dimension == "surface" && extent == 3) part = kSurfaces[at];
+    if (dimension == "surface" && extent == kSurfaceCount) part = kSurfaces[at].name;
     text = text.empty() ? part : part + ", " + text;
   }
   return text;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 
+#include "core/surface/surfaces.hpp"
 #include "studies/results/hdf5_columns.hpp"
 #include "studies/results/trace_columns.hpp"
 #include "studies/text/joined.hpp"
@@ -102,7 +103,7 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
     file.attach_scale(name, dimension.scale, 0);
   };
   write_index("/contact_events/node", &ContactEvent::node, "index of the particle");
-  write_index("/contact_events/surface", &ContactEvent::surface, "0 left pad, 1 right pad, 2 support");
+  write_index("/contact_events/surface", &ContactEvent::surface, surface_codes());
   file.write("/contact_events/kind",
              column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),
              {events.size()}, 0);

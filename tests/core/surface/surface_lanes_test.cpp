@@ -29,6 +29,12 @@ SurfaceLanes loaded() {
   return surfaces;
 }
 
+TEST(Surfaces, ArePadsOfFingersInTheirOrderThenTheSupport) {
+  for (int f = 0; f < kFingerCount; ++f) EXPECT_TRUE(is_pad(f));
+  EXPECT_FALSE(is_pad(kSupport));
+  EXPECT_EQ(surface_codes(), "0 left pad, 1 right pad, 2 support");
+}
+
 CarrierMotion at_rest() { return {}; }
 
 TEST(SurfaceLanes, EachSurfaceHasItsOwnLayerAndFriction) {

@@ -23,9 +23,13 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
   }
   for (std::size_t i = 0; i < 3; ++i) {
     gravity_[i].set(lane, gravity_m_s2[i]);
-    double sum = 0.0;
-    for (std::size_t p = 0; p < body_.particle_count; ++p) sum += body_.mass_kg[p] * u_.at(3 * p + i, lane);
-    mass_u_[i].set(lane, sum);
+    double sum_u = 0.0, sum_a = 0.0;
+    for (std::size_t p = 0; p < body_.particle_count; ++p) {
+      sum_u += body_.mass_kg[p] * u_.at(3 * p + i, lane);
+      sum_a += body_.mass_kg[p] * a_.at(3 * p + i, lane);
+    }
+    mass_u_[i].set(lane, sum_u);
+    mass_a_[i].set(lane, sum_a);
   }
   fresh_.set(lane, true);
   damping_power_.set(lane, 0.0);

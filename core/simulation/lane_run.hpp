@@ -1,15 +1,16 @@
 #pragma once
 
 /// @file
-/// One lane's scenario, its clock, and what follows it.
+/// One lane's scenario, its clock, and who follows it.
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "core/integration/wilson_theta.hpp"
 #include "core/motion/handling_cycle.hpp"
-#include "core/outcome/handling_record.hpp"
-#include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/simulation/outcome_observer.hpp"
 
 namespace unbruised {
 
@@ -17,11 +18,9 @@ struct LaneRun {
   bool busy = false;
   Scenario scenario;
   HandlingCycle cycle;
-  HandlingRecord record;
-  std::int64_t step = 0;   ///< steps taken
-  Trace* trace = nullptr;  ///< to be filled; none where nobody asked
-  double contact_sweeps = 0;
-  double plastic_rounds = 0;
+  std::int64_t step = 0;                                 ///< steps taken
+  OutcomeObserver* outcome = nullptr;                    ///< one of the observers
+  std::vector<std::unique_ptr<LaneObserver>> observers;  ///< in the order in which they see a step
 
   /// t and t + theta dt of the next step, and its end [s].
   [[nodiscard]] double time_s(const WilsonTheta& w) const { return static_cast<double>(step) * w.dt; }

@@ -9,6 +9,7 @@
 #include "core/simulation/lane_drives.hpp"
 #include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
+#include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
 namespace {
@@ -36,10 +37,9 @@ struct LaneSimulation::Impl {
 
   void abort_lanes(const Mask& lanes, const char* cause);
   void tell_cycle(int lane, double start_s, double time_s);
-  void check_validity(int lane, double time_s);
-  void observe_lane(int lane, const std::array<Lane, kFingerCount>& yield_ratio);
-  void finish(int lane, double time_s);
-  void record(int lane, const StepObservation& seen);
+  void watch(int lane, std::unique_ptr<LaneObserver> observer);
+  void observe_lane(int lane);
+  void finish(const LaneStep& last);
   [[nodiscard]] LaneRun& run_of(int lane) {
     if (lane < 0 || lane >= kLanes) throw std::logic_error("LaneSimulation: there is no such lane");
     return run[static_cast<std::size_t>(lane)];
@@ -61,6 +61,7 @@ struct LaneSimulation::Impl {
   CarrierMotion now, theta, next;
   DriveCommand command;
   Balances balances;
+  std::array<Lane, kFingerCount> yield_ratio;
   LaneView view;
 
   LaneArray base;  ///< displacement without contact forces at the contact nodes
@@ -80,8 +81,10 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       body(parts.body, w),
       material(make_material(parts.body)),
       contact(parts.contact, parts.body, w),
-      view{parts, body, *material, contact, fingers, now},
-      base(3 * parts.contact.node_count()) {}
+      view{parts, body, *material, contact, fingers, now, yield_ratio},
+      base(3 * parts.contact.node_count()) {
+  yield_ratio.fill(Lane(0.0));
+}
 
 void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   LaneRun& r = run_of(lane);
@@ -93,7 +96,6 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   r.busy = true;
   r.scenario = scenario;
   r.cycle = HandlingCycle(scenario);
-  r.record = HandlingRecord(scenario);
   for (std::size_t i = 0; i < 3; ++i) {
     set_motion(now.palm[i], lane, {});
     set_motion(now.cell[i], lane, {});
@@ -109,8 +111,20 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
   contact.set_anchors(lane, body.u());
+  for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
   balances.load(lane, view, scenario);
+  auto outcome = std::make_unique<OutcomeObserver>(scenario, balances);
+  r.outcome = outcome.get();
+  watch(lane, std::move(outcome));
+}
+
+void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observer) {
+  LaneRun& r = run_of(lane);
+  if (!r.busy || r.step != 0) throw std::logic_error("LaneSimulation::watch: not right after load");
+  const StepObservation seen = view.observe(lane, r.scenario, 0.0);
+  observer->start({.lane = lane, .scenario = r.scenario, .cycle = r.cycle, .seen = seen, .view = view});
+  r.observers.push_back(std::move(observer));
 }
 
 void LaneSimulation::Impl::step() {
@@ -173,7 +187,7 @@ void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
   for (int lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     LaneRun& r = run_of(lane);
-    r.record.abort(Outcome::diverged, cause, r.time_s(w));
+    r.outcome->abort(cause, r.time_s(w));
   }
 }
 
@@ -213,34 +227,35 @@ void LaneSimulation::Impl::advance_state() {
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  std::array<Lane, kFingerCount> yield_ratio;
   for (int f = 0; f < kFingerCount; ++f) yield_ratio[f] = contact.yield_ratio(f, yield_stress);
   ++times.steps;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (run_of(lane).busy) observe_lane(lane, yield_ratio);
+    if (run_of(lane).busy) observe_lane(lane);
   }
 }
 
-void LaneSimulation::Impl::observe_lane(int lane, const std::array<Lane, kFingerCount>& yield_ratio) {
+void LaneSimulation::Impl::observe_lane(int lane) {
   LaneRun& r = run_of(lane);
   ++times.lane_steps;
   const double start = r.time_s(w);
   ++r.step;
   const double time = r.time_s(w);
-  r.contact_sweeps += sweeps[lane];
-  r.plastic_rounds += rounds[lane];
   tell_cycle(lane, start, time);
-  StepObservation seen = view.observe(lane, r.scenario, time);
-  for (std::size_t f = 0; f < kFingerCount; ++f) seen.finger[f].yield_ratio = yield_ratio[f][lane];
+  const StepObservation seen = view.observe(lane, r.scenario, time);
   balances.book_impulse(lane, view);
-  bool goes_on = r.record.observe(seen, r.cycle);
-  check_validity(lane, time);
-  if (r.trace != nullptr) {
-    contact.record_events(lane, start, r.trace->events);
-    record(lane, seen);
-  }
-  goes_on = goes_on && !r.record.aborted();
-  if (!goes_on || time >= r.cycle.plan().end_s() - 1e-9 * w.dt) finish(lane, time);
+  const LaneStep step{.lane = lane,
+                      .count = r.step,
+                      .start_s = start,
+                      .time_s = time,
+                      .contact_sweeps = sweeps[lane],
+                      .plastic_rounds = rounds[lane],
+                      .scenario = r.scenario,
+                      .cycle = r.cycle,
+                      .seen = seen,
+                      .view = view};
+  bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * w.dt;
+  for (const auto& observer : r.observers) goes_on = observer->observe(step) && goes_on;
+  if (!goes_on) finish(step);
 }
 
 /// Tells the cycle what the step showed; anchors travel from the start of the lift on.
@@ -250,53 +265,14 @@ void LaneSimulation::Impl::tell_cycle(int lane, double start_s, double time_s) {
   if (run_of(lane).cycle.observe(time_s, touch_s) == CycleEvent::lift_started) contact.forget_travel(lane);
 }
 
-/// Ends runs whose numbers are not finite or whose deformation linear strain does not describe.
-void LaneSimulation::Impl::check_validity(int lane, double time_s) {
-  LaneRun& r = run_of(lane);
-  double size = 0.0;
-  for (const auto* sums : {&body.mass_u(), &body.mass_a()}) {
-    for (const Lane& sum : *sums) size += sum[lane];
-  }
-  const double strain = material->largest_strain()[lane];
-  if (!std::isfinite(size) || !std::isfinite(strain)) {
-    r.record.abort(Outcome::diverged, "the motion is not finite", time_s);
-  } else if (strain > r.scenario.simulation.max_strain) {
-    r.record.abort(Outcome::out_of_range, "a cell's strain > simulation.max_strain", time_s);
-  } else if (parts.body.is_solid && body.rotation_rad(lane) > r.scenario.simulation.max_rotation_rad) {
-    r.record.abort(Outcome::out_of_range, "the product's rotation > simulation.max_rotation_rad", time_s);
-  }
-}
-
-void LaneSimulation::Impl::finish(int lane, double time_s) {
-  LaneRun& r = run_of(lane);
-  Metrics& metrics = r.record.metrics;
-  metrics[Metric::step_count] = static_cast<double>(r.step);
-  metrics[Metric::contact_iterations] = r.contact_sweeps;
-  metrics[Metric::plasticity_iterations] = r.plastic_rounds;
-  if (!r.record.aborted()) view.measure_permanent_set(lane, r.scenario.limits, metrics);
-  if (!r.record.diverged()) balances.measure(lane, time_s, view, r.scenario, metrics);
-  finished.push_back({lane, r.record.finish(r.cycle, time_s)});
+void LaneSimulation::Impl::finish(const LaneStep& last) {
+  LaneRun& r = run_of(last.lane);
+  for (const auto& observer : r.observers) observer->end(last);
+  finished.push_back({last.lane, r.outcome->result()});
+  r.observers.clear();
+  r.outcome = nullptr;
   r.busy = false;
-  r.trace = nullptr;
-  running.set(lane, false);
-}
-
-void LaneSimulation::Impl::record(int lane, const StepObservation& seen) {
-  LaneRun& r = run_of(lane);
-  const double every = r.scenario.simulation.trace_interval_s.value_or(w.dt);
-  const auto stride = std::max<std::int64_t>(1, std::llround(every / w.dt));
-  if (r.step % stride != 0) return;
-  TraceRow row = view.trace_row(lane, r.scenario, r.time_s(w));
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const FingerObservation& finger = seen.finger[f];
-    row.yield_ratio[f] = finger.yield_ratio;
-    if (r.cycle.lift_started() && finger.closed_contacts > 0)
-      row.slip_m[f] = finger.travel_sum_m / finger.closed_contacts;
-  }
-  row.phase = r.cycle.phase(row.time_s);
-  row.patch_pressure_Pa = seen.patch_pressure_Pa;
-  row.absorbed_energy_J = seen.absorbed_energy_J;
-  append_row(row, body.u(), body.v(), body.a(), *r.trace);
+  running.set(last.lane, false);
 }
 
 LaneSimulation::LaneSimulation(std::shared_ptr<const Model> model)
@@ -313,14 +289,10 @@ const std::vector<LaneSimulation::Finished>& LaneSimulation::finished() const { 
 void LaneSimulation::enable_timing() { impl_->timing = true; }
 const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return impl_->times; }
 
-void LaneSimulation::record_trace(int lane, Trace& trace) {
-  Impl& impl = *impl_;
-  LaneRun& run = impl.run_of(lane);
-  if (!run.busy || run.step != 0) throw std::logic_error("LaneSimulation::record_trace: not right after load");
-  start_trace(impl.parts.body.position_m, run.scenario, trace);
-  run.trace = &trace;
-  impl.record(lane, {});
+void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
+  impl_->watch(lane, std::move(observer));
 }
+void LaneSimulation::record_trace(int lane, Trace& trace) { watch(lane, std::make_unique<TraceRecorder>(trace)); }
 
 ScenarioResult simulate(const std::shared_ptr<const Model>& model, const Scenario& scenario, Trace* trace) {
   LaneSimulation simulation(model);

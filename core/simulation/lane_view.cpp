@@ -54,6 +54,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
     finger.travel_sum_m = tally.travel[lane];
+    finger.yield_ratio = yield_ratio[f][lane];
     const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
     for (std::size_t i = 0; i < 3; ++i) {
       seen.force_N[i] += force_N[i];

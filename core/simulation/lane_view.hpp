@@ -9,7 +9,7 @@
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/simulation/model_parts.hpp"
-#include "core/simulation/trace_recorder.hpp"
+#include "core/simulation/trace_row.hpp"
 #include "core/surface/carrier_motion.hpp"
 
 namespace unbruised {
@@ -21,11 +21,13 @@ struct LaneView {
   const ContactLanes& contact;
   const FingerLanes& fingers;
   const CarrierMotion& carriers;  ///< at the present time
+  /// Mean pressure below each pad / the one at first yield.
+  const std::array<Lane, kFingerCount>& yield_ratio;
 
   /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
   /// strains [J].
   [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
-  /// What the outcome is decided from; yield ratios are the caller's to fill.
+  /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// The signals of a trace that are read from the state.
   [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;

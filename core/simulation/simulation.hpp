@@ -51,6 +51,8 @@ class Model {
   std::unique_ptr<Parts> parts_;
 };
 
+class LaneObserver;  ///< lane_observer.hpp, inside core
+
 /// `lane_count()` scenarios of one factor key advancing in lockstep. A lane's bits never depend on its
 /// position, on its neighbours, or on when it was loaded.
 class LaneSimulation {
@@ -64,7 +66,9 @@ class LaneSimulation {
   void load(int lane, const Scenario& scenario);
   [[nodiscard]] bool busy(int lane) const;
   [[nodiscard]] int busy_count() const;
-  /// Records the full trace of the scenario in `lane` (call after load, before the first step).
+  /// Adds an observer to the scenario in `lane` (call after load, before the first step).
+  void watch(int lane, std::unique_ptr<LaneObserver> observer);
+  /// Watches it with what records its full trace; `trace` has to outlive the run.
   void record_trace(int lane, Trace& trace);
 
   /// Advances every busy lane by one time step. Lanes that end become free and are returned by `finished`.

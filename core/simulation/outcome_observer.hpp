@@ -1,0 +1,36 @@
+#pragma once
+
+/// @file
+/// The observer that decides how a run ends: by its record, and by whether its numbers still mean something.
+
+#include <string>
+
+#include "core/simulation/balances.hpp"
+#include "core/simulation/lane_observer.hpp"
+
+namespace unbruised {
+
+class OutcomeObserver final : public LaneObserver {
+ public:
+  /// @param balances of the lanes; have to outlive the run
+  OutcomeObserver(const Scenario& scenario, const Balances& balances) : record_(scenario), balances_(balances) {}
+
+  void start(const LaneStep& /*loaded*/) override {}
+  bool observe(const LaneStep& step) override;
+  void end(const LaneStep& last) override;
+
+  /// The step that begins at `time_s` has no solution.
+  void abort(const char* cause, double time_s) { record_.abort(Outcome::diverged, cause, time_s); }
+  /// After the end.
+  [[nodiscard]] const ScenarioResult& result() const { return result_; }
+
+ private:
+  void check_validity(const LaneStep& step);
+
+  HandlingRecord record_;
+  const Balances& balances_;
+  double contact_sweeps_ = 0, plastic_rounds_ = 0;  ///< of all steps
+  ScenarioResult result_;
+};
+
+}  // namespace unbruised

@@ -1,0 +1,103 @@
+#include "core/simulation/trace_row.hpp"
+
+#include <string>
+
+#include "core/outcome/damage_limits.hpp"
+
+namespace unbruised {
+namespace {
+
+void declare(Trace& trace, const char* name, const char* units, std::string long_name,
+             std::vector<std::string> dimensions, std::vector<int> extents) {
+  trace.signals.push_back({name, units, std::move(long_name), std::move(dimensions), std::move(extents), {}});
+}
+
+/// "phase of the cycle: 0 approach, 1 grip, ..."
+std::string phase_codes() {
+  std::string text = "phase of the cycle:";
+  for (std::size_t i = 0; i < kCyclePhaseWords.size(); ++i) {
+    text += (i == 0 ? " " : ", ") + std::to_string(i) + " " + std::string(kCyclePhaseWords[i]);
+  }
+  return text;
+}
+
+/// Appends values to the signals in the order of their declaration.
+class SignalWriter {
+ public:
+  explicit SignalWriter(Trace& trace) : trace_(trace) {}
+  void put(double value) { trace_.signals[at_++].values.push_back(value); }
+  template <std::size_t N>
+  void put(const std::array<double, N>& values) {
+    auto& out = trace_.signals[at_++].values;
+    out.insert(out.end(), values.begin(), values.end());
+  }
+
+ private:
+  Trace& trace_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace) {
+  trace = Trace{};
+  trace.particle_count = static_cast<int>(position_m.size());
+  for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
+  declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});
+  declare(trace, "contact_count", "1", "closed contacts per surface: " + surface_codes(), {"surface"},
+          {kSurfaceCount});
+  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {kSurfaceCount});
+  declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
+  declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
+  declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
+          {});
+  declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
+  if (!has_gripper(scenario)) return;
+  declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
+          {kFingerCount, 3});
+  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {kFingerCount});
+  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {kFingerCount});
+  declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
+  declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
+          {}, {});
+  declare(trace, "slip_m", "m",
+          "mean travel of the anchors of each finger's closed contacts since the start of the lift", {"finger"},
+          {kFingerCount});
+  declare(trace, "phase", "1", phase_codes(), {}, {});
+  if (!can_yield(scenario)) return;
+  declare(trace, "contact_yield_ratio", "1",
+          "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"},
+          {kFingerCount});
+}
+
+void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {
+  trace.time_s.push_back(row.time_s);
+  for (std::size_t i = 0; i < u.rows(); ++i) {
+    trace.displacement_m.push_back(u.at(i, row.lane));
+    trace.velocity_m_s.push_back(v.at(i, row.lane));
+    trace.acceleration_m_s2.push_back(a.at(i, row.lane));
+  }
+  SignalWriter signals(trace);
+  signals.put(row.surface_force_N[kSupport]);
+  signals.put(row.closed);
+  signals.put(row.sliding);
+  signals.put(row.plastic_strain);
+  signals.put(row.absorbed_energy_J);
+  signals.put(row.stored_energy_J);
+  signals.put(row.contact_energy_J);
+  if (!row.gripper) return;
+  std::array<double, 3 * kFingerCount> fingers{};
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    for (std::size_t i = 0; i < 3; ++i) fingers[3 * f + i] = row.surface_force_N[f][i];
+  }
+  signals.put(fingers);
+  signals.put(row.finger_way_m);
+  signals.put(row.finger_speed_m_s);
+  signals.put(row.palm_m);
+  signals.put(row.patch_pressure_Pa);
+  signals.put(row.slip_m);
+  signals.put(static_cast<double>(row.phase));
+  if (row.yields) signals.put(row.yield_ratio);
+}
+
+}  // namespace unbruised

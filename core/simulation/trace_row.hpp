@@ -1,0 +1,42 @@
+#pragma once
+
+/// @file
+/// The rows of a `Trace` and its signals.
+
+#include <array>
+#include <vector>
+
+#include "core/lanes/lane.hpp"
+#include "core/motion/handling_cycle.hpp"
+#include "core/outcome/trace.hpp"
+#include "core/scenario/scenario.hpp"
+#include "core/surface/surfaces.hpp"
+
+namespace unbruised {
+
+/// The signals of one row; forces act on the product and hold at the end of their step.
+struct TraceRow {
+  double time_s = 0;
+  int lane = 0;
+  bool gripper = false;
+  bool yields = false;  ///< the product can keep a deformation
+  std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
+  std::array<double, kSurfaceCount> closed{}, sliding{};
+  std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
+  std::array<double, 3> palm_m{};
+  CyclePhase phase = CyclePhase::approach;
+  std::array<double, kFingerCount> yield_ratio{}, slip_m{};
+  double patch_pressure_Pa = 0;
+  double plastic_strain = 0;
+  double absorbed_energy_J = 0;
+  double stored_energy_J = 0;
+  double contact_energy_J = 0;
+};
+
+/// Declares the signals and stores the rest positions.
+void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace);
+
+/// Appends one row.
+void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace);
+
+}  // namespace unbruised

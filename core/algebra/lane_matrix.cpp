@@ -1,5 +1,7 @@
 #include "core/algebra/lane_matrix.hpp"
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -15,6 +17,11 @@ inline void add_block(const double* block, const double* x, Lane (&acc)[3]) {
   }
 }
 
+/// Does a lane vector have the freedoms of the matrix?
+bool fits(const BlockMatrix& A, const LaneArray& x) {
+  return x.rows() == 3 * static_cast<std::size_t>(A.particle_count);
+}
+
 }  // namespace
 
 void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, std::array<Lane, 3>& sum) {
@@ -27,6 +34,7 @@ void add_blocks(const double* row, std::span<const int> columns, const LaneArray
 }
 
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {
+  require(fits(A, x) && fits(A, y), "multiply: vectors of another size than the matrix");
   for (int row = 0; row < A.particle_count; ++row) {
     Lane acc[3] = {0.0, 0.0, 0.0};
     for (int p = A.row_start[row]; p < A.row_start[row + 1]; ++p) {
@@ -38,6 +46,8 @@ void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {
 }
 
 void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y1, LaneArray& y2) {
+  require(fits(A, x1) && fits(A, x2) && fits(A, y1) && fits(A, y2),
+          "multiply_two: vectors of another size than the matrix");
   for (int row = 0; row < A.particle_count; ++row) {
     Lane acc1[3] = {0.0, 0.0, 0.0};
     Lane acc2[3] = {0.0, 0.0, 0.0};

@@ -2,10 +2,15 @@
 
 #include <cstddef>
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 
 std::vector<MatrixEntry> shifted_entries(const BlockMatrix& K, std::span<const double> mass_kg, double mass_factor,
                                          std::span<const int> freedom) {
+  const auto particles = static_cast<std::size_t>(K.particle_count);
+  require(mass_kg.size() == particles && freedom.size() == 3 * particles,
+          "shifted_entries: masses or freedoms of other particles than the matrix");
   std::vector<MatrixEntry> entries;
   entries.reserve(K.value.size() / 2 + 3 * mass_kg.size());
   for (int i = 0; i < K.particle_count; ++i) {

@@ -7,9 +7,15 @@
 
 #include <cholmod.h>
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 
 SymmetricMatrix symmetric_from_entries(int size, const std::vector<MatrixEntry>& entries) {
+  for (const MatrixEntry& entry : entries) {
+    require(entry.row >= 0 && entry.row < size && entry.column >= 0 && entry.column < size,
+            "symmetric_from_entries: an entry outside the matrix");
+  }
   SymmetricMatrix matrix;
   matrix.size = size;
   // Counting sort by column, then a stable sort by row: duplicates stay in the order given.
@@ -120,6 +126,9 @@ SparseCholesky::SparseCholesky() : impl_(std::make_unique<Impl>()) {}
 SparseCholesky::~SparseCholesky() = default;
 
 std::unique_ptr<SparseCholesky> SparseCholesky::factor(const SymmetricMatrix& matrix, std::string& error) {
+  require(matrix.size >= 0 && matrix.column_start.size() == static_cast<std::size_t>(matrix.size) + 1 &&
+              matrix.row.size() == matrix.value.size(),
+          "SparseCholesky::factor: the columns are not those of such a matrix");
   std::unique_ptr<SparseCholesky> self(new SparseCholesky());
   Impl& impl = *self->impl_;
   cholmod_sparse view = borrow(matrix);
@@ -150,6 +159,8 @@ std::vector<double> SparseCholesky::solve_many(std::span<const double> right_han
   b.nrow = impl_->factor->n;
   b.ncol = static_cast<std::size_t>(count);
   b.nzmax = b.nrow * b.ncol;
+  require(count > 0 && right_hand_sides.size() == b.nzmax,
+          "SparseCholesky::solve: right-hand sides of another size than the matrix");
   b.d = b.nrow;
   b.x = const_cast<double*>(right_hand_sides.data());
   b.xtype = CHOLMOD_REAL;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -91,6 +93,9 @@ double SupernodalFactor::solve_flops() const {
 }
 
 SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
+  const auto size = static_cast<std::size_t>(L.size);
+  require(L.permutation.size() == size && L.column_start.size() == size + 1 && L.row.size() == L.value.size(),
+          "pack_supernodes: the columns are not those of such a factor");
   SupernodalFactor packed;
   packed.size = L.size;
   packed.permutation = L.permutation;
@@ -137,6 +142,8 @@ SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
 }
 
 std::vector<int> elimination_positions(const SupernodalFactor& factor, const std::vector<int>& freedom) {
+  for (int number : freedom)
+    require(number < factor.size, "elimination_positions: the factor has no such freedom");
   std::vector<int> position(static_cast<std::size_t>(factor.size));
   for (int k = 0; k < factor.size; ++k) position[factor.permutation[k]] = k;
   std::vector<int> slot(freedom.size(), -1);
@@ -147,6 +154,9 @@ std::vector<int> elimination_positions(const SupernodalFactor& factor, const std
 }
 
 std::vector<int> reach(const SupernodalFactor& factor, const std::vector<int>& freedoms) {
+  for (int freedom : freedoms) {
+    require(freedom >= 0 && freedom < factor.size, "reach: the factor has no such freedom");
+  }
   std::vector<int> position(static_cast<std::size_t>(factor.size));
   for (int i = 0; i < factor.size; ++i) position[factor.permutation[i]] = i;
   std::vector<int> owner(static_cast<std::size_t>(factor.size));

@@ -5,18 +5,25 @@
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/algebra/lane_solve.hpp"
+#include "core/door/require.hpp"
 
 namespace unbruised {
 
 BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson) : body_(body), w_(wilson) {
   const std::size_t freedoms = 3 * body.particle_count;
+  require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
   for (LaneArray* array : {&u_, &v_, &a_, &u_theta_, &viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
   for (LaneArray* array : {&rhs_, &x_, &x_reach_}) *array = LaneArray(static_cast<std::size_t>(body.factor.size));
 }
 
 void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
+  const std::size_t freedoms = 3 * body_.particle_count;
+  require(is_lane(lane), "BodyLanes::load: there is no such lane");
+  require(state.displacement_m.size() == freedoms && state.velocity_m_s.size() == freedoms &&
+              state.acceleration_m_s2.size() == freedoms,
+          "BodyLanes::load: the state of another body");
   u_theta_.clear_lane(lane);
-  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+  for (std::size_t i = 0; i < freedoms; ++i) {
     u_.at(i, lane) = state.displacement_m[i];
     v_.at(i, lane) = state.velocity_m_s[i];
     a_.at(i, lane) = state.acceleration_m_s2[i];
@@ -64,12 +71,17 @@ void BodyLanes::begin_step(const Mask& running) {
   }
 }
 
-void BodyLanes::add_force(int lane, std::size_t freedom, double force_N) {
-  const int slot = body_.slot[freedom];
-  if (slot >= 0) rhs_.at(static_cast<std::size_t>(slot), lane) += force_N;
+void BodyLanes::add_forces(int lane, std::span<const double> force_N) {
+  require(is_lane(lane), "BodyLanes::add_forces: there is no such lane");
+  require(force_N.size() == body_.slot.size(), "BodyLanes::add_forces: forces on another body");
+  for (std::size_t i = 0; i < force_N.size(); ++i) {
+    const int slot = body_.slot[i];
+    if (slot >= 0) rhs_.at(static_cast<std::size_t>(slot), lane) += force_N[i];
+  }
 }
 
 void BodyLanes::start_solve(const LaneArray* load) {
+  require(load == nullptr || load->rows() == body_.slot.size(), "BodyLanes::start_solve: a load on another body");
   for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
     const int slot = body_.slot[i];
     if (slot < 0) continue;
@@ -81,6 +93,7 @@ void BodyLanes::start_solve(const LaneArray* load) {
 
 void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<const int> particles,
                                       LaneArray& base) {
+  require(base.rows() == 3 * particles.size(), "BodyLanes::solve_without_contact: a row for each freedom");
   for (int s : reach) {
     const Supernode& node = body_.factor.supernode[s];
     std::copy_n(x_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes,
@@ -95,6 +108,7 @@ void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<cons
 
 void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> particles,
                             std::span<const int> active, const LaneArray& force) {
+  require(force.rows() == 3 * particles.size(), "BodyLanes::add_contact: a force for each freedom");
   for (int s : reach) {
     const Supernode& node = body_.factor.supernode[s];
     std::fill_n(x_reach_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes, 0.0);

@@ -23,8 +23,8 @@ class BodyLanes {
 
   /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
   void begin_step(const Mask& running);
-  /// Adds a force at t + theta dt to the right-hand side of one lane.
-  void add_force(int lane, std::size_t freedom, double force_N);
+  /// Adds forces at t + theta dt, [3n], to the right-hand side of one lane.
+  void add_forces(int lane, std::span<const double> force_N);
 
   /// Forward through the factor. @param load added to the right-hand side, rows 3 x particle + axis; may be null
   void start_solve(const LaneArray* load);

@@ -1,5 +1,7 @@
 #include "core/body/body_state.hpp"
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -11,6 +13,7 @@ void write_motion(const LatticeParameters& lattice, const BodyModel& body, BodyS
 }
 
 void write_motion(const NetworkParameters& network, const BodyModel& body, BodyState& state) {
+  require(network.particle.size() == body.particle_count, "written_state: the particles of another body");
   for (std::size_t i = 0; i < 3 * body.particle_count; ++i) {
     const std::size_t p = i / 3, axis = i % 3;
     if (body.fixed[p][axis]) continue;

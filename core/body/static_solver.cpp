@@ -4,9 +4,11 @@
 
 #include "core/algebra/lane_solve.hpp"
 #include "core/algebra/shifted_entries.hpp"
+#include "core/door/require.hpp"
 #include "core/lanes/lane.hpp"
 
 namespace unbruised {
+
 std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vector<double> mass_kg,
                                                   const std::vector<int>& freedom, double shift_1_s2,
                                                   std::string& error) {
@@ -24,6 +26,7 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
 }
 
 std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
+  require(force_N.size() == slot_.size(), "StaticSolver: forces on another body");
   // One lane of all: these solves are few.
   LaneArray x(static_cast<std::size_t>(factor_.size));
   x.fill(0.0);
@@ -40,6 +43,7 @@ std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N)
 }
 
 std::vector<double> StaticSolver::compliance(std::span<const std::size_t> freedoms) const {
+  for (std::size_t freedom : freedoms) require(freedom < slot_.size(), "StaticSolver: there is no such freedom");
   const std::size_t k = freedoms.size();
   std::vector<double> compliance(k * k, 0.0);
   LaneArray x(static_cast<std::size_t>(factor_.size));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr double kStopStiffness_N_m = 1e7;
 
 void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s,
                        double force_limit_N) {
+  require(is_lane(lane), "FingerLanes::load: there is no such lane");
   const ParallelJawParameters values = jaw != nullptr ? *jaw : ParallelJawParameters{};
   const double set_speed = jaw != nullptr ? closing_speed_m_s : 0.0;
   // Steady motion: the drive, gain (v_set - v), overcomes the guide's friction c v. Where its limit does not let

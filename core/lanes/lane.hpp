@@ -23,6 +23,9 @@ inline constexpr int kLanes = 16;
 
 inline constexpr std::size_t kLaneAlignment = 64;
 
+/// Is there a lane of that number?
+constexpr bool is_lane(int lane) { return lane >= 0 && lane < kLanes; }
+
 namespace stdx = std::experimental;
 
 // Operations are inlined in every build: as calls they would be what a build with sanitizers spends its time on,

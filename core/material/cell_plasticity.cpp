@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/door/require.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -28,6 +29,7 @@ CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell
 }
 
 void CellPlasticity::load(int lane, const Scenario& scenario) {
+  require(is_lane(lane), "CellPlasticity::load: there is no such lane");
   constexpr YieldLaw kElastic{std::numeric_limits<double>::infinity(), 0.0};
   const YieldLaw law = yield_law(scenario.product).value_or(kElastic);
   yield_stress_.set(lane, law.yield_stress_Pa);
@@ -131,6 +133,7 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
 }
 
 Mask CellPlasticity::update(const LaneArray& u_theta, const Mask& active) {
+  require(u_theta.rows() == load_.rows(), "CellPlasticity::update: displacements of another body");
   Lane change(0.0), strain2(0.0);
   for (std::size_t cell = 0; cell < touched_.size(); ++cell) map_cell(cell, u_theta, active, change, strain2);
   largest_strain_ = select(active, sqrt(strain2), largest_strain_);

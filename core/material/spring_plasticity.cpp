@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "core/door/require.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -48,6 +50,7 @@ SpringPlasticity::SpringPlasticity(const std::vector<SpringGeometry>& springs, s
 }
 
 void SpringPlasticity::load(int lane, const Scenario& scenario) {
+  require(is_lane(lane), "SpringPlasticity::load: there is no such lane");
   for (LaneArray* rows :
        {&elongation_, &elongation_theta_, &accumulated_, &accumulated_theta_, &load_, &load_theta_}) {
     rows->clear_lane(lane);
@@ -80,6 +83,7 @@ void SpringPlasticity::yield_as_mounted(int lane, std::size_t i, const NetworkPa
 }
 
 Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
+  require(u_theta.rows() == load_.rows(), "SpringPlasticity::update: displacements of another body");
   Mask pending(false);
   for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
     const SpringGeometry& spring = springs_[yielding_spring_[i]];

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/door/require.hpp"
 #include "core/scenario/opening.hpp"
 
 namespace unbruised {
 
 MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
     : strategy_(scenario.strategy), place_height_m_(scenario.cell.place_height_m), ramp_start_s_(ramp_start_s) {
+  require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (const auto* jaw = parallel_jaw(scenario)) {
     const StrategyParameters& s = strategy_;
     const CellParameters& cell = scenario.cell;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/door/require.hpp"
 #include "core/lanes/part_timer.hpp"
 #include "core/scenario/product.hpp"
 #include "core/simulation/balances.hpp"
@@ -41,7 +41,7 @@ struct LaneSimulation::Impl {
   void observe_lane(int lane);
   void finish(const LaneStep& last);
   [[nodiscard]] LaneRun& run_of(int lane) {
-    if (lane < 0 || lane >= kLanes) throw std::logic_error("LaneSimulation: there is no such lane");
+    require(is_lane(lane), "LaneSimulation: there is no such lane");
     return run[static_cast<std::size_t>(lane)];
   }
 
@@ -88,10 +88,9 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
 
 void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   LaneRun& r = run_of(lane);
-  if (r.busy) throw std::logic_error("LaneSimulation::load: the lane is busy");
-  if (factor_key(scenario) != parts.key) {
-    throw std::logic_error("LaneSimulation::load: the scenario has another factor key than the model");
-  }
+  require(!r.busy, "LaneSimulation::load: the lane is busy");
+  require(factor_key(scenario) == parts.key,
+          "LaneSimulation::load: the scenario has another factor key than the model");
   r = LaneRun{};
   r.busy = true;
   r.scenario = scenario;
@@ -121,7 +120,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
 
 void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observer) {
   LaneRun& r = run_of(lane);
-  if (!r.busy || r.step != 0) throw std::logic_error("LaneSimulation::watch: not right after load");
+  require(r.busy && r.step == 0, "LaneSimulation::watch: not right after load");
   const StepObservation seen = view.observe(lane, r.scenario, 0.0);
   observer->start({.lane = lane, .scenario = r.scenario, .cycle = r.cycle, .seen = seen, .view = view});
   r.observers.push_back(std::move(observer));
@@ -160,9 +159,9 @@ void LaneSimulation::Impl::add_loads() {
     if (!r.busy || !has_loads(product)) continue;
     const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(w));
     const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(w), JumpSide::left);
-    for (std::size_t i = 0; i < at_t.size(); ++i) {
-      body.add_force(lane, i, at_t[i] + w.theta * (at_next[i] - at_t[i]));
-    }
+    std::vector<double> at_theta(at_t.size());
+    for (std::size_t i = 0; i < at_t.size(); ++i) at_theta[i] = at_t[i] + w.theta * (at_next[i] - at_t[i]);
+    body.add_forces(lane, at_theta);
   }
 }
 

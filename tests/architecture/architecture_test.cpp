@@ -38,20 +38,21 @@ const std::vector<std::string> kStudiesFloors = {"text",    "statistics", "goals
 
 /// Whom each folder of core may include, besides itself.
 const std::map<std::string, std::vector<std::string>> kCoreArrows = {
+    {"door", {}},
     {"scenario", {}},
     {"lanes", {}},
     {"integration", {}},
     {"surface", {"scenario", "lanes"}},
-    {"algebra", {"lanes"}},
-    {"motion", {"scenario"}},
-    {"body", {"scenario", "lanes", "algebra", "integration"}},
-    {"material", {"scenario", "lanes", "integration", "body"}},
-    {"gripper", {"scenario", "lanes", "integration", "surface"}},
-    {"contact", {"scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
+    {"algebra", {"door", "lanes"}},
+    {"motion", {"door", "scenario"}},
+    {"body", {"door", "scenario", "lanes", "algebra", "integration"}},
+    {"material", {"door", "scenario", "lanes", "integration", "body"}},
+    {"gripper", {"door", "scenario", "lanes", "integration", "surface"}},
+    {"contact", {"door", "scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
     {"outcome", {"scenario", "motion", "surface", "contact"}},
     {"simulation",
-     {"scenario", "lanes", "algebra", "integration", "motion", "body", "material", "surface", "gripper", "contact",
-      "outcome"}},
+     {"door", "scenario", "lanes", "algebra", "integration", "motion", "body", "material", "surface", "gripper",
+      "contact", "outcome"}},
 };
 
 std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }

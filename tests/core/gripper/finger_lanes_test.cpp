@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -238,6 +239,13 @@ TEST(FingerLanes, OfALaneThatDoesNotRunKeepTheirState) {
   EXPECT_EQ(jaw.way(0), 0.0);
   EXPECT_EQ(jaw.speed(0), speed);
   EXPECT_EQ(jaw.fingers.work()[kLane], 0.0);
+}
+
+TEST(FingerLanes, AreLoadedIntoALaneThatThereIs) {
+  FingerLanes fingers;
+  const ParallelJawParameters jaw;
+  EXPECT_THROW(fingers.load(-1, &jaw, 0.05, 10.0), std::logic_error);
+  EXPECT_THROW(fingers.load(kLanes, &jaw, 0.05, 10.0), std::logic_error);
 }
 
 TEST(FingerLanes, WithoutAJawStayAtRest) {

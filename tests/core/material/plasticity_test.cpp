@@ -1,9 +1,12 @@
 // Permanent deformation through the whole simulator, against the elastic-plastic bar.
 
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "core/material/material.hpp"
+#include "core/simulation/model_parts.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -148,6 +151,18 @@ TEST(CellPlasticity, ThePermanentSetOfAGrippedKiwiDoesNotDependOnTheStep) {
   EXPECT_NEAR(a, b, 0.01 * b);
   std::cout << "[ measured ] kiwi: set " << a << " m at 1 ms, " << b << " m at 0.5 ms, rounds per step "
             << coarse.metrics[Metric::plasticity_iterations] / coarse.metrics[Metric::step_count] << "\n";
+}
+
+TEST(Material, RefusesLanesAndDisplacementsThatDoNotFit) {
+  Scenario springs = oscillator(1.0, 100.0, 1e-3, 10);
+  network_of(springs).spring.front().yield_force_N = 1.0;
+  for (const Scenario& scenario : {small_box(), springs}) {
+    const auto model = build(scenario);
+    const auto material = make_material(model->parts().body);
+    EXPECT_THROW(material->load(kLanes, scenario), std::logic_error);
+    EXPECT_THROW(material->load(-1, scenario), std::logic_error);
+    EXPECT_THROW(material->update(LaneArray(3), Mask(true)), std::logic_error);
+  }
 }
 
 TEST(SpringPlasticity, ASpringKeepsTheSetOfItsClosedForm) {

@@ -130,6 +130,10 @@ TEST(MotionPlan, RaisesTheForceLimitLinearlyAndAimsAtASpeedThatReachesIt) {
   EXPECT_EQ(MotionPlan(weak, 1.0).set_speed_m_s(1.1), 0.1);
 }
 
+TEST(MotionPlan, RefusesATimeThatIsNoNumber) {
+  EXPECT_THROW(MotionPlan(Scenario{}, std::nan("")), std::logic_error);
+}
+
 TEST(MotionPlan, EndsAtTheDurationWhereThatComesFirst) {
   Scenario scenario = scene();
   scenario.simulation.duration_s = 1.25;

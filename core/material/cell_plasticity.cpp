@@ -66,9 +66,10 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {
   }
 }
 
-void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change,
-                              Lane& strain2) {
-  // Mean displacement gradient: differences of opposite faces, du_i/dx_j = (sum_+ u_i - sum_- u_i) / (4 h_j).
+/// Mean strain of a cell from its mean displacement gradient: differences of opposite faces,
+/// du_i/dx_j = (sum_+ u_i - sum_- u_i) / (4 h_j).
+[[gnu::always_inline]] inline void CellPlasticity::mean_strain(std::size_t cell, const LaneArray& u_theta,
+                                                               Lane (&e)[6]) const {
   Lane gradient[3][3];
   for (int i = 0; i < 3; ++i) {
     Lane u[8];
@@ -82,12 +83,16 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
     gradient[i][2] = Lane(gradient_[2]) * ((s45 + s67) - (s01 + s23));
   }
   const Lane half(0.5);
-  Lane e[6] = {gradient[0][0],
-               gradient[1][1],
-               gradient[2][2],
-               half * (gradient[1][2] + gradient[2][1]),
-               half * (gradient[0][2] + gradient[2][0]),
-               half * (gradient[0][1] + gradient[1][0])};
+  for (int i = 0; i < 3; ++i) e[i] = gradient[i][i];
+  e[3] = half * (gradient[1][2] + gradient[2][1]);
+  e[4] = half * (gradient[0][2] + gradient[2][0]);
+  e[5] = half * (gradient[0][1] + gradient[1][0]);
+}
+
+void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change,
+                              Lane& strain2) {
+  Lane e[6];
+  mean_strain(cell, u_theta, e);
   const Lane shear2 = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
   strain2 = max(strain2, e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + shear2 + shear2);
   const Lane mean = (e[0] + e[1] + e[2]) * Lane(1.0 / 3.0);

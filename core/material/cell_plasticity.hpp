@@ -33,6 +33,7 @@ class CellPlasticity final : public Material {
   [[nodiscard]] std::optional<double> volume_above_m3(int lane, double threshold) const override;
 
  private:
+  void mean_strain(std::size_t cell, const LaneArray& u_theta, Lane (&e)[6]) const;
   void map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change, Lane& strain2);
   void add_load(std::size_t cell, const Lane (&stress)[6]);
 

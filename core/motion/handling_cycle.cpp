@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
+#include "core/scenario/gripper.hpp"
+
 namespace unbruised {
 
 HandlingCycle::HandlingCycle(const Scenario& scenario)
     : scenario_(scenario), plan_(scenario, scenario.strategy.ramp_from_start ? 0.0 : kNever) {
-  const auto* jaw = parallel_jaw(scenario);
-  if (jaw == nullptr) return;
+  const auto stroke = finger_stroke_m(scenario.gripper);
+  if (!stroke) return;
   // Twice the time the whole stroke takes at the wanted speed, and a second for a slow start.
-  approach_deadline_s_ = 2.0 * jaw->stroke_m / scenario.strategy.approach_speed_m_s + 1.0;
+  approach_deadline_s_ = 2.0 * *stroke / scenario.strategy.approach_speed_m_s + 1.0;
 }
 
 CycleEvent HandlingCycle::observe(double time_s, std::optional<double> touch_s) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/door/require.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 
 namespace unbruised {
@@ -11,11 +12,14 @@ namespace unbruised {
 MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
     : strategy_(scenario.strategy), place_height_m_(scenario.cell.place_height_m), ramp_start_s_(ramp_start_s) {
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
-  if (const auto* jaw = parallel_jaw(scenario)) {
+  if (has_gripper(scenario)) {
     const StrategyParameters& s = strategy_;
     const CellParameters& cell = scenario.cell;
+    pressing_speed_m_s_ = s.approach_speed_m_s;
     // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
-    pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / jaw->drive_gain_N_s_m);
+    if (const auto gain = drive_gain_N_s_m(scenario.gripper)) {
+      pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / *gain);
+    }
     lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
     const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
     if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/rule_tables.hpp"
@@ -8,44 +9,44 @@
 namespace unbruised {
 namespace {
 
-/// A jaw with an opening, and the product that is to fit into it.
-struct OpenJaw {
+/// A gripper with an opening, and the product that is to fit into it.
+struct OpenGripper {
   double opening_m;
   double width_m;  ///< of the product along x
 };
 
-std::optional<OpenJaw> open_jaw(const Scenario& s) {
-  const auto* jaw = parallel_jaw(s);
+std::optional<OpenGripper> open_gripper(const Scenario& s) {
+  const auto opening = opening_m(s.gripper);
   const auto extents_m = shape_extents_m(s.product);
-  if (jaw == nullptr || !extents_m || !jaw->opening_m) return std::nullopt;
-  return OpenJaw{*jaw->opening_m, (*extents_m)[0]};
+  if (!opening || !extents_m) return std::nullopt;
+  return OpenGripper{*opening, (*extents_m)[0]};
 }
 
 void product_fits_opening(const Scenario& s, Violations& out) {
-  const auto jaw = open_jaw(s);
-  if (!jaw || jaw->width_m < jaw->opening_m) return;
-  out.push_back(
-      {"gripper.opening_m", spelled(jaw->opening_m),
-       "must be > product.size_m[0] = " + spelled(jaw->width_m) + ": the product is wider than the open gripper"});
+  const auto open = open_gripper(s);
+  if (!open || open->width_m < open->opening_m) return;
+  out.push_back({"gripper.opening_m", spelled(open->opening_m),
+                 "must be > product.size_m[0] = " + spelled(open->width_m) +
+                     ": the product is wider than the open gripper"});
 }
 
 void gap_follows_opening(const Scenario& s, Violations& out) {
-  const auto jaw = open_jaw(s);
-  if (!jaw || !s.cell.approach_gap_m) return;
+  const auto open = open_gripper(s);
+  if (!open || !s.cell.approach_gap_m) return;
   constexpr double kSame_m = 1e-9;  // what decimals of millimetres lose in sums
-  const double left = 0.5 * (jaw->opening_m - jaw->width_m);
+  const double left = 0.5 * (open->opening_m - open->width_m);
   if (left <= 0.0 || std::abs(left - *s.cell.approach_gap_m) <= kSame_m) return;
   out.push_back({"cell.approach_gap_m", spelled(*s.cell.approach_gap_m),
-                 "contradicts gripper.opening_m = " + spelled(jaw->opening_m) + ", which leaves " +
+                 "contradicts gripper.opening_m = " + spelled(open->opening_m) + ", which leaves " +
                      for_people(left) + " m on either side of the product; leave one of them out"});
 }
 
 void fingers_reach(const Scenario& s, Violations& out) {
-  const auto* jaw = parallel_jaw(s);
-  if (jaw == nullptr) return;
+  const auto stroke = finger_stroke_m(s.gripper);
+  if (!stroke) return;
   const double gap = approach_gap_m(s);
-  if (jaw->stroke_m > gap || gap <= 0.0) return;
-  out.push_back({"gripper.stroke_m", spelled(jaw->stroke_m),
+  if (*stroke > gap || gap <= 0.0) return;
+  out.push_back({"gripper.stroke_m", spelled(*stroke),
                  "must be > the way to the product, " + for_people(gap) + " m: the fingers never reach it"});
 }
 

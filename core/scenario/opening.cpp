@@ -1,5 +1,6 @@
 #include "core/scenario/opening.hpp"
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -7,9 +8,8 @@ namespace unbruised {
 double approach_gap_m(const Scenario& scenario) {
   if (scenario.cell.approach_gap_m) return *scenario.cell.approach_gap_m;
   const auto extents_m = shape_extents_m(scenario.product);
-  const auto* jaw = parallel_jaw(scenario);
-  const bool has_opening = jaw != nullptr && jaw->opening_m && extents_m;
-  return has_opening ? 0.5 * (*jaw->opening_m - (*extents_m)[0]) : kUsualApproachGap_m;
+  const auto opening = opening_m(scenario.gripper);
+  return opening && extents_m ? 0.5 * (*opening - (*extents_m)[0]) : kUsualApproachGap_m;
 }
 
 }  // namespace unbruised

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/number_fields.hpp"
 #include "core/scenario/opening.hpp"
@@ -137,9 +138,9 @@ Rows product_rows() {
 // -- Gripper. ----------------------------------------------------------------------------------------------
 
 void stroke_of_opening(const Scenario& s, const MeasureVisit& visit) {
-  const auto* jaw = parallel_jaw(s);
-  if (jaw == nullptr || !jaw->opening_m) return;
-  visit({"gripper.stroke_m", jaw->stroke_m, 2.0 * jaw->stroke_m / *jaw->opening_m});
+  const auto stroke = finger_stroke_m(s.gripper), opening = opening_m(s.gripper);
+  if (!stroke || !opening) return;
+  visit({"gripper.stroke_m", *stroke, 2.0 * *stroke / *opening});
 }
 
 Rows gripper_rows() {
@@ -200,9 +201,9 @@ void pad_overlap_across(const Scenario& s, const MeasureVisit& visit) {
 void approach_gap(const Scenario& s, const MeasureVisit& visit) {
   if (!has_gripper(s)) return;
   const double gap = approach_gap_m(s);
-  const auto* jaw = parallel_jaw(s);
-  if (s.cell.approach_gap_m || jaw == nullptr || !jaw->opening_m) return visit({"cell.approach_gap_m", gap, gap});
-  visit({"gripper.opening_m", *jaw->opening_m, gap});
+  const auto opening = opening_m(s.gripper);
+  if (s.cell.approach_gap_m || !opening) return visit({"cell.approach_gap_m", gap, gap});
+  visit({"gripper.opening_m", *opening, gap});
 }
 
 Rows cell_rows() {

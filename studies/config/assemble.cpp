@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 #include "studies/config/usual_damping.hpp"
 
@@ -220,8 +221,7 @@ struct Assembler {
   /// Where no opening says how far the pads stand away, the resolved config says the usual way.
   void settle_approach_gap() {
     Scenario& scenario = out.scenario;
-    const auto* jaw = parallel_jaw(scenario);
-    const bool follows = jaw != nullptr && (jaw->opening_m || varied("gripper.opening_m"));
+    const bool follows = opening_m(scenario.gripper) || varied("gripper.opening_m");
     if (!has_gripper(scenario) || follows || scenario.cell.approach_gap_m || varied("cell.approach_gap_m")) return;
     scenario.cell.approach_gap_m = kUsualApproachGap_m;
   }

@@ -1,0 +1,29 @@
+#include "core/scenario/gripper.hpp"
+
+namespace unbruised {
+namespace {
+
+std::optional<double> stroke_of(const NoGripper&) { return std::nullopt; }
+std::optional<double> stroke_of(const ParallelJawParameters& jaw) { return jaw.stroke_m; }
+
+std::optional<double> opening_of(const NoGripper&) { return std::nullopt; }
+std::optional<double> opening_of(const ParallelJawParameters& jaw) { return jaw.opening_m; }
+
+std::optional<double> gain_of(const NoGripper&) { return std::nullopt; }
+std::optional<double> gain_of(const ParallelJawParameters& jaw) { return jaw.drive_gain_N_s_m; }
+
+}  // namespace
+
+std::optional<double> finger_stroke_m(const GripperParameters& gripper) {
+  return std::visit([](const auto& kind) { return stroke_of(kind); }, gripper);
+}
+
+std::optional<double> opening_m(const GripperParameters& gripper) {
+  return std::visit([](const auto& kind) { return opening_of(kind); }, gripper);
+}
+
+std::optional<double> drive_gain_N_s_m(const GripperParameters& gripper) {
+  return std::visit([](const auto& kind) { return gain_of(kind); }, gripper);
+}
+
+}  // namespace unbruised

@@ -67,13 +67,18 @@ std::vector<Block> amalgamate(std::vector<Block> blocks) {
   return merged;
 }
 
-/// Writes a block's dense rows, `dense` row-major [rows, columns], as panels; those of a triangle end at its
-/// diagonal.
-void pack_panels(const std::vector<double>& dense, int rows, int columns, bool triangle,
+/// Where the panels of a block end.
+enum class BlockShape {
+  triangle,   ///< at its diagonal
+  rectangle,  ///< at its last column
+};
+
+/// Writes a block's dense rows, `dense` row-major [rows, columns], as panels.
+void pack_panels(const std::vector<double>& dense, int rows, int columns, BlockShape shape,
                  std::vector<double>& out) {
   for (int first = 0; first < rows; first += kPanelRows) {
     const int height = std::min(kPanelRows, rows - first);
-    const int width = triangle ? first + height : columns;
+    const int width = shape == BlockShape::triangle ? first + height : columns;
     for (int column = 0; column < width; ++column) {
       for (int row = 0; row < height; ++row) {
         out.push_back(dense[static_cast<std::size_t>(first + row) * columns + column]);
@@ -130,9 +135,9 @@ SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
       }
     }
     node.value_offset = packed.value.size();
-    pack_panels(diagonal, block.count, block.count, true, packed.value);
+    pack_panels(diagonal, block.count, block.count, BlockShape::triangle, packed.value);
     node.below_offset = packed.value.size();
-    pack_panels(below, node.row_count, block.count, false, packed.value);
+    pack_panels(below, node.row_count, block.count, BlockShape::rectangle, packed.value);
     packed.supernode.push_back(node);
   }
   for (Supernode& s : packed.supernode) {

@@ -13,7 +13,7 @@ void set_carriers(int lane, const MotionPlan& plan, double time_s, CarrierMotion
 
 void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers,
                     const CarrierMotion& carriers, DriveCommand& command) {
-  command.palm_acceleration_x_m_s2.set(lane, carriers.palm[0].acceleration_m_s2[lane]);
+  command.palm_acceleration_x_m_s2.set(lane, carriers.palm[normal_axis(kLeftPad)].acceleration_m_s2[lane]);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   double speed = plan.set_speed_m_s(time_s);
   // Opened is where the fingers started; inwards the stroke ends at a stop.

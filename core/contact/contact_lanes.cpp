@@ -1,5 +1,7 @@
 #include "core/contact/contact_lanes.hpp"
 
+#include <limits>
+
 #include "core/contact/first_yield.hpp"
 #include "core/contact/layer_law.hpp"
 
@@ -29,10 +31,13 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       sweep_(model, surfaces_, register_),
       window_(windows_over(model)) {
   place_free_.fill(Lane(0.0));
+  slip_.fill({Lane(0.0), Lane(0.0)});
+  open_way_.fill({Lane(0.0), Lane(0.0)});
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
   register_.clear(lane);
+  forget_slip(lane);
   for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
   for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
@@ -46,6 +51,21 @@ void ContactLanes::set_rest(int lane, const StaticRest& rest) {
     if (!(force_N > 0.0)) continue;
     support.normal.set(lane, support.normal[lane] + force_N);
     support.closed.set(lane, support.closed[lane] + 1.0);
+  }
+}
+
+void ContactLanes::leave(int surface, int lane) {
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    if (model_.candidate[c].surface != surface) continue;
+    const LayerEnergy stored = register_.stored_energy(c, surfaces_[surface]);
+    dissipated_.set(lane, dissipated_[lane] + stored.pressed[lane] + stored.sheared[lane]);
+    for (LaneArray* force : {&register_.normal, &register_.normal_theta, &register_.viscous,
+                             &register_.penetration, &register_.penetration_theta}) {
+      force->at(c, lane) = 0.0;
+    }
+    for (std::size_t t = 0; t < 2; ++t) {
+      register_.tangent[t].at(c, lane) = register_.tangent_theta[t].at(c, lane) = 0.0;
+    }
   }
 }
 
@@ -130,15 +150,37 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
 
 void ContactLanes::end_step(const ContactEnd& end, const Mask& running) {
   tally_.fill(SurfaceTally{});
-  patch_pressure_ = Lane(0.0);
+  patch_pressure_ = layer_strain_ = Lane(0.0);
   first_touch_ = Lane(2.0);
   carry_open_anchors(end, running);
   for (int c : sweep_.live_candidates()) end_candidate(static_cast<std::size_t>(c), end, running);
-  for (int surface = 0; surface < kSurfaceCount; ++surface) measure_windows(surface, end, running);
+  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+    measure_windows(surface, end, running);
+    advance_slip(surface, running);
+  }
+}
+
+/// A pad slips as far as its anchors move, weighted by what they carry; while nothing touches, as far as the
+/// particles before it do.
+void ContactLanes::advance_slip(int surface, const Mask& running) {
+  if (!is_pad(surface)) return;
+  const auto at = static_cast<std::size_t>(surface);
+  SurfaceTally& sums = tally_[at];
+  const Mask touches = sums.weight > Lane(0.0);
+  Lane square(0.0);
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Lane way = select(touches, sums.moved[t] / max(sums.weight, Lane(1e-300)), open_way_[at][t]);
+    slip_[at][t] += select(running, way, Lane(0.0));
+    square += slip_[at][t] * slip_[at][t];
+  }
+  sums.slip_m = sqrt(square);
 }
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
 void ContactLanes::carry_open_anchors(const ContactEnd& end, const Mask& running) {
+  std::array<Lane, kFingerCount> count;
+  count.fill(Lane(0.0));
+  open_way_.fill({Lane(0.0), Lane(0.0)});
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const int surface = model_.candidate[c].surface;
     const auto tangents = tangent_axes(surface);
@@ -147,8 +189,21 @@ void ContactLanes::carry_open_anchors(const ContactEnd& end, const Mask& running
     for (std::size_t t = 0; t < 2; ++t) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
       const Lane place = end.u.get(node + axis) - carrier_of(surface, end.next)[axis].place_m;
-      register_.anchor[t].put(c, select(open, place, register_.anchor[t].get(c)));
+      const Lane before = register_.anchor[t].get(c);
+      register_.anchor[t].put(c, select(open, place, before));
+      if (is_pad(surface))
+        open_way_[static_cast<std::size_t>(surface)][t] += select(open, place - before, Lane(0.0));
     }
+    if (is_pad(surface)) count[static_cast<std::size_t>(surface)] += select(open, Lane(1.0), Lane(0.0));
+  }
+  for (std::size_t pad = 0; pad < kFingerCount; ++pad) {
+    for (Lane& way : open_way_[pad]) way = way / max(count[pad], Lane(1.0));
+  }
+}
+
+void ContactLanes::forget_slip(int lane) {
+  for (auto& pad : slip_) {
+    for (Lane& way : pad) way.set(lane, 0.0);
   }
 }
 
@@ -157,13 +212,14 @@ void ContactLanes::end_candidate(std::size_t c, const ContactEnd& end, const Mas
   step.closed = running & register_.is_closed(c);
   step.sliding = step.closed & register_.sliding.get(c);
   advance_forces(c, running, step);
-  advance_anchors(c, end, running, step);
+  advance_anchors(c, end, step);
   advance_penetration(c, running, step);
   book_viscous(c, running, step);
   const Lane slid =
       (step.before[1] + step.after[1]) * step.moved[0] + (step.before[2] + step.after[2]) * step.moved[1];
   dissipated_ += select(running, -Lane(0.5) * slid, Lane(0.0));
   tally_candidate(c, running, step);
+  note_layer_strain(c, step);
   if (!is_pad(model_.candidate[c].surface)) return;
   tally_torque(c, end, running, step);
   note_touch(c, step);
@@ -185,8 +241,7 @@ void ContactLanes::advance_forces(std::size_t c, const Mask& running, CandidateS
 }
 
 /// Where a contact slides, its anchor follows so that the spring stays on the cone.
-void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, const Mask& running,
-                                   CandidateStep& step) {
+void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, CandidateStep& step) {
   const ContactCandidate& candidate = model_.candidate[c];
   const int surface = candidate.surface;
   const auto tangents = tangent_axes(surface);
@@ -199,9 +254,6 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, const M
     const Lane after = w_.at_end(before, place + register_.tangent_theta[t].get(c) / shear);
     step.moved[t] = select(step.sliding, after - before, Lane(0.0));
     register_.anchor[t].put(c, before + step.moved[t]);
-    const Lane way = register_.travel[t].get(c);
-    step.travel[t] = select(step.closed, way + step.moved[t], select(running, Lane(0.0), way));
-    register_.travel[t].put(c, step.travel[t]);
   }
 }
 
@@ -240,7 +292,9 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
   sums.tangent[1] += select(running, step.after[2], Lane(0.0));
   sums.closed += closed;
   sums.sliding += select(step.sliding, Lane(1.0), Lane(0.0));
-  sums.travel += closed * sqrt(step.travel[0] * step.travel[0] + step.travel[1] * step.travel[1]);
+  const Lane weight = select(step.closed, register_.normal_theta.get(c), Lane(0.0));
+  sums.weight += weight;
+  for (std::size_t t = 0; t < 2; ++t) sums.moved[t] += weight * step.moved[t];
   if (is_pad(model_.candidate[c].surface)) {
     sums.add_moments(model_.candidate[c], step.after[0],
                      {register_.penetration_theta.get(c),
@@ -263,6 +317,16 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
   }
   for (std::size_t t = 0; t < 2; ++t) arm[tangents[t]] -= surfaces_[surface].center_m[t];
   tally_[surface].add_torque(arm, along_axes(surface, step.after[0], step.after[1], step.after[2]), running);
+}
+
+/// Notes how far the layer is pressed in at the deepest place, of which the cell takes its part.
+void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  if (candidate.area_m2 == 0.0) return;  // a particle's own layer has no thickness
+  const SurfaceLane& surface = surfaces_[candidate.surface];
+  const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
+  const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * Lane(candidate.cell_compliance_m_Pa));
+  layer_strain_ = max(layer_strain_, select(step.closed, depth * of_layer / surface.thickness_m, Lane(0.0)));
 }
 
 /// Notes when within the step a pad's contact closed.
@@ -299,6 +363,18 @@ void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mas
   const Mask carrying = running & (force > Lane(0.0));
   const Lane largest = window_[at].largest_Pa(register_.normal, reach, carrying);
   patch_pressure_ = max(patch_pressure_, select(carrying, largest, Lane(0.0)));
+}
+
+Lane ContactLanes::lowest_place_m(int surface, const LaneArray& u) const {
+  const auto axis = static_cast<std::size_t>(normal_axis(surface));
+  const Lane sign(normal_sign(surface));
+  Lane lowest(std::numeric_limits<double>::infinity());
+  for (const ContactCandidate& candidate : model_.candidate) {
+    if (candidate.surface != surface) continue;
+    const Lane place = Lane(candidate.surface_m) + u.get(3 * static_cast<std::size_t>(candidate.node) + axis);
+    lowest = min(lowest, sign * place + Lane(candidate.least_relief_m));
+  }
+  return lowest;
 }
 
 Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {

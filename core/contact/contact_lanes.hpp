@@ -56,8 +56,11 @@ class ContactLanes {
   /// Opens all contacts of a lane and sets its surfaces up.
   void load(int lane, const Scenario& scenario);
   void set_rest(int lane, const StaticRest& rest);
+  /// Takes a surface away from the product of a lane; what its layer holds is lost.
+  void leave(int surface, int lane);
   void set_anchors(int lane, const LaneArray& u) { register_.set_anchors(lane, u); }
-  void forget_travel(int lane) { register_.forget_travel(lane); }
+  /// Lets a lane's slip begin from here.
+  void forget_slip(int lane);
 
   /// Finds what is near a surface and starts the solve from the forces of the last step.
   void begin_step(const ContactStart& start, const Mask& running);
@@ -75,6 +78,10 @@ class ContactLanes {
   [[nodiscard]] const std::array<SurfaceTally, kSurfaceCount>& tally() const { return tally_; }
   /// Largest pressure over a patch of fixed size in this step, per lane.
   [[nodiscard]] const Lane& patch_pressure() const { return patch_pressure_; }
+  /// Largest compression of a layer over its thickness in this step, per lane.
+  [[nodiscard]] const Lane& layer_strain() const { return layer_strain_; }
+  /// Lowest place of the product along the normal of a surface, per lane [m].
+  [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
   /// none.
   [[nodiscard]] const Lane& first_touch() const { return first_touch_; }
@@ -96,7 +103,6 @@ class ContactLanes {
     Mask closed, sliding;                  ///< at t + theta dt, in running lanes
     std::array<Lane, 3> before, after;     ///< normal, tangents at t and t + dt
     std::array<Lane, 2> moved;             ///< of the anchor
-    std::array<Lane, 2> travel;            ///< of the anchor since it closed
     Lane penetration_before, penetration;  ///< at t and t + dt
   };
   void meet_surface(std::size_t candidate, const ContactStart& start, const Mask& running);
@@ -104,12 +110,14 @@ class ContactLanes {
   void carry_open_anchors(const ContactEnd& end, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
   void advance_forces(std::size_t candidate, const Mask& running, CandidateStep& step);
-  void advance_anchors(std::size_t candidate, const ContactEnd& end, const Mask& running, CandidateStep& step);
+  void advance_anchors(std::size_t candidate, const ContactEnd& end, CandidateStep& step);
   void advance_penetration(std::size_t candidate, const Mask& running, CandidateStep& step);
   void book_viscous(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_candidate(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_torque(std::size_t candidate, const ContactEnd& end, const Mask& running, const CandidateStep& step);
   void note_touch(std::size_t candidate, const CandidateStep& step);
+  void note_layer_strain(std::size_t candidate, const CandidateStep& step);
+  void advance_slip(int surface, const Mask& running);
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
 
   const ContactModel& model_;
@@ -127,7 +135,9 @@ class ContactLanes {
   std::array<Lane, kSurfaceCount> place_free_;    ///< at t + theta dt, of fingers that nothing presses on
 
   std::array<SurfaceTally, kSurfaceCount> tally_;
-  Lane patch_pressure_{0.0}, first_touch_{2.0}, dissipated_{0.0};
+  std::array<std::array<Lane, 2>, kFingerCount> slip_;      ///< of product past each pad, along its tangents
+  std::array<std::array<Lane, 2>, kFingerCount> open_way_;  ///< in this step, of the particles that do not touch
+  Lane patch_pressure_{0.0}, layer_strain_{0.0}, first_touch_{2.0}, dissipated_{0.0};
 };
 
 }  // namespace unbruised

@@ -8,10 +8,9 @@ namespace unbruised {
 
 ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal,           &tangent[0],     &tangent[1],        &normal_theta, &tangent_theta[0],
-                          &tangent_theta[1], &penetration,    &penetration_theta, &viscous,      &anchor[0],
-                          &anchor[1],        &travel[0],      &travel[1],         &share,        &mean[0],
-                          &mean[1],          &mean_square[0], &mean_square[1],    &gap_now,      &gap_free}) {
+  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
+                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &share, &mean[0],
+                          &mean[1], &mean_square[0], &mean_square[1], &gap_now, &gap_free}) {
     *rows = LaneArray(n);
   }
   for (LaneArray& rows : place_weight) {
@@ -24,8 +23,8 @@ ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
 
 void ContactRegister::clear(int lane) {
   for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
-                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &travel[0],
-                          &travel[1], &share, &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
+                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &share, &mean[0],
+                          &mean[1], &mean_square[0], &mean_square[1]}) {
     rows->clear_lane(lane);
   }
   for (LaneArray& weights : place_weight) {
@@ -51,10 +50,6 @@ void ContactRegister::set_anchors(int lane, const LaneArray& u) {
       anchor[t].at(c, lane) = u.at(node + static_cast<std::size_t>(tangents[t]), lane);
     }
   }
-}
-
-void ContactRegister::forget_travel(int lane) {
-  for (LaneArray& way : travel) way.clear_lane(lane);
 }
 
 Lane ContactRegister::layer_stiffness(std::size_t c, const SurfaceLane& surface) const {

@@ -34,8 +34,6 @@ class ContactRegister {
   void set_rest(int lane, const StaticRest& rest);
   /// Lets a lane's anchors stand where the particles are.
   void set_anchors(int lane, const LaneArray& u);
-  /// Forgets how far a lane's anchors have travelled.
-  void forget_travel(int lane);
 
   /// Does the contact carry force at t + theta dt?
   [[nodiscard]] Mask is_closed(std::size_t c) const { return normal_theta.get(c) > Lane(0.0); }
@@ -66,7 +64,7 @@ class ContactRegister {
   std::array<LaneArray, 2> tangent_theta;
   LaneArray penetration, penetration_theta;  ///< of the particle's place; meaningful while closed
   LaneArray viscous;                         ///< viscous part of `normal`; 0 where the layer has none
-  std::array<LaneArray, 2> anchor, travel;
+  std::array<LaneArray, 2> anchor;
   // Of the part of its tributary piece that the surface covers.
   LaneArray share;                             ///< of its area
   std::array<LaneArray, 2> mean, mean_square;  ///< offset from the particle along flat tangents

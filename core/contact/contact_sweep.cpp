@@ -116,11 +116,15 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
   const Lane& rate_slope = rate_slope_[surface];
-  const LayerLaw law = layer_law(candidate, penetration, rate_slope * penetration - viscous_.get(c), rate_slope,
-                                 contacts_.cover(c));
   const Lane old_normal = contacts_.normal_theta.get(c);
+  // Below every place the law is flat and says nothing of where the contact is: look from where it would stand
+  // without its force.
+  const Mask below = penetration <= Lane(candidate.least_relief_m);
+  const Lane from = select(below, Lane(0.0), old_normal);
+  const Lane at = select(below, penetration + compliance * old_normal, penetration);
+  const LayerLaw law = layer_law(candidate, at, rate_slope * at - viscous_.get(c), rate_slope, contacts_.cover(c));
   const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
-  const Lane wanted = old_normal + (layer * law.force - old_normal) / (Lane(1.0) + layer * down * compliance);
+  const Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
   const Lane normal = select(active, max0(wanted), old_normal);
   const Lane change = normal - old_normal;
   contacts_.normal_theta.put(c, normal);

@@ -43,7 +43,7 @@ class MotionPlan {
   [[nodiscard]] double force_limit_N(double time_s) const;
   /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
   [[nodiscard]] double set_speed_m_s(double time_s) const;
-  /// Height of the plane under the product.
+  /// Height of the plane under a product that follows the plan.
   [[nodiscard]] double support_height_m(double time_s) const;
 
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }

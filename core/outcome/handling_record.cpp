@@ -126,7 +126,7 @@ void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingC
 void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {
   double slip = 0.0;
   for (const FingerObservation& finger : now.finger) {
-    if (touches(finger)) slip = std::max(slip, finger.travel_sum_m / finger.closed_contacts);
+    if (touches(finger)) slip = std::max(slip, finger.slip_m);
   }
   raise(Metric::slip_max_m, slip);
   if (metrics[Metric::slip_max_m] > limits_.slip_m) slipped_.at(now.time_s, "slip_max_m > limits.slip_m");
@@ -137,7 +137,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
       if (!touches(finger)) continue;
       double margin;
       if (finger.sliding_contacts >= finger.closed_contacts) {
-        margin = -(finger.travel_sum_m / finger.closed_contacts) / limits_.slip_m;
+        margin = -finger.slip_m / limits_.slip_m;
       } else {
         const double tangential = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
         if (tangential <= kLeastTangentialShare * finger.normal_N) continue;
@@ -193,6 +193,8 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   };
   if (aborted_) {
     set(abort_outcome_, abort_);
+  } else if (std::abs(record.metrics[Metric::energy_balance_error]) > kEnergyErrorMost) {
+    set(Outcome::out_of_range, {end_time_s, "more than 5 % of the energy put in is unaccounted for"});
   } else if (record.not_grasped_.happened()) {
     set(Outcome::not_grasped, record.not_grasped_);
   } else if (record.dropped_.happened()) {

@@ -21,7 +21,7 @@ struct FingerObservation {
   std::array<double, 2> tangent_N{};  ///< along y and z, on the product
   double closed_contacts = 0;
   double sliding_contacts = 0;
-  double travel_sum_m = 0;  ///< of the anchors of its closed contacts since the start of the lift
+  double slip_m = 0;  ///< that the product has slipped past its pad since the start of the lift
   double yield_ratio = 0;
 };
 
@@ -37,6 +37,7 @@ struct StepObservation {
   std::array<double, 3> palm_m{};
   double compression_m = 0;
   double patch_pressure_Pa = 0;
+  double layer_strain = 0;  ///< largest compression of a pad or the support over its thickness
   double plastic_strain = 0;
   double absorbed_energy_J = 0;
   bool end_of_stroke = false;

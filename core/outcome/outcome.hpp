@@ -92,7 +92,7 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::compression_max_m, "compression_max_m", "m",
      "largest approach of the two pad faces past the product's undeformed width"},
     {Metric::slip_max_m, "slip_max_m", "m",
-     "largest over fingers of the mean travel of the anchors of its closed contacts since the end of grip"},
+     "largest way over fingers that the product has slipped past a pad since the end of grip"},
     {Metric::friction_margin_min, "friction_margin_min", "1",
      "smallest friction_coefficient x normal force / tangential force - 1 of a finger from lift to lower"},
     {Metric::hold_drift_m_s, "hold_drift_m_s", "m s-1",
@@ -119,6 +119,14 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::grip_impulse_N_s, "grip_impulse_N_s", "N s",
      "time integral of a finger's normal force, mean of both, up to the release; creep set x dashpot constant"},
 }};
+
+/// Largest size of `energy_balance_error` with which a run is an answer; beyond it its forces and damage are not
+/// to be trusted, and the outcome is out_of_range.
+inline constexpr double kEnergyErrorMost = 0.05;
+
+/// Largest compression of a pad's or the support's layer over its thickness: rubber that is pressed flat is no
+/// longer the linear layer of the model. Beyond it the outcome is out_of_range.
+inline constexpr double kLargestLayerStrain = 0.8;
 
 /// The metrics of one scenario; NaN where a metric does not exist for it.
 class Metrics {

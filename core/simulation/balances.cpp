@@ -5,6 +5,12 @@
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
+namespace {
+
+/// Of the work of lifting the product by its smallest extent; a product at rest moves by rounding (1e-14).
+constexpr double kLeastInputShare = 1e-9;
+
+}  // namespace
 
 void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   for (Lane& force : palm_force_) force.set(lane, 0.0);
@@ -81,8 +87,9 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
                       + (driven ? view.fingers.work()[lane] : 0.0);
   const double put_in = positive_work_[lane] + (driven ? view.fingers.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;
-  // Work of loads is not booked.
-  if (!(put_in > 0.0) || has_loads(scenario.product)) return;
+  // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
+  const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);
+  if (!(put_in > kLeastInputShare * weight_N * product.smallest_extent_m()) || has_loads(scenario.product)) return;
   const double stored = view.stored_energy_J(lane, scenario) - initial_energy_J_[static_cast<std::size_t>(lane)];
   metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
 }

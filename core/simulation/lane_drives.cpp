@@ -2,13 +2,13 @@
 
 namespace unbruised {
 
-void set_carriers(int lane, const MotionPlan& plan, double time_s, CarrierMotion& motion) {
+void set_carriers(int lane, const MotionPlan& plan, double time_s, double support_height_m,
+                  CarrierMotion& motion) {
   const PalmState palm = plan.palm(time_s);
   for (std::size_t i = 0; i < 3; ++i) {
     set_motion(motion.palm[i], lane, {palm.position_m[i], palm.velocity_m_s[i], palm.acceleration_m_s2[i]});
   }
-  // The plane under the product is another one once the product is lifted; neither of them moves.
-  set_motion(motion.cell[2], lane, {plan.support_height_m(time_s), 0.0, 0.0});
+  set_motion(motion.cell[normal_axis(kSupport)], lane, {support_height_m, 0.0, 0.0});
 }
 
 void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers,

@@ -29,6 +29,7 @@ struct LaneSimulation::Impl {
 
   // The parts of a step, in order.
   void follow_plans();
+  double choose_support(int lane);
   void add_loads();
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
@@ -145,11 +146,30 @@ void LaneSimulation::Impl::follow_plans() {
   for (int lane = 0; lane < kLanes; ++lane) {
     const LaneRun& r = run_of(lane);
     if (!r.busy) continue;
-    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), theta);
-    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), next);
+    const double plane_m = choose_support(lane);
+    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane_m, theta);
+    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane_m, next);
     if (!has_gripper(r.scenario)) continue;
     command_drives(lane, r.cycle.plan(), r.theta_time_s(w), fingers, theta, command);
   }
+}
+
+/// The plane under a lifted product is another one from the end of the lift on, once the product hangs clear of
+/// the first and above the second: neither of them moves, and none appears within a product. Without a lift the
+/// first one ends there. @return height of the plane in the coming step [m]
+double LaneSimulation::Impl::choose_support(int lane) {
+  LaneRun& r = run_of(lane);
+  const double planned_m = r.cycle.plan().support_height_m(r.end_time_s(w));
+  if (planned_m == r.support_height_m) return planned_m;
+  const bool is_lifted = r.scenario.cell.lift_height_m > 0.0;
+  const bool stands = contact.tally()[kSupport].closed[lane] > 0.0;
+  if (is_lifted && (stands || contact.lowest_place_m(kSupport, body.u())[lane] < planned_m)) {
+    return r.support_height_m;
+  }
+  contact.leave(kSupport, lane);
+  r.support_height_m = planned_m;
+  set_motion(now.cell[normal_axis(kSupport)], lane, {planned_m, 0.0, 0.0});
+  return planned_m;
 }
 
 void LaneSimulation::Impl::add_loads() {
@@ -257,11 +277,11 @@ void LaneSimulation::Impl::observe_lane(int lane) {
   if (!goes_on) finish(step);
 }
 
-/// Tells the cycle what the step showed; anchors travel from the start of the lift on.
+/// Tells the cycle what the step showed; slip counts from the start of the lift on.
 void LaneSimulation::Impl::tell_cycle(int lane, double start_s, double time_s) {
   std::optional<double> touch_s;
   if (const double touch = contact.first_touch()[lane]; touch <= 1.0) touch_s = start_s + touch * w.theta * w.dt;
-  if (run_of(lane).cycle.observe(time_s, touch_s) == CycleEvent::lift_started) contact.forget_travel(lane);
+  if (run_of(lane).cycle.observe(time_s, touch_s) == CycleEvent::lift_started) contact.forget_slip(lane);
 }
 
 void LaneSimulation::Impl::finish(const LaneStep& last) {

@@ -45,6 +45,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   }
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
+  seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const SurfaceTally& tally = contact.tally()[f];
@@ -53,7 +54,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.tangent_N = {tally.tangent[0][lane], tally.tangent[1][lane]};
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
-    finger.travel_sum_m = tally.travel[lane];
+    finger.slip_m = tally.slip_m[lane];
     finger.yield_ratio = yield_ratio[f][lane];
     const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
     for (std::size_t i = 0; i < 3; ++i) {

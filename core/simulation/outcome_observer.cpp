@@ -4,30 +4,50 @@
 
 namespace unbruised {
 
+namespace {
+
+bool is_finite(const LaneStep& step) {
+  double size = step.view.material.largest_strain()[step.lane];
+  for (const auto* sums : {&step.view.body.mass_u(), &step.view.body.mass_a()}) {
+    for (const Lane& sum : *sums) size += sum[step.lane];
+  }
+  return std::isfinite(size);
+}
+
+/// What of a state the model does not describe; nullptr where it describes it.
+const char* beyond_model(const LaneStep& step) {
+  const LaneView& view = step.view;
+  const SimulationParameters& bounds = step.scenario.simulation;
+  if (view.material.largest_strain()[step.lane] > bounds.max_strain) {
+    return "a cell's strain > simulation.max_strain";
+  }
+  if (view.model.body.is_solid && view.body.rotation_rad(step.lane) > bounds.max_rotation_rad) {
+    return "the product's rotation > simulation.max_rotation_rad";
+  }
+  if (step.seen.layer_strain > kLargestLayerStrain) {
+    return "a pad or the support is pressed in by more than 80 % of its thickness";
+  }
+  return nullptr;
+}
+
+/// Is the product let go of, with nothing below that it could meet?
+bool falls_for_ever(const LaneStep& step) {
+  return !step.scenario.cell.support && step.time_s > step.cycle.plan().release_end_s();
+}
+
+}  // namespace
+
 bool OutcomeObserver::observe(const LaneStep& step) {
   contact_sweeps_ += step.contact_sweeps;
   plastic_rounds_ += step.plastic_rounds;
   const bool goes_on = record_.observe(step.seen, step.cycle);
-  check_validity(step);
-  return goes_on && !record_.aborted();
-}
-
-/// Ends runs whose numbers are not finite or whose deformation linear strain does not describe.
-void OutcomeObserver::check_validity(const LaneStep& step) {
-  const LaneView& view = step.view;
-  const SimulationParameters& bounds = step.scenario.simulation;
-  double size = 0.0;
-  for (const auto* sums : {&view.body.mass_u(), &view.body.mass_a()}) {
-    for (const Lane& sum : *sums) size += sum[step.lane];
-  }
-  const double strain = view.material.largest_strain()[step.lane];
-  if (!std::isfinite(size) || !std::isfinite(strain)) {
+  if (!is_finite(step)) {
     record_.abort(Outcome::diverged, "the motion is not finite", step.time_s);
-  } else if (strain > bounds.max_strain) {
-    record_.abort(Outcome::out_of_range, "a cell's strain > simulation.max_strain", step.time_s);
-  } else if (view.model.body.is_solid && view.body.rotation_rad(step.lane) > bounds.max_rotation_rad) {
-    record_.abort(Outcome::out_of_range, "the product's rotation > simulation.max_rotation_rad", step.time_s);
+  } else if (const char* cause = beyond_model(step)) {
+    if (falls_for_ever(step)) return false;
+    record_.abort(Outcome::out_of_range, cause, step.time_s);
   }
+  return goes_on && !record_.aborted();
 }
 
 void OutcomeObserver::end(const LaneStep& last) {

@@ -25,8 +25,6 @@ class OutcomeObserver final : public LaneObserver {
   [[nodiscard]] const ScenarioResult& result() const { return result_; }
 
  private:
-  void check_validity(const LaneStep& step);
-
   HandlingRecord record_;
   const Balances& balances_;
   double contact_sweeps_ = 0, plastic_rounds_ = 0;  ///< of all steps

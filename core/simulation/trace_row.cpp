@@ -61,7 +61,7 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
           {}, {});
   declare(trace, "slip_m", "m",
-          "mean travel of the anchors of each finger's closed contacts since the start of the lift", {"finger"},
+          "way that the product has slipped past each finger's pad since the start of the lift", {"finger"},
           {kFingerCount});
   declare(trace, "phase", "1", phase_codes(), {}, {});
   if (!can_yield(scenario)) return;

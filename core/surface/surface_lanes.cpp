@@ -22,6 +22,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
     if (jaw == nullptr) continue;
     surface.stiffness_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    surface.thickness_m.set(lane, jaw->pad_thickness_m);
     surface.relaxation_s.set(lane, jaw->pad_relaxation_time_s);
     surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
     for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, jaw->pad_size_m[t]);
@@ -30,6 +31,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   support.present.set(lane, cell.support);
   support.friction.set(lane, cell.support_friction);
   support.stiffness_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
+  support.thickness_m.set(lane, cell.support_thickness_m);
   support.relaxation_s.set(lane, cell.support_relaxation_time_s);
 }
 

@@ -22,6 +22,7 @@ struct SurfaceLane {
   Mask present{false};
   Lane friction{1.0};
   Lane stiffness_N_m3{1.0};  ///< of the layer, per area
+  Lane thickness_m{1.0};     ///< of the layer
   Lane relaxation_s{0.0};    ///< of the layer
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
   std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< of a pad, along its tangent axes

@@ -53,16 +53,17 @@ std::string balance_line(const std::vector<ScenarioRow>& rows) {
 std::string balance_doubt(const std::vector<ScenarioRow>& rows) {
   std::size_t count = 0;
   for (const ScenarioRow& row : rows) {
-    const bool is_held = row.result.outcome == Outcome::held;
-    count += is_held && std::abs(row.result.metrics[Metric::energy_balance_error]) > kEnergyErrorMost ? 1 : 0;
+    const bool is_off = std::abs(row.result.metrics[Metric::energy_balance_error]) > kEnergyErrorMost;
+    count += is_off && row.result.outcome == Outcome::out_of_range ? 1 : 0;
   }
   if (count == 0) return {};
-  const ScenarioRow* worst = worst_row(rows, Metric::energy_balance_error, Among::held);
-  return joined({"in ", with_thousands(count), count == 1 ? " held scenario" : " held scenarios", " more than ",
-                 percent(kEnergyErrorMost),
-                 " of the energy put in is unaccounted for (worst: energy_balance_error ",
-                 error_text(*worst, Metric::energy_balance_error),
-                 "), so forces and damage there are not to be trusted; try a smaller simulation.time_step_s"});
+  const ScenarioRow* worst = worst_row(rows, Metric::energy_balance_error, Among::all);
+  return joined(
+      {"in ", with_thousands(count), count == 1 ? " scenario" : " scenarios", " more than ",
+       percent(kEnergyErrorMost), " of the energy put in is unaccounted for (worst: energy_balance_error ",
+       error_text(*worst, Metric::energy_balance_error),
+       "), so forces and damage there are not to be trusted and the outcome is out_of_range; try a smaller "
+       "simulation.time_step_s"});
 }
 
 }  // namespace unbruised::studies

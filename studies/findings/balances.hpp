@@ -10,10 +10,6 @@
 
 namespace unbruised::studies {
 
-/// Largest part of the energy put in that may be unaccounted for in a run whose product was held: with more,
-/// forces and deformations are wrong by an amount that nobody knows.
-inline constexpr double kEnergyErrorMost = 0.05;
-
 /// "worst balances: ..." with the errors of largest size, their signs, scenarios and outcomes, over all rows and
 /// among those held. Empty when no row has a balance.
 std::string balance_line(const std::vector<ScenarioRow>& rows);

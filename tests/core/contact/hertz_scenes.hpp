@@ -37,8 +37,8 @@ inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio
   scenario.cell.support = false;
   scenario.cell.approach_gap_m = 1e-4;
   jaw_of(scenario).pad_size_m = {0.06, 0.06};
-  jaw_of(scenario).pad_thickness_m = 1e-3;
-  jaw_of(scenario).pad_modulus_Pa = layer * 1e-3;
+  jaw_of(scenario).pad_thickness_m = 8.5e-3;  // no place is pressed flat
+  jaw_of(scenario).pad_modulus_Pa = layer * 8.5e-3;
   jaw_of(scenario).drive_viscous_N_s_m = 50.0;
   jaw_of(scenario).max_force_N = 1000.0;
   scenario.strategy.approach_speed_m_s = 0.01;

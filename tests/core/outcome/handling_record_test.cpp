@@ -115,7 +115,7 @@ TEST(HandlingRecord, SlipComesBeforeDamageAndEachKeepsItsFirstTime) {
   EXPECT_DOUBLE_EQ(damaged.outcome_time_s, 0.36);
   const ScenarioResult slipped = record_of(scenario, [&](StepObservation& seen) {
     press(seen);
-    if (seen.time_s > 0.455) seen.finger[1].travel_sum_m = 4.0 * 2e-3;  // of four contacts
+    if (seen.time_s > 0.455) seen.finger[1].slip_m = 2e-3;
   });
   EXPECT_EQ(slipped.outcome, Outcome::slipped);
   EXPECT_DOUBLE_EQ(slipped.outcome_time_s, 0.46);
@@ -125,9 +125,23 @@ TEST(HandlingRecord, SlipComesBeforeDamageAndEachKeepsItsFirstTime) {
 TEST(HandlingRecord, AFingerThatSlidesAsAWholeHasTheMarginOfItsSlip) {
   const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
     seen.finger[0].sliding_contacts = 4.0;
-    seen.finger[0].travel_sum_m = 4.0 * 5e-4;
+    seen.finger[0].slip_m = 5e-4;
   });
   EXPECT_DOUBLE_EQ(result.metrics[Metric::friction_margin_min], -0.5) << "-slip / limits.slip_m";
+}
+
+TEST(HandlingRecord, ARunWhoseEnergyIsUnaccountedForIsNoAnswer) {
+  for (const double error : {0.051, -0.051, 2810.0}) {
+    HandlingRecord record(scene());
+    record.metrics[Metric::energy_balance_error] = error;
+    const ScenarioResult result = record.finish(HandlingCycle(scene()), 0.4);
+    EXPECT_EQ(result.outcome, Outcome::out_of_range) << error;
+    EXPECT_EQ(result.cause, "more than 5 % of the energy put in is unaccounted for");
+    EXPECT_EQ(result.outcome_time_s, 0.4);
+  }
+  HandlingRecord record(scene());
+  record.metrics[Metric::energy_balance_error] = -kEnergyErrorMost;
+  EXPECT_EQ(record.finish(HandlingCycle(scene()), 0.4).outcome, Outcome::held);
 }
 
 TEST(HandlingRecord, AnAbortEndsAllOtherVerdictsAndANumberThatOverflowsIsNoMeasurement) {

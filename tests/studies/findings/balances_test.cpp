@@ -21,18 +21,19 @@ TEST(Balances, TheWorstIsTheLargestBySizeWithSignScenarioAndOutcome) {
   EXPECT_EQ(balance_line(rows),
             "worst balances: impulse_balance_error -3e-09 (scenario 0, held); energy_balance_error -0.152 "
             "(scenario 1, dropped), of those held -0.011 (scenario 2, held)");
-  EXPECT_EQ(balance_doubt(rows), "") << "held rows are within the bound";
+  EXPECT_EQ(balance_doubt(rows), "") << "no row is out of range";
   EXPECT_EQ(balance_line({}), "");
 }
 
-TEST(Balances, AHeldRowWithEnergyFromNowhereIsAWarning) {
-  const std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, -0.06, 0.0), row_of(1, Outcome::held, 0.07, 0.0),
+TEST(Balances, ARowWithEnergyFromNowhereIsAWarning) {
+  const std::vector<ScenarioRow> rows = {row_of(0, Outcome::out_of_range, -0.06, 0.0),
+                                         row_of(1, Outcome::out_of_range, 0.07, 0.0),
                                          row_of(2, Outcome::held, kEnergyErrorMost, 0.0)};
   EXPECT_EQ(
       balance_doubt(rows),
-      "in 2 held scenarios more than 5 % of the energy put in is unaccounted for (worst: "
-      "energy_balance_error +0.07 (scenario 1, held)), so forces and damage there are not to be trusted; try "
-      "a smaller simulation.time_step_s");
+      "in 2 scenarios more than 5 % of the energy put in is unaccounted for (worst: "
+      "energy_balance_error +0.07 (scenario 1, out_of_range)), so forces and damage there are not to be trusted "
+      "and the outcome is out_of_range; try a smaller simulation.time_step_s");
 }
 
 }  // namespace

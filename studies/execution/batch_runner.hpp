@@ -29,8 +29,13 @@ struct BatchReport {
   LaneUse lane_use;
 };
 
-/// Runs a batch; an exception of the sink comes out of it. A model that cannot be built and an exception inside
-/// the simulator become `diverged` rows with the cause; the other scenarios go on.
+/// Results that may wait for a slow sink; with more of them whoever has the next one waits.
+inline constexpr std::size_t kResultsWaitingMost = 1024;
+
+/// Runs a batch. The sink is called on a thread of its own, for one result at a time in the order of arrival:
+/// while it writes to a slow disk the others go on. What has arrived is written also where the batch is stopped.
+/// An exception of the sink ends the batch and comes out of it. A model that cannot be built and an exception
+/// inside the simulator become `diverged` rows with the cause; the other scenarios go on.
 BatchReport run_batch(const Executor& executor, const Batch& batch, const ResultSink& sink);
 
 }  // namespace unbruised::studies

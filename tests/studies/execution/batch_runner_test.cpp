@@ -1,7 +1,12 @@
 #include "studies/execution/batch_runner.hpp"
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -138,7 +143,79 @@ TEST(BatchRunner, StopsHandingOutScenarios) {
   EXPECT_TRUE(report.stopped);
   EXPECT_EQ(report.delivered, delivered);
   EXPECT_GE(delivered, 10U);
-  EXPECT_LT(delivered, 100U);
+  // What had arrived when the flag was set, and what ends in the step that the two threads are in.
+  EXPECT_LE(delivered, 10U + kResultsWaitingMost + 2U * kFakeLanes);
+}
+
+TEST(BatchRunner, GoesOnWithTheOtherScenariosWhileAResultIsWritten) {
+  constexpr std::uint64_t kCount = 200;
+  for (const int threads : {1, 2}) {
+    const FakeSimulator simulator;
+    Batch batch = batch_of(kCount, 3);
+    // Each scenario is asked for once to find its group and once to be run.
+    std::mutex mutex;
+    std::condition_variable asked_for;
+    std::uint64_t asked = 0;
+    batch.scenario = [&](std::uint64_t id) {
+      {
+        const std::lock_guard lock(mutex);
+        ++asked;
+      }
+      asked_for.notify_all();
+      return scenario_of(id, 3);
+    };
+    bool all_begun = false;
+    std::size_t delivered = 0;
+    run_batch(LaneExecutor(simulator, threads), batch, [&](std::uint64_t, const ScenarioResult&) {
+      if (delivered++ > 0) return;
+      // A disk that hangs until all others have begun; the deadline only ends a test that has failed.
+      std::unique_lock lock(mutex);
+      all_begun = asked_for.wait_for(lock, std::chrono::seconds(20), [&] { return asked >= 2 * kCount; });
+    });
+    EXPECT_TRUE(all_begun) << threads << " threads waited for the sink";
+    EXPECT_EQ(delivered, kCount);
+  }
+}
+
+TEST(BatchRunner, LetsOnlySoManyResultsWaitForASlowSink) {
+  const FakeSimulator simulator;
+  constexpr std::uint64_t kCount = 3 * kResultsWaitingMost;
+  std::atomic<std::size_t> arrived = 0;
+  std::size_t written = 0;
+  std::size_t most_waiting = 0;
+  Batch batch = batch_of(kCount, 1);
+  batch.scenario = [&](std::uint64_t id) {
+    ++arrived;  // a bound from above: asked for twice each, the first time all at once
+    return scenario_of(id, 1);
+  };
+  const BatchReport report =
+      run_batch(LaneExecutor(simulator, 2), batch, [&](std::uint64_t, const ScenarioResult&) {
+        while (written == 0 && arrived < kCount + kResultsWaitingMost) std::this_thread::yield();
+        for (int i = 0; written == 0 && i < 1000; ++i) std::this_thread::yield();  // room for one too many to come
+        most_waiting = std::max<std::size_t>(most_waiting, arrived - kCount - written);
+        ++written;
+      });
+  EXPECT_EQ(report.delivered, kCount);
+  EXPECT_EQ(written, kCount);
+  EXPECT_LE(most_waiting, kResultsWaitingMost + 4U * kFakeLanes);
+}
+
+TEST(BatchRunner, EndsAlsoWhereTheSinkFailsWhileManyResultsWait) {
+  const FakeSimulator simulator;
+  std::atomic<bool> is_full = false;
+  Batch batch = batch_of(3 * kResultsWaitingMost, 1);
+  std::atomic<std::uint64_t> asked = 0;
+  batch.scenario = [&](std::uint64_t id) {
+    // All ids once to find their groups, then as many as may wait.
+    if (++asked > 4 * kResultsWaitingMost) is_full = true;
+    return scenario_of(id, 1);
+  };
+  EXPECT_THROW(run_batch(LaneExecutor(simulator, 2), batch,
+                         [&](std::uint64_t, const ScenarioResult&) {
+                           while (!is_full) std::this_thread::yield();
+                           throw std::runtime_error("disk full");
+                         }),
+               std::runtime_error);
 }
 
 TEST(BatchRunner, PassesAnExceptionOfTheSinkOn) {

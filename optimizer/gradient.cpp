@@ -26,7 +26,9 @@ std::vector<double> moved(std::span<const double> unit, std::size_t k, double by
 
 }  // namespace
 
-std::vector<std::vector<double>> difference_points(std::span<const double> unit, double step, bool central) {
+std::vector<std::vector<double>> difference_points(std::span<const double> unit, double step,
+                                                   Differences differences) {
+  const bool central = differences == Differences::central;
   std::vector<std::vector<double>> points = {{unit.begin(), unit.end()}};
   for (std::size_t k = 0; k < unit.size(); ++k) {
     const Steps steps = steps_at(unit[k], step);
@@ -38,7 +40,8 @@ std::vector<std::vector<double>> difference_points(std::span<const double> unit,
 
 std::vector<std::vector<double>> difference_quotients(const std::vector<std::vector<double>>& points,
                                                       const std::vector<std::vector<double>>& values,
-                                                      bool central) {
+                                                      Differences differences) {
+  const bool central = differences == Differences::central;
   const std::size_t n = points[0].size();
   const std::size_t m = values[0].size();
   std::vector<std::vector<double>> gradient(m, std::vector<double>(n));
@@ -59,30 +62,6 @@ std::vector<std::vector<double>> difference_quotients(const std::vector<std::vec
     }
   }
   return gradient;
-}
-
-std::vector<std::vector<double>> richardson_gradient(const VectorFunction& function, std::span<const double> unit,
-                                                     double step, int levels) {
-  std::vector<std::vector<std::vector<double>>> table;
-  for (int level = 0; level < levels; ++level) {
-    const double h = std::ldexp(step, -level);
-    const auto points = difference_points(unit, h, true);
-    table.push_back(difference_quotients(points, function(points), true));
-  }
-  // Errors go with h^2, h^4, ...: each pass removes one of them.
-  for (int pass = 1; pass < levels; ++pass) {
-    const double factor = std::ldexp(1.0, 2 * pass);
-    for (int level = levels - 1; level >= pass; --level) {
-      auto& fine = table[static_cast<std::size_t>(level)];
-      const auto& coarse = table[static_cast<std::size_t>(level - 1)];
-      for (std::size_t i = 0; i < fine.size(); ++i) {
-        for (std::size_t k = 0; k < fine[i].size(); ++k) {
-          fine[i][k] += (fine[i][k] - coarse[i][k]) / (factor - 1.0);
-        }
-      }
-    }
-  }
-  return table.back();
 }
 
 }  // namespace unbruised::optimizer

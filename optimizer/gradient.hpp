@@ -14,28 +14,23 @@
 /// gradients.
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
 namespace unbruised::optimizer {
 
-/// Values of several functions at several points of the unit cube: [point][function].
-using VectorFunction = std::function<std::vector<std::vector<double>>(const std::vector<std::vector<double>>&)>;
+/// Which neighbours of a point its difference quotients are made from: one in each variable, or two.
+enum class Differences { forward, central };
 
 /// The points that a gradient at `unit` needs, the point itself first. Steps turn inwards where they would leave
 /// the cube.
-std::vector<std::vector<double>> difference_points(std::span<const double> unit, double step, bool central);
+std::vector<std::vector<double>> difference_points(std::span<const double> unit, double step,
+                                                   Differences differences);
 
 /// Derivatives [function][variable] from the values at `difference_points`. Near a wall the central formula
 /// becomes the three-point one-sided one of the same order.
 std::vector<std::vector<double>> difference_quotients(const std::vector<std::vector<double>>& points,
                                                       const std::vector<std::vector<double>>& values,
-                                                      bool central);
-
-/// Reference for tests: central differences at h, h/2, h/4, ... extrapolated to h = 0 (Richardson 1911).
-/// @param unit at least `step` away from the walls
-std::vector<std::vector<double>> richardson_gradient(const VectorFunction& function, std::span<const double> unit,
-                                                     double step, int levels);
+                                                      Differences differences);
 
 }  // namespace unbruised::optimizer

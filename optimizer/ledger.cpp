@@ -59,10 +59,11 @@ void flatten(const Evaluation& centre, const Evaluation& neighbour, const std::v
 
 }  // namespace
 
-Ledger::Ledger(const Problem& problem, const SearchOptions& options, bool with_gradient)
+Ledger::Ledger(const Problem& problem, const SearchOptions& options, Wanted wanted)
     : problem_(problem),
       options_(options),
-      with_gradient_(with_gradient),
+      wanted_(wanted),
+      differences_(options.central_differences ? Differences::central : Differences::forward),
       most_broken_(problem.constraint_count, 1.0) {
   const std::vector<double> flat(problem.space.size(), 0.0);
   last_words_ = {kFirstPenalty, most_broken_,
@@ -94,8 +95,8 @@ std::optional<Answer> Ledger::learn(std::span<const double> unit) {
     return end(Termination::stalled, "the algorithm asked for a point that is not a number");
   }
   const std::vector<std::vector<double>> points =
-      with_gradient_ ? difference_points(unit, options_.gradient_step, options_.central_differences)
-                     : std::vector<std::vector<double>>{{unit.begin(), unit.end()}};
+      wanted_ == Wanted::values_and_gradients ? difference_points(unit, options_.gradient_step, differences_)
+                                              : std::vector<std::vector<double>>{{unit.begin(), unit.end()}};
   if (result_.evaluations + points.size() > options_.evaluations_most) {
     return end(Termination::budget_spent,
                "the budget of " + std::to_string(options_.evaluations_most) + " evaluations is spent");
@@ -131,13 +132,13 @@ Answer Ledger::answer_from(const std::vector<std::vector<double>>& points,
                            const std::vector<Evaluation>& evaluations) const {
   const std::vector<double> here = told(evaluations[0]);
   Answer answer{here[0], {here.begin() + 1, here.end()}, {}};
-  if (!with_gradient_) return answer;
+  if (wanted_ == Wanted::values) return answer;
   std::vector<std::vector<double>> values = {here};
   for (std::size_t i = 1; i < points.size(); ++i) {
     values.push_back(told(evaluations[i]));
     flatten(evaluations[0], evaluations[i], here, values.back());
   }
-  answer.gradient = difference_quotients(points, values, options_.central_differences);
+  answer.gradient = difference_quotients(points, values, differences_);
   return answer;
 }
 

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "optimizer/gradient.hpp"
 #include "optimizer/problem.hpp"
 #include "optimizer/search.hpp"
 
@@ -23,6 +24,9 @@ struct Answer {
   std::vector<std::vector<double>> gradient;  ///< [objective, then constraints][variable]; empty: not wanted
 };
 
+/// What an algorithm asks for at a point.
+enum class Wanted { values, values_and_gradients };
+
 /// Asks for every point once, keeps the budget and the best point, and decides when a search must not go on.
 ///
 /// Told in place of numbers that do not exist: for an objective, the worst seen and as much again as the
@@ -32,7 +36,7 @@ class Ledger {
  public:
   /// Keeps references to both. With gradients each new point is asked together with its neighbours, as one
   /// generation.
-  Ledger(const Problem& problem, const SearchOptions& options, bool with_gradient);
+  Ledger(const Problem& problem, const SearchOptions& options, Wanted wanted);
 
   /// What is known about a point, asked for where nothing is. Once the search has ended, or when an exception of
   /// the evaluator or its misuse comes out of here, nobody is asked any more.
@@ -60,7 +64,8 @@ class Ledger {
 
   const Problem& problem_;
   const SearchOptions& options_;
-  const bool with_gradient_;
+  const Wanted wanted_;
+  const Differences differences_;
   std::unordered_map<std::string, Answer> memo_;  ///< by the bits of the point in its own units
   Answer last_words_;
   std::size_t known_in_a_row_ = 0;

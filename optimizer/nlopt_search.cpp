@@ -109,7 +109,7 @@ void check_at_the_door(const Problem& problem, const SearchOptions& options) {
 class Search {
  public:
   Search(const Problem& problem, const SearchOptions& options)
-      : problem_(problem), options_(options), local_(local_of()), ledger_(problem, options, uses_gradient()) {}
+      : problem_(problem), options_(options), local_(local_of()), ledger_(problem, options, wanted()) {}
 
   SearchResult run() {
     seed();
@@ -129,7 +129,10 @@ class Search {
     return options_.local.value_or(default_local(problem_.space.size()));
   }
 
-  [[nodiscard]] bool uses_gradient() const { return info_of(local_.value_or(options_.algorithm)).uses_gradient; }
+  [[nodiscard]] Wanted wanted() const {
+    const bool uses_gradient = info_of(local_.value_or(options_.algorithm)).uses_gradient;
+    return uses_gradient ? Wanted::values_and_gradients : Wanted::values;
+  }
 
   /// NLopt's generator belongs to the thread and takes 32 bits.
   void seed() const {

@@ -31,7 +31,7 @@ TEST(Ledger, AsksForEveryPointOnce) {
     return Evaluation{x[0], {}};
   });
   const SearchOptions options;
-  Ledger ledger(counted, options, false);
+  Ledger ledger(counted, options, Wanted::values);
   EXPECT_EQ(objective_at(ledger, 0.25), 0.25);
   EXPECT_EQ(objective_at(ledger, 0.5), 0.5);
   EXPECT_EQ(objective_at(ledger, 0.25), 0.25);
@@ -46,7 +46,7 @@ TEST(Ledger, TellsAnObjectiveWorseThanAnySeenWhereThereIsNone) {
       return Evaluation{x[0] > 0.5 ? missing : 3.0 - 10.0 * x[0], {}};
     });
     const SearchOptions options;
-    Ledger ledger(holed, options, false);
+    Ledger ledger(holed, options, Wanted::values);
     EXPECT_EQ(objective_at(ledger, 0.9), 1e6);  // nothing is known yet
     objective_at(ledger, 0.2);
     EXPECT_EQ(objective_at(ledger, 0.8), 2.0);  // the worst, and its own size again
@@ -64,7 +64,7 @@ TEST(Ledger, PenaltyStaysFiniteBesideTheLargestNumbers) {
     return Evaluation{x[0] > 0.5 ? kNan : (x[0] > 0.2 ? most : -most), {}};
   });
   const SearchOptions options;
-  Ledger ledger(huge, options, false);
+  Ledger ledger(huge, options, Wanted::values);
   objective_at(ledger, 0.1);
   objective_at(ledger, 0.3);
   EXPECT_TRUE(std::isfinite(objective_at(ledger, 0.9)));
@@ -76,7 +76,7 @@ TEST(Ledger, TellsAMissingConstraintAsBrokenAsItEverWas) {
   });
   SearchOptions options;
   options.constraint_margin = 0.0;
-  Ledger ledger(holed, options, false);
+  Ledger ledger(holed, options, Wanted::values);
   EXPECT_EQ(ledger.at(Point{0.7}).constraints, (std::vector<double>{1.0, 1.0}));
   EXPECT_EQ(ledger.at(Point{0.0}).constraints, (std::vector<double>{7.0, -1.0}));
   EXPECT_EQ(ledger.at(Point{0.8}).constraints, (std::vector<double>{7.0, 1.0}));
@@ -86,7 +86,7 @@ TEST(Ledger, TellsConstraintsWithTheMarginButExactZeroAsItIs) {
   const Problem plain = problem(1, [](const Point& x) { return Evaluation{1.0, {x[0] - 0.5}}; });
   SearchOptions options;
   options.constraint_margin = 0.125;
-  Ledger ledger(plain, options, false);
+  Ledger ledger(plain, options, Wanted::values);
   EXPECT_EQ(ledger.at(Point{0.25}).constraints[0], -0.125);
   EXPECT_EQ(ledger.at(Point{0.5}).constraints[0], 0.0);
   EXPECT_TRUE(ledger.result().feasible);
@@ -100,7 +100,7 @@ TEST(Ledger, BestIsTheLeastFeasibleOneElseTheLeastViolatedNeverOneWithoutNumbers
     return Evaluation{x[0], {0.5 - x[0]}};
   });
   const SearchOptions options;
-  Ledger ledger(mixed, options, false);
+  Ledger ledger(mixed, options, Wanted::values);
   const auto best_after = [&](double x) {
     ledger.at(Point{x});
     return ledger.result().best[0];
@@ -134,7 +134,7 @@ TEST(Ledger, AsksPointAndNeighboursAsOneGeneration) {
   SearchOptions options;
   options.gradient_step = 0.125;
   options.central_differences = true;
-  Ledger ledger(square, options, true);
+  Ledger ledger(square, options, Wanted::values_and_gradients);
   const Answer& answer = ledger.at(Point{0.5});
   EXPECT_EQ(answer.gradient,
             (std::vector<std::vector<double>>{{1.0}, {3.0}}));  // exact: all are sums of powers of two
@@ -149,7 +149,7 @@ TEST(Ledger, ADifferenceWithAMissingNumberIsFlat) {
   });
   SearchOptions options;
   options.gradient_step = 0.125;
-  Ledger ledger(holed, options, true);
+  Ledger ledger(holed, options, Wanted::values_and_gradients);
   EXPECT_EQ(ledger.at(Point{0.25}).gradient, (std::vector<std::vector<double>>{{1.0}, {1.0}}));
   EXPECT_EQ(ledger.at(Point{0.5}).gradient, (std::vector<std::vector<double>>{{0.0}, {1.0}}));
   EXPECT_EQ(ledger.at(Point{0.125}).gradient, (std::vector<std::vector<double>>{{1.0}, {0.0}}));
@@ -160,7 +160,7 @@ TEST(Ledger, EndsBeforeAGenerationThatTheBudgetDoesNotCover) {
   const Problem plain = problem(0, [](const Point& x) { return Evaluation{x[0], {}}; });
   SearchOptions options;
   options.evaluations_most = 5;
-  Ledger ledger(plain, options, true);
+  Ledger ledger(plain, options, Wanted::values_and_gradients);
   ledger.at(Point{0.1});
   ledger.at(Point{0.2});
   EXPECT_FALSE(ledger.has_ended());
@@ -176,7 +176,7 @@ TEST(Ledger, EndsWhenMoreThanHalfOfTheLastTwoHundredAreNotFinite) {
   const Problem failing = problem(0, [&](const Point&) { return Evaluation{++calls <= 150 ? 1.0 : kNan, {}}; });
   SearchOptions options;
   options.evaluations_most = 10000;
-  Ledger ledger(failing, options, false);
+  Ledger ledger(failing, options, Wanted::values);
   for (int i = 0; i < 1000; ++i) ledger.at(Point{i / 1000.0});
   // 101 of the last 200: those after the first 150.
   EXPECT_EQ(calls, 251);
@@ -187,7 +187,7 @@ TEST(Ledger, EndsWhenMoreThanHalfOfTheLastTwoHundredAreNotFinite) {
 TEST(Ledger, EndsWhenOnlyKnownPointsAreAskedFor) {
   const Problem plain = problem(0, [](const Point& x) { return Evaluation{x[0], {}}; });
   const SearchOptions options;
-  Ledger ledger(plain, options, false);
+  Ledger ledger(plain, options, Wanted::values);
   for (int i = 0; i < 1001; ++i) ledger.at(Point{0.5});
   EXPECT_FALSE(ledger.has_ended());
   ledger.at(Point{0.5});
@@ -198,7 +198,7 @@ TEST(Ledger, EndsWhenOnlyKnownPointsAreAskedFor) {
 TEST(Ledger, EndsAtAPointThatIsNotANumber) {
   const Problem plain = problem(0, [](const Point& x) { return Evaluation{x[0], {}}; });
   const SearchOptions options;
-  Ledger ledger(plain, options, false);
+  Ledger ledger(plain, options, Wanted::values);
   EXPECT_TRUE(std::isfinite(objective_at(ledger, kNan)));
   EXPECT_EQ(ledger.result().termination, Termination::stalled);
   EXPECT_EQ(ledger.result().evaluations, 0U);
@@ -211,7 +211,7 @@ TEST(Ledger, AsksNobodyAfterAnException) {
     throw std::runtime_error("no");
   });
   const SearchOptions options;
-  Ledger ledger(throwing, options, false);
+  Ledger ledger(throwing, options, Wanted::values);
   EXPECT_THROW(ledger.at(Point{0.5}), std::runtime_error);
   EXPECT_TRUE(std::isfinite(objective_at(ledger, 0.6)));
   EXPECT_EQ(calls, 1);
@@ -220,12 +220,12 @@ TEST(Ledger, AsksNobodyAfterAnException) {
 TEST(Ledger, RefusesAnswersThatDoNotFitTheQuestions) {
   const SearchOptions options;
   const Problem short_of_constraints = problem(2, [](const Point&) { return Evaluation{1.0, {0.0}}; });
-  EXPECT_THROW(Ledger(short_of_constraints, options, false).at(Point{0.5}), std::logic_error);
+  EXPECT_THROW(Ledger(short_of_constraints, options, Wanted::values).at(Point{0.5}), std::logic_error);
   Problem silent = problem(0, [](const Point&) { return Evaluation{}; });
   silent.evaluate = [](const std::vector<Question>&) {
     return std::optional<std::vector<Evaluation>>(std::in_place);
   };
-  EXPECT_THROW(Ledger(silent, options, false).at(Point{0.5}), std::logic_error);
+  EXPECT_THROW(Ledger(silent, options, Wanted::values).at(Point{0.5}), std::logic_error);
 }
 
 }  // namespace

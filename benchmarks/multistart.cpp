@@ -42,9 +42,8 @@ int main(int argc, char** argv) {
   const std::string root = argc > 1 ? argv[1] : "configs";
   const std::vector<std::string> sets = {"product.cell_size_m=0.00833", "simulation.time_step_s=1.5e-3",
                                          "cell.transfer_m=[0.0,0.1]", "search.budget=320"};
-  const StudyOrError read = read_study(root + "/kiwi_optimize.toml", sets, root);
-  const auto* study = std::get_if<Study>(&read);
-  if (study == nullptr) {
+  const StudyOrError study = read_study(root + "/kiwi_optimize.toml", sets, root);
+  if (!study) {
     std::fprintf(stderr, "usage: benchmark_multistart [CONFIG_ROOT]; %s/kiwi_optimize.toml cannot be read\n",
                  root.c_str());
     return 2;

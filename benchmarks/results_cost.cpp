@@ -48,9 +48,8 @@ bool write_all(const Study& study, const std::map<std::uint64_t, ScenarioResult>
 }
 
 std::size_t read_and_group(const std::string& text, const std::string& root) {
-  const StudyOrError read = read_study_text(text, "large.toml", {}, "", root);
-  const auto* study = std::get_if<Study>(&read);
-  if (study == nullptr) return 0;
+  const StudyOrError study = read_study_text(text, "large.toml", {}, "", root);
+  if (!study) return 0;
   std::set<std::string> keys;
   for (std::size_t id = 0; id < study->scenario_count(); ++id) keys.insert(factor_key(study->scenario(id)));
   return study->scenario_count();
@@ -63,9 +62,8 @@ int main(int argc, char** argv) {
   using namespace unbruised;
   using namespace unbruised::studies;
   const std::string root = argc > 1 ? argv[1] : "configs";
-  const StudyOrError read = read_study(root + "/kiwi_sweep.toml", {}, root);
-  const auto* study = std::get_if<Study>(&read);
-  if (study == nullptr) {
+  const StudyOrError study = read_study(root + "/kiwi_sweep.toml", {}, root);
+  if (!study) {
     std::fprintf(stderr, "usage: benchmark_results_cost [CONFIG_ROOT]; %s/kiwi_sweep.toml cannot be read\n",
                  root.c_str());
     return 2;

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// The one table of limits that decide `damaged`: which key of [limits] bounds which metric, and what a limit
-/// needs to be able to act at all.
+/// The one table of limits: which key of [limits] bounds which metric, which outcome it decides, and what a limit
+/// of damage needs to be able to act at all.
 
 #include <array>
 #include <optional>
@@ -50,9 +50,30 @@ inline constexpr std::array<DamageLimit, 7> kDamageLimits = {{
      "contact_yield_ratio_max > limits.contact_yield_ratio"},
 }};
 
+/// The limit that decides `slipped`. It is always set, and damage is none of its business.
+struct SlipLimit {
+  Metric metric;
+  double LimitParameters::*limit;
+  std::string_view key, rule, cause;  ///< as of a DamageLimit
+};
+
+inline constexpr SlipLimit kSlipLimit = {Metric::slip_max_m, &LimitParameters::slip_m, "limits.slip_m",
+                                         "slip_max_m <= limits.slip_m", "slip_max_m > limits.slip_m"};
+
+/// Did the product slip further than it may?
+inline bool exceeds(const Metrics& metrics, const SlipLimit& slip, const LimitParameters& limits) {
+  return metrics[slip.metric] > limits.*(slip.limit);
+}
+
 /// The bound that a run is judged by; none where the limit is absent or damage is not considered.
 constexpr std::optional<double> bound_of(const DamageLimit& limit, const LimitParameters& limits) {
   return limits.damage == DamageJudging::not_considered ? std::nullopt : limits.*(limit.limit);
+}
+
+/// Is this limit exceeded, and judged?
+inline bool exceeds(const Metrics& metrics, const DamageLimit& limit, const LimitParameters& limits) {
+  const std::optional<double> bound = bound_of(limit, limits);
+  return bound && metrics[limit.metric] > *bound;
 }
 
 /// Can the product of this scenario keep a deformation?

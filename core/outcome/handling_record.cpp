@@ -56,8 +56,7 @@ void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double 
   for (const Metric metric : changed) {
     const auto limit = std::find_if(kDamageLimits.begin(), kDamageLimits.end(),
                                     [&](const DamageLimit& each) { return each.metric == metric; });
-    const std::optional<double> bound = bound_of(*limit, limits_);
-    if (bound && metrics[metric] > *bound) damaged_.at(time_s, limit->cause);
+    if (exceeds(metrics, *limit, limits_)) damaged_.at(time_s, limit->cause);
   }
 }
 
@@ -128,8 +127,8 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
   for (const FingerObservation& finger : now.finger) {
     if (touches(finger)) slip = std::max(slip, finger.slip_m);
   }
-  raise(Metric::slip_max_m, slip);
-  if (metrics[Metric::slip_max_m] > limits_.slip_m) slipped_.at(now.time_s, "slip_max_m > limits.slip_m");
+  raise(kSlipLimit.metric, slip);
+  if (exceeds(metrics, kSlipLimit, limits_)) slipped_.at(now.time_s, kSlipLimit.cause);
   if (now.time_s <= cycle.plan().lower_end_s()) {
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];

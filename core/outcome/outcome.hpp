@@ -120,6 +120,8 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "time integral of a finger's normal force, mean of both, up to the release; creep set x dashpot constant"},
 }};
 
+constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
+
 /// Largest size of `energy_balance_error` with which a run is an answer; beyond it its forces and damage are not
 /// to be trusted, and the outcome is out_of_range.
 inline constexpr double kEnergyErrorMost = 0.05;

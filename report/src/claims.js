@@ -6,6 +6,18 @@ export function judgesDamage(study) {
   return study.damage === "judged";
 }
 
+/** The limits that judge a run: [{ metric, key }], the key one of study.limits. */
+export function judgingLimits(study) {
+  return [study.slipLimit, ...(judgesDamage(study) ? study.damageLimits : [])];
+}
+
+/** The bound that judges a metric in all scenarios; null where none does. */
+export function boundOf(study, metric) {
+  const key = judgingLimits(study).find((limit) => limit.metric === metric)?.key;
+  const isVaried = study.scenarios.inputs.some((column) => column.name === `limits.${key}`);
+  return key === undefined || isVaried ? null : study.limits[key] ?? null;
+}
+
 /** null where damage was judged, else the words that say it was not. */
 export function damageRemark(study) {
   if (judgesDamage(study)) return null;

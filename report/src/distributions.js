@@ -1,6 +1,7 @@
 // How a metric is spread over the scenarios: a histogram by outcome, or boxes by group.
 
 import { axis, figure } from "./chart.js";
+import { boundOf } from "./claims.js";
 import { h, select } from "./dom.js";
 import { legend, outcomeList } from "./legend.js";
 import { tip, tipLine } from "./scenario.js";
@@ -9,13 +10,6 @@ import { label, number, OUTCOMES, outcomeLabel, plural, quantity, scaleFor, thou
 import { outcomeColour } from "./theme.js";
 
 const PREFERRED = ["permanent_set_max_m", "contact_yield_ratio_max", "friction_margin_min", "peak_finger_force_N", "cycle_time_s"];
-
-/** The limit that speaks about a metric. */
-function limitOf(study, metric) {
-  const name = metric === "slip_max_m" ? "slip_m" : study.damageLimits.find((limit) => limit.metric === metric)?.key;
-  if (!name || study.scenarios.inputs.some((column) => column.name === `limits.${name}`)) return null;
-  return study.limits[name] ?? null;
-}
 
 /** Ascending, without those that do not exist. */
 function numbersOf(column, rows) {
@@ -67,7 +61,7 @@ function binTip(column, bins, index) {
 function histogramOption(study, theme, column, rows) {
   const bins = histogram(study, column, rows);
   const { edges, step, counts } = bins;
-  const limit = limitOf(study, column.name);
+  const limit = boundOf(study, column.name);
   const series = OUTCOMES.filter((word) => counts[word].some((count) => count > 0)).map((word) => ({
     type: "custom",
     name: outcomeLabel(word),
@@ -115,7 +109,7 @@ const LEVELS = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 function boxOption(study, theme, column, group, rows) {
   const groups = groupsOf(column, group, rows).filter((each) => each.values.length);
-  const limit = limitOf(study, column.name);
+  const limit = boundOf(study, column.name);
   const scale = Math.max(...column.numbers().map(Math.abs));
   return {
     grid: { left: 8, right: 20, top: 30, bottom: 44, containLabel: true },

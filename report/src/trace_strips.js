@@ -1,7 +1,7 @@
 // Which signals of a trace are worth a strip, in which order, and where their limits lie.
 
 import { crossedLimit } from "./goals.js";
-import { judgesDamage } from "./claims.js";
+import { boundOf } from "./claims.js";
 import { extent } from "./statistics.js";
 import { label } from "./words.js";
 
@@ -42,10 +42,7 @@ function curvesOf(signal) {
 }
 
 function limitOf(study, signal) {
-  const metric = METRIC_OF[signal.name];
-  if (metric === "slip_max_m") return study.limits.slip_m ?? null;
-  const key = judgesDamage(study) ? study.damageLimits.find((each) => each.metric === metric)?.key : null;
-  return key ? study.limits[key] ?? null : null;
+  return boundOf(study, METRIC_OF[signal.name]);
 }
 
 /** Strips { name, title, units, curves, limit, range }, the one that decided first. */

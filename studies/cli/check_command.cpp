@@ -75,12 +75,12 @@ int print_problems(const std::vector<std::string>& problems) {
 
 int check_command(const StudyArguments& arguments, AnswerForm form) {
   const StudyOrError read = read_of(arguments);
-  if (const auto* error = std::get_if<ConfigError>(&read)) {
-    if (form == AnswerForm::json) return print_problems(error->messages);
-    print_problems_of(arguments, *error);
+  if (!read) {
+    if (form == AnswerForm::json) return print_problems(read.error().messages);
+    print_problems_of(arguments, read.error());
     return kExitInput;
   }
-  const Study& study = std::get<Study>(read);
+  const Study& study = *read;
   const int threads = thread_count_of(std::nullopt);
   if (const auto refusal = too_much_memory(study, threads)) {
     if (form == AnswerForm::json) return print_problems({*refusal});

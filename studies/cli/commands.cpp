@@ -39,8 +39,8 @@ void print_problems_of(const StudyArguments& arguments, const ConfigError& error
 
 std::optional<Study> read_or_explain(const StudyArguments& arguments) {
   StudyOrError read = read_of(arguments);
-  if (auto* study = std::get_if<Study>(&read)) return std::move(*study);
-  print_problems_of(arguments, std::get<ConfigError>(read));
+  if (read) return *std::move(read);
+  print_problems_of(arguments, read.error());
   return std::nullopt;
 }
 

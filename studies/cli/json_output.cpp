@@ -13,6 +13,7 @@
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/kinds/kind_table.hpp"
+#include "studies/results/outcome_counts.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -51,15 +52,11 @@ json table_json(const ResultTable& table) {
   return {{"columns", std::move(columns)}, {"rows", std::move(rows)}, {"attributes", std::move(attributes)}};
 }
 
-json outcome_counts(const std::vector<ScenarioRow>& rows) {
-  json counts = json::object();
-  for (const std::string_view word : kOutcomeWords) counts[std::string(word)] = 0;
-  counts["not_run"] = 0;
-  for (const ScenarioRow& row : rows) {
-    json& count = counts[std::string(outcome_word(row.result.outcome))];
-    count = count.get<std::size_t>() + 1;
-  }
-  return counts;
+json by_word(const OutcomeCounts& counts) {
+  json texts = json::object();
+  for_each_outcome(counts,
+                   [&](Outcome outcome, std::size_t count) { texts[std::string(outcome_word(outcome))] = count; });
+  return texts;
 }
 
 /// The row whose metric is largest by size; null where no row has it.
@@ -76,7 +73,7 @@ json worst_balance(const std::vector<ScenarioRow>& rows, Metric metric) {
 
 json study_part(const RecordedStudy& recorded) {
   const std::vector<ScenarioRow>& rows = recorded.tables.rows;
-  const std::size_t not_run = outcome_counts(rows)["not_run"].get<std::size_t>();
+  const std::size_t not_run = outcome_counts(rows).not_run;
   return {{"name", recorded.meta.study_name},
           {"kind", recorded.meta.study_kind},
           {"complete", recorded.meta.complete},
@@ -118,7 +115,7 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
                    {"varied", std::move(varied)},
                    {"warnings", recorded.meta.warnings},
                    {"answer", summary_lines(tables, recorded.meta.study_kind)},
-                   {"outcomes", outcome_counts(tables.rows)}};
+                   {"outcomes", by_word(outcome_counts(tables.rows))}};
   document["worst_balances"] = {
       {"impulse_balance_error", worst_balance(tables.rows, Metric::impulse_balance_error)},
       {"energy_balance_error", worst_balance(tables.rows, Metric::energy_balance_error)}};

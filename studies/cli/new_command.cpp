@@ -28,8 +28,8 @@ std::optional<StudyKind> kind_of(const std::string& word) {
 std::optional<Study> read_as(const fs::path& file, const std::string& text) {
   StudyOrError read = read_study_text(
       text, file.string(), {}, file.parent_path().empty() ? "." : file.parent_path(), config_root_for(file));
-  if (auto* study = std::get_if<Study>(&read)) return std::move(*study);
-  for (const std::string& message : std::get<ConfigError>(read).messages) print_error(message);
+  if (read) return *std::move(read);
+  for (const std::string& message : read.error().messages) print_error(message);
   return std::nullopt;
 }
 

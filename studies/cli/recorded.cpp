@@ -91,8 +91,8 @@ Expected<JournalContents> journal_contents(const fs::path& directory, const std:
 
 Expected<Study> study_of(const fs::path& directory, const std::string& config) {
   StudyOrError read = read_study_text(config, (directory / "config.toml").string(), {}, directory, {});
-  if (auto* study = std::get_if<Study>(&read)) return std::move(*study);
-  const std::vector<std::string>& messages = std::get<ConfigError>(read).messages;
+  if (read) return *std::move(read);
+  const std::vector<std::string>& messages = read.error().messages;
   return ResultsError{ResultsErrorKind::damaged,
                       joined({"the config of the run directory is damaged: ",
                               messages.empty() ? directory.string() : messages.front()}),

@@ -61,7 +61,7 @@ int report_interrupted(const RunArguments& arguments, RunDirectory& run, const S
 
 /// "lanes: 93 % busy; 12 of the questions had been asked before"
 std::string lanes_line(const Study& study, const StudyReport& report) {
-  std::string line = joined({"lanes: ", three_digits(100.0 * report.lane_use.occupancy()), " % busy"});
+  std::string line = joined({"lanes: ", percent(report.lane_use.occupancy()), " busy"});
   if (is_search(study.kind())) line += " while searching";
   if (report.seconds > 0.0 && report.run_now > 0) {
     line += joined(
@@ -126,7 +126,8 @@ int run_command(const RunArguments& arguments) {
   const std::vector<std::string> warnings = study_warnings(*study);
   print_warnings(warnings);
   listen_for_interrupts();
-  Progress progress(progress_style(STDERR_FILENO, arguments.quiet), write_to_stderr);
+  Progress progress(progress_style(STDERR_FILENO, arguments.quiet ? Verbosity::quiet : Verbosity::usual),
+                    write_to_stderr);
   progress.plan(progress_plan(*study, study_cost(*study, threads)));
   const CountedSimulator simulator(core_simulator(), progress);
   const auto report = run_study(*study, run, LaneExecutor(simulator, threads),

@@ -172,14 +172,11 @@ ContactSteps fewest_contact_steps(const StudyData& data) {
   return fewest;
 }
 
-double chosen_time_step_s(const StudyData& data) {
-  const double wanted_s = fewest_contact_steps(data).contact_s / kStepsPerContact;
-  if (!(wanted_s > kLeastChosenStep_s)) return kLeastChosenStep_s;
-  return wanted_s < kLongestChosenStep_s ? rounded_down(wanted_s) : kLongestChosenStep_s;
-}
-
 void choose_time_step(StudyData& data) {
-  const double step_s = chosen_time_step_s(data);
+  const double wanted_s = fewest_contact_steps(data).contact_s / kStepsPerContact;
+  const double step_s = !(wanted_s > kLeastChosenStep_s)  ? kLeastChosenStep_s
+                        : wanted_s < kLongestChosenStep_s ? rounded_down(wanted_s)
+                                                          : kLongestChosenStep_s;
   for (Scenario& base : data.bases) base.simulation.time_step_s = step_s;
   for (StrategyCandidate& candidate : data.candidates) candidate.scenario.simulation.time_step_s = step_s;
   data.is_time_step_chosen = true;

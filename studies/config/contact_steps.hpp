@@ -19,12 +19,9 @@ ContactSteps fewest_contact_steps(const StudyData& data);
 inline constexpr double kLeastChosenStep_s = 1e-4;
 inline constexpr double kLongestChosenStep_s = 1e-3;
 
-/// A time step that gives the shortest contact of the study `kStepsPerContact` steps, rounded down to two digits
-/// and between kLeastChosenStep_s and kLongestChosenStep_s; one for the whole study, so that factor groups stay
-/// shared.
-double chosen_time_step_s(const StudyData& data);
-
-/// Writes the chosen step into every scenario of the study.
+/// Writes a time step into every scenario of the study that gives its shortest contact `kStepsPerContact` steps,
+/// rounded down to two digits and between kLeastChosenStep_s and kLongestChosenStep_s; one for the whole study, so
+/// that factor groups stay shared.
 void choose_time_step(StudyData& data);
 
 }  // namespace unbruised::studies

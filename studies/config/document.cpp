@@ -16,6 +16,8 @@
 
 #include <toml++/toml.h>
 
+#include "studies/text/joined.hpp"
+
 namespace unbruised::studies {
 namespace {
 
@@ -291,9 +293,7 @@ std::string spelled(const Value& value) {
     case Value::Kind::array:
       break;
   }
-  std::string out = "[";
-  for (const Value& item : value.items) out += (out.size() > 1 ? ", " : "") + spelled(item);
-  return out + "]";
+  return joined({"[", comma_list(value.items, [](const Value& item) { return spelled(item); }), "]"});
 }
 
 Document parse_document(std::string_view text, const std::shared_ptr<const std::string>& file, int rank) {

@@ -7,6 +7,7 @@
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/plausible.hpp"
 #include "studies/config/execution_error.hpp"
+#include "studies/text/joined.hpp"
 #include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
@@ -127,12 +128,11 @@ std::vector<std::string> without_effect(const Scenario& scenario) {
 }  // namespace
 
 std::string idle_limits(const Scenario& scenario) {
-  std::string never;
+  std::vector<std::string> never;
   for (const DamageLimit& limit : kDamageLimits) {
-    if (!bound_of(limit, scenario.limits) || can_act(limit, scenario)) continue;
-    never += (never.empty() ? "" : ", ") + std::string(limit.key);
+    if (bound_of(limit, scenario.limits) && !can_act(limit, scenario)) never.emplace_back(limit.key);
   }
-  return never;
+  return comma_list(never);
 }
 
 std::vector<std::string> doubts(const StudyData& data) {

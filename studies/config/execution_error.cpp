@@ -12,16 +12,17 @@ std::string without(const std::string& name, std::string_view ending) {
   return name.substr(0, name.size() - ending.size());
 }
 
-}  // namespace
-
-std::string error_name(const KeyError& error) {
-  return error.key + std::string(error.kind == ErrorKind::relative ? kRelative : kAbsolute);
-}
-
+/// What such a name says; nothing where it is no name of an error.
 std::optional<KeyError> error_named(const std::string& name) {
   if (name.ends_with(kRelative)) return KeyError{without(name, kRelative), ErrorKind::relative};
   if (name.ends_with(kAbsolute)) return KeyError{without(name, kAbsolute), ErrorKind::absolute};
   return std::nullopt;
+}
+
+}  // namespace
+
+std::string error_name(const KeyError& error) {
+  return error.key + std::string(error.kind == ErrorKind::relative ? kRelative : kAbsolute);
 }
 
 std::string key_behind(const std::string& name) {

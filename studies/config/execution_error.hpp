@@ -24,8 +24,6 @@ struct KeyError {
 
 /// "strategy.grip_force_N_relative_error", "cell.grip_offset_m_error"
 std::string error_name(const KeyError& error);
-/// What such a name says; nothing where it is no name of an error.
-std::optional<KeyError> error_named(const std::string& name);
 /// The key a value of this name acts on: that of the error, or the name itself.
 std::string key_behind(const std::string& name);
 

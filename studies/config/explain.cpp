@@ -6,6 +6,7 @@
 #include "studies/config/library.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/config/usual_damping.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -23,11 +24,8 @@ std::string type_words(const KeySpec& spec) {
       return "true or false";
     case KeyType::text:
       return "string";
-    case KeyType::choice: {
-      std::string words;
-      for (const auto word : spec.choices) words += (words.empty() ? "" : ", ") + toml_string(word);
-      return words;
-    }
+    case KeyType::choice:
+      return choices_text(spec);
     case KeyType::numbers:
       return n + " numbers";
     case KeyType::integers:
@@ -173,22 +171,18 @@ std::optional<std::string> explain_key(const std::string& key) {
   if (const KeyAddress address = find_strategy_key(key); address.spec != nullptr)
     return explanation(*address.spec);
   const std::string pattern = pattern_of(key);
-  std::string out;
+  std::vector<std::string> inside;
   for (const KeySpec& spec : key_table()) {
     const std::string table = table_of(spec.path);
-    const bool inside = spec.path == pattern || table == pattern || table == pattern + "[]" ||
-                        spec.path.starts_with(pattern + ".") || spec.path.starts_with(pattern + "[].");
-    if (inside) out += (out.empty() ? "" : "\n") + explanation(spec);
+    const bool is_inside = spec.path == pattern || table == pattern || table == pattern + "[]" ||
+                           spec.path.starts_with(pattern + ".") || spec.path.starts_with(pattern + "[].");
+    if (is_inside) inside.push_back(explanation(spec));
   }
-  if (out.empty()) return std::nullopt;
-  return out;
+  if (inside.empty()) return std::nullopt;
+  return separated(inside, "\n");
 }
 
-std::string explain_all() {
-  std::string out;
-  for (const KeySpec& spec : key_table()) out += (out.empty() ? "" : "\n") + explanation(spec);
-  return out;
-}
+std::string explain_all() { return separated(key_table(), "\n", explanation); }
 
 std::string reference_markdown() {
   std::string out;

@@ -2,6 +2,7 @@
 #include <variant>
 
 #include "studies/config/schema.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "studies/config/schema.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -21,11 +22,8 @@ std::string type_rule(const KeySpec& spec) {
       return "must be true or false";
     case KeyType::text:
       return "must be a string";
-    case KeyType::choice: {
-      std::string words;
-      for (const auto word : spec.choices) words += (words.empty() ? "" : ", ") + toml_string(word);
-      return "must be one of " + words;
-    }
+    case KeyType::choice:
+      return "must be one of " + choices_text(spec);
     case KeyType::numbers:
       return "must be an array of " + n + " numbers" + in;
     case KeyType::integers:
@@ -114,14 +112,12 @@ int* integer_slot(FieldRef field, const std::vector<int>& at) {
 }
 
 template <typename Items, typename Spell>
-std::string joined(const Items& items, Spell spell) {
-  std::string out;
-  for (const auto& item : items) out += (out.empty() ? "" : ", ") + spell(item);
-  return "[" + out + "]";
+std::string array_text(const Items& items, Spell spell) {
+  return "[" + comma_list(items, spell) + "]";
 }
 
 std::string spelled_vector(const std::array<double, 3>& v) {
-  return joined(v, [](double x) { return spelled(x); });
+  return array_text(v, [](double x) { return spelled(x); });
 }
 
 }  // namespace
@@ -240,29 +236,33 @@ std::string spelled(const KeySpec& spec, FieldRef field) {
       return toml_string(spec.choices[static_cast<std::size_t>(x.get(x.object))]);
     }
     std::string operator()(const NumberSpan& x) const {
-      return joined(std::vector<double>(x.data, x.data + x.size), [](double v) { return spelled(v); });
+      return array_text(std::vector<double>(x.data, x.data + x.size), [](double v) { return spelled(v); });
     }
     std::string operator()(const IntegerSpan& x) const {
-      return joined(std::vector<int>(x.data, x.data + x.size), [](int v) { return std::to_string(v); });
+      return array_text(std::vector<int>(x.data, x.data + x.size), [](int v) { return std::to_string(v); });
     }
     std::string operator()(const std::array<bool, 3>* x) const {
       std::vector<std::string> words;
       for (std::size_t i = 0; i < 3; ++i) {
         if ((*x)[i]) words.push_back(std::string("\"") + static_cast<char>('x' + static_cast<int>(i)) + "\"");
       }
-      return joined(words, [](const std::string& word) { return word; });
+      return "[" + comma_list(words) + "]";
     }
     std::string operator()(const std::vector<double>* x) const {
-      return joined(*x, [](double v) { return spelled(v); });
+      return array_text(*x, [](double v) { return spelled(v); });
     }
     std::string operator()(const std::vector<std::array<double, 3>>* x) const {
-      return joined(*x, spelled_vector);
+      return array_text(*x, spelled_vector);
     }
     std::string operator()(const std::vector<std::string>* x) const {
-      return joined(*x, [](const std::string& text) { return toml_string(text); });
+      return array_text(*x, [](const std::string& text) { return toml_string(text); });
     }
   };
   return std::visit(Speller{spec}, field);
+}
+
+std::string choices_text(const KeySpec& spec) {
+  return comma_list(spec.choices, [](std::string_view word) { return toml_string(word); });
 }
 
 std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices) {

@@ -249,6 +249,8 @@ bool has_element(FieldRef field, const std::vector<int>& elements);
 /// A field as TOML; empty for an optional without value and for an empty text.
 std::string spelled(const KeySpec& spec, FieldRef field);
 
+/// The words of a choice: "\"held\", \"dropped\"".
+std::string choices_text(const KeySpec& spec);
 /// "; did you mean "COBYLA"?" for the word of a choice that is spelt most like `word`, whatever its case; else
 /// empty.
 std::string word_suggestion(const std::string& word, const std::vector<std::string_view>& choices);

@@ -2,6 +2,7 @@
 #include "core/scenario/rules.hpp"
 #include "studies/config/keys/key_tables.hpp"
 #include "studies/config/schema.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -9,16 +10,16 @@ namespace {
 /// Ranges and rules of a scenario's keys come from core.
 void add_rules_of_core(KeySpec& spec) {
   if (const NumberField* field = find_number_field(spec.path)) spec.range = field->range;
-  std::string rules;
+  std::vector<std::string> rules;
   const auto add = [&](std::string_view sentence) {
-    if (!sentence.empty()) rules += (rules.empty() ? "" : "; ") + std::string(sentence);
+    if (!sentence.empty()) rules.emplace_back(sentence);
   };
   for (const Rule& rule : scenario_rules()) {
     if (rule.fields.front() == spec.path) add(rule.sentence);
     if (rule.fields.size() > 1 && rule.fields[1] == spec.path) add(rule.of_second);
   }
   add(spec.note);
-  spec.note = rules;
+  spec.note = separated(rules, "; ");
 }
 
 }  // namespace
@@ -28,9 +29,11 @@ const std::vector<KeySpec>& key_table() {
     using namespace key_rows;
     std::vector<KeySpec> all;
     for (const Table& part :
-         {study_keys(), search_keys(), sampling_keys(), compare_keys(), sensitivity_keys(), lattice_keys(),
-          particle_keys(), spring_and_load_keys(), gripper_keys(), cell_keys(), strategy_keys(), limit_keys(),
-          simulation_keys(), vary_keys(), variable_keys(), random_keys(), candidate_keys()}) {
+         {study_keys(),          goal_keys(),         algorithm_keys(),  sampling_keys(), compare_keys(),
+          sensitivity_keys(),    shape_keys(),        material_keys(),   particle_keys(), spring_and_load_keys(),
+          finger_and_pad_keys(), drive_keys(),        support_keys(),    path_keys(),     grip_keys(),
+          motion_keys(),         limit_keys(),        simulation_keys(), vary_keys(),     variable_keys(),
+          random_keys(),         random_bound_keys(), candidate_keys()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     for (KeySpec& spec : all) {

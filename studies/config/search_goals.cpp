@@ -39,7 +39,7 @@ class StudyGoals {
                                          [](const Constraint& c) { return c.kind != Constraint::Kind::metric; });
     if (!has_outcome && !table.constraints.empty()) {
       table.constraints.push_back(held_rule(context));
-      search.constraints.push_back(std::get<Constraint>(parse_constraint(held_rule(context), context)));
+      search.constraints.push_back(parse_constraint(held_rule(context), context).value());
       std::rotate(table.constraints.begin(), std::prev(table.constraints.end()), table.constraints.end());
       std::rotate(search.constraints.begin(), std::prev(search.constraints.end()), search.constraints.end());
     }
@@ -93,13 +93,11 @@ class StudyGoals {
 
   template <class Goal>
   std::optional<Goal> parsed(const std::string& path, const std::string& text, Parsed<Goal> goal) {
-    if (auto* message = std::get_if<std::string>(&goal)) {
-      // The place of an element is that of its array.
-      const std::string key = path.substr(0, path.find('['));
-      problems_.add(base_.origin_of(key), path, toml_string(text), *message);
-      return std::nullopt;
-    }
-    return std::get<Goal>(std::move(goal));
+    if (goal) return *std::move(goal);
+    // The place of an element is that of its array.
+    const std::string key = path.substr(0, path.find('['));
+    problems_.add(base_.origin_of(key), path, toml_string(text), goal.error());
+    return std::nullopt;
   }
 
   static std::string element(const std::string& path, std::size_t i) {

@@ -51,9 +51,33 @@ bool is_switched_off(const ValueSource& value) {
 /// "assumed: a medium fruit" and the like.
 bool says_assumed(std::string_view source) { return source.starts_with("assumed"); }
 
-Document resolved_document(std::string_view toml) {
-  constexpr int kNoRank = 0;
-  return parse_document(toml, std::make_shared<const std::string>("config.toml"), kNoRank);
+std::vector<ValueSource> values_of(const Document& document) {
+  std::map<std::string, std::string> sources;
+  for (const Entry& entry : document.entries) {
+    if (is_source(entry.path)) sources.emplace(key_of_source(entry.path), entry.value.text);
+  }
+  std::vector<ValueSource> values;
+  for (const Entry& entry : document.entries) {
+    if (!is_value(entry.path) || !is_number_or_numbers(entry.value)) continue;
+    auto source = sources.find(entry.path);
+    if (source == sources.end() && entry.path.starts_with("limits.")) source = sources.find("limits");
+    ValueSource value{.key = entry.path, .value = entry.value, .source = {}, .standing = Standing::unsourced};
+    if (source != sources.end()) {
+      value.source = source->second;
+      value.standing = says_assumed(value.source) ? Standing::assumed : Standing::cited;
+    }
+    if (!is_switched_off(value)) values.push_back(std::move(value));
+  }
+  return values;
+}
+
+std::vector<std::string> varied_files_of(const Document& document) {
+  std::vector<std::string> keys;
+  for (const Entry& entry : document.entries) {
+    const bool is_key = entry.path.starts_with("vary[") && entry.path.ends_with("].key");
+    if (is_key && entry.value.text.ends_with(".use")) keys.push_back(entry.value.text);
+  }
+  return keys;
 }
 
 }  // namespace
@@ -93,34 +117,11 @@ std::string_view standing_word(Standing standing) {
   return "unsourced";
 }
 
-std::vector<ValueSource> value_sources(std::string_view resolved_toml) {
-  const Document document = resolved_document(resolved_toml);
-  std::map<std::string, std::string> sources;
-  for (const Entry& entry : document.entries) {
-    if (is_source(entry.path)) sources.emplace(key_of_source(entry.path), entry.value.text);
-  }
-  std::vector<ValueSource> values;
-  for (const Entry& entry : document.entries) {
-    if (!is_value(entry.path) || !is_number_or_numbers(entry.value)) continue;
-    auto source = sources.find(entry.path);
-    if (source == sources.end() && entry.path.starts_with("limits.")) source = sources.find("limits");
-    ValueSource value{.key = entry.path, .value = entry.value, .source = {}, .standing = Standing::unsourced};
-    if (source != sources.end()) {
-      value.source = source->second;
-      value.standing = says_assumed(value.source) ? Standing::assumed : Standing::cited;
-    }
-    if (!is_switched_off(value)) values.push_back(std::move(value));
-  }
-  return values;
-}
-
-std::vector<std::string> varied_files(std::string_view resolved_toml) {
-  std::vector<std::string> keys;
-  for (const Entry& entry : resolved_document(resolved_toml).entries) {
-    const bool is_key = entry.path.starts_with("vary[") && entry.path.ends_with("].key");
-    if (is_key && entry.value.text.ends_with(".use")) keys.push_back(entry.value.text);
-  }
-  return keys;
+ConfigSources config_sources(std::string_view resolved_toml) {
+  constexpr int kNoRank = 0;
+  const Document document =
+      parse_document(resolved_toml, std::make_shared<const std::string>("config.toml"), kNoRank);
+  return {.values = values_of(document), .varied_files = varied_files_of(document)};
 }
 
 }  // namespace unbruised::studies

@@ -38,13 +38,16 @@ struct ValueSource {
   Standing standing = Standing::unsourced;
 };
 
-/// Every number of product, gripper and limits in a resolved config, in its order. What has no number (a shape, a
-/// coupling), a zero without a source (what is switched off) and the particles of a network are left out; a config
-/// that cannot be read gives none.
-std::vector<ValueSource> value_sources(std::string_view resolved_toml);
+/// What the numbers of a resolved config rest on.
+struct ConfigSources {
+  /// Every number of product, gripper and limits, in the config's order. What has no number (a shape, a coupling),
+  /// a zero without a source (what is switched off) and the particles of a network are left out.
+  std::vector<ValueSource> values;
+  /// The keys that vary whole library files, e.g. "product.use": their values and sources stand in those files.
+  std::vector<std::string> varied_files;
+};
 
-/// The keys that vary whole library files in a resolved config, e.g. "product.use": their values and sources stand
-/// in those files.
-std::vector<std::string> varied_files(std::string_view resolved_toml);
+/// Reads a resolved config once; one that cannot be read has no values.
+ConfigSources config_sources(std::string_view resolved_toml);
 
 }  // namespace unbruised::studies

@@ -13,7 +13,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/scenario/scenario.hpp"
@@ -23,6 +22,7 @@
 #include "studies/goals/goal.hpp"
 #include "studies/statistics/design.hpp"
 #include "studies/statistics/distribution.hpp"
+#include "studies/text/value_or.hpp"
 
 namespace unbruised::studies {
 
@@ -202,7 +202,7 @@ class Study {
   std::shared_ptr<const StudyData> data_;
 };
 
-using StudyOrError = std::variant<Study, ConfigError>;
+using StudyOrError = ValueOr<Study, ConfigError>;
 
 /// Reads, merges and validates a study.
 /// @param sets the values of `--set`, each `key=value` with a TOML literal (strings may be bare).

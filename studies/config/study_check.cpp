@@ -9,6 +9,7 @@
 #include "studies/config/problems.hpp"
 #include "studies/config/rules.hpp"
 #include "studies/config/study_names.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {

@@ -80,18 +80,4 @@ std::span<const StudyKindRow> study_kind_table() { return kKinds; }
 
 const StudyKindRow& row_of(StudyKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
 
-std::string listed(const std::vector<std::string>& words, std::string_view last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 < words.size() ? ", " : " " + std::string(last) + " ";
-    text += words[i];
-  }
-  return text;
-}
-
-std::string listed_quoted(std::vector<std::string> words, std::string_view last) {
-  for (std::string& word : words) word = "\"" + word + "\"";
-  return listed(words, last);
-}
-
 }  // namespace unbruised::studies

@@ -79,9 +79,5 @@ std::vector<std::string> kinds_where(IsMeant is_meant) {
   }
   return words;
 }
-/// `sample, robust and compare`, with "and" or another `last` word.
-std::string listed(const std::vector<std::string>& words, std::string_view last);
-/// The same in quotes: `"sample", "robust" or "compare"`.
-std::string listed_quoted(std::vector<std::string> words, std::string_view last);
 
 }  // namespace unbruised::studies

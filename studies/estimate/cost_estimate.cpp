@@ -16,6 +16,10 @@ constexpr double kVectorsPerLane = 24.0;
 /// Doubles that a particle of a lattice costs in the model: springs, cells, indices.
 constexpr double kDoublesPerParticle = 300.0;
 
+double estimated_factor_entries(const ModelSize& size) {
+  return kFactorEntriesPerFreedomPower * std::pow(static_cast<double>(size.freedom_count), 4.0 / 3.0);
+}
+
 }  // namespace
 
 LaneStepRate measured_lane_step_rate() {
@@ -32,10 +36,6 @@ double simulated_duration_s(const Scenario& scenario) {
 
 double estimated_steps(const Scenario& scenario) {
   return std::ceil(simulated_duration_s(scenario) / scenario.simulation.time_step_s);
-}
-
-double estimated_factor_entries(const ModelSize& size) {
-  return kFactorEntriesPerFreedomPower * std::pow(static_cast<double>(size.freedom_count), 4.0 / 3.0);
 }
 
 double estimated_model_bytes(const ModelSize& size) {

@@ -29,7 +29,6 @@ LaneStepRate measured_lane_step_rate();
 double simulated_duration_s(const Scenario& scenario);
 double estimated_steps(const Scenario& scenario);
 
-double estimated_factor_entries(const ModelSize& size);
 /// One model: factor, particles and springs, dense compliance of the contact freedoms.
 double estimated_model_bytes(const ModelSize& size);
 /// The state of one lane.

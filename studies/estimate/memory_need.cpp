@@ -39,14 +39,24 @@ double bytes_by_volume(double particles) {
   return estimated_model_bytes(size);
 }
 
-double model_and_lanes_bytes(const ModelSize& size) {
-  return estimated_model_bytes(size) + lane_count() * estimated_lane_bytes(size);
-}
-
 }  // namespace
 
 double estimated_rows_bytes(double row_count, std::size_t input_count) {
   return row_count * kRowCopies * (kRowBytes + static_cast<double>(input_count * sizeof(InputValue)));
+}
+
+double estimated_run_bytes(std::vector<ModelSize> groups, int threads) {
+  const auto at_a_time = std::min(groups.size(), static_cast<std::size_t>(threads));
+  std::partial_sort(
+      groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(at_a_time), groups.end(),
+      [](const ModelSize& a, const ModelSize& b) { return estimated_model_bytes(a) > estimated_model_bytes(b); });
+  double models = 0.0;
+  double lane = 0.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (i < at_a_time) models += estimated_model_bytes(groups[i]);
+    lane = std::max(lane, estimated_lane_bytes(groups[i]));
+  }
+  return models + static_cast<double>(threads) * lane_count() * lane;
 }
 
 std::optional<std::string> too_much_memory(const std::string& study_name, double needed_bytes) {
@@ -67,10 +77,13 @@ std::optional<std::string> too_much_memory(const Study& study, int threads) {
     most = std::max(most, particles);
   }
   const double rows = estimated_rows_bytes(static_cast<double>(set.count), set.columns.size());
-  const double models = std::min(static_cast<double>(threads), static_cast<double>(set.count));
+  const std::size_t models = std::min(static_cast<std::size_t>(threads), set.count);
   if (auto refusal = too_much_memory(study.name(), rows + bytes_by_volume(most))) return refusal;
-  if (models * bytes_by_volume(most) < kSmallPart * machine_memory_bytes()) return std::nullopt;
-  return too_much_memory(study.name(), rows + models * model_and_lanes_bytes(model_size(set.scenario(at))));
+  if (static_cast<double>(models) * bytes_by_volume(most) < kSmallPart * machine_memory_bytes())
+    return std::nullopt;
+  return too_much_memory(
+      study.name(),
+      rows + estimated_run_bytes(std::vector(models, model_size(set.scenario(at))), static_cast<int>(models)));
 }
 
 }  // namespace unbruised::studies

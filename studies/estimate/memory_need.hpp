@@ -6,13 +6,19 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/simulation/simulation.hpp"
 #include "studies/config/study.hpp"
 
 namespace unbruised::studies {
 
 /// Memory of rows: while results.h5 is written they stand in memory about four times.
 double estimated_rows_bytes(double row_count, std::size_t input_count);
+
+/// Memory of the models that are worked with at a time, and of the lanes of all threads.
+/// @param groups the size of each model; the largest are taken to run together. @param threads > 0
+double estimated_run_bytes(std::vector<ModelSize> groups, int threads);
 
 /// Says that `needed_bytes` are more than there are, with both figures; nothing when they are not.
 std::optional<std::string> too_much_memory(const std::string& study_name, double needed_bytes);

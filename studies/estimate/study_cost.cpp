@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "studies/estimate/cost_estimate.hpp"
@@ -60,17 +60,9 @@ double compute_seconds(const KnownCost& known, double each) {
 }
 
 double memory_bytes(const KnownCost& known, int threads) {
-  std::vector<double> models;
-  double lanes = 0.0;
-  for (const GroupCost& group : known.groups) {
-    models.push_back(estimated_model_bytes(group.size));
-    lanes = std::max(lanes, estimated_lane_bytes(group.size));
-  }
-  std::sort(models.begin(), models.end(), std::greater<>());
-  models.resize(std::min(models.size(), static_cast<std::size_t>(threads)));
-  double bytes = static_cast<double>(threads) * lane_count() * lanes;
-  for (const double model : models) bytes += model;
-  return bytes;
+  std::vector<ModelSize> sizes;
+  for (const GroupCost& group : known.groups) sizes.push_back(group.size);
+  return estimated_run_bytes(std::move(sizes), threads);
 }
 
 double disk_bytes(const Study& study, const KnownCost& known, std::size_t inputs, double evaluations) {

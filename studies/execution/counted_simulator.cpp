@@ -47,10 +47,10 @@ class CountedModel final : public SharedModel {
 
 }  // namespace
 
-std::shared_ptr<const SharedModel> CountedSimulator::build(const Scenario& scenario, std::string& error) const {
-  auto model = simulator_.build(scenario, error);
-  if (!model) return nullptr;
-  return std::make_shared<CountedModel>(std::move(model), progress_);
+ModelOrReason CountedSimulator::build(const Scenario& scenario) const {
+  ModelOrReason model = simulator_.build(scenario);
+  if (!model) return model;
+  return std::shared_ptr<const SharedModel>(std::make_shared<CountedModel>(*std::move(model), progress_));
 }
 
 }  // namespace unbruised::studies

@@ -19,8 +19,7 @@ class CountedSimulator final : public Simulator {
   [[nodiscard]] std::string factor_key(const Scenario& scenario) const override {
     return simulator_.factor_key(scenario);
   }
-  [[nodiscard]] std::shared_ptr<const SharedModel> build(const Scenario& scenario,
-                                                         std::string& error) const override;
+  [[nodiscard]] ModelOrReason build(const Scenario& scenario) const override;
 
  private:
   const Simulator& simulator_;

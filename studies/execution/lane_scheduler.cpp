@@ -158,23 +158,20 @@ LaneScheduler::Group* LaneScheduler::build(Group& group, std::unique_lock<std::m
   group.stage = Group::Stage::building;
   const std::uint64_t first = group.waiting.front();
   lock.unlock();
-  std::string error;
-  std::shared_ptr<const SharedModel> model = build_first_scenario(first, error);
+  ModelOrReason model = build_first_scenario(first);
   lock.lock();
   group.stage = model ? Group::Stage::ready : Group::Stage::failed;
-  group.model = std::move(model);
-  group.error = std::move(error);
+  if (!model) group.error = model.error();
+  if (model) group.model = *std::move(model);
   changed_.notify_all();
   return &group;
 }
 
-std::shared_ptr<const SharedModel> LaneScheduler::build_first_scenario(std::uint64_t id,
-                                                                       std::string& error) const {
+ModelOrReason LaneScheduler::build_first_scenario(std::uint64_t id) const {
   try {
-    return build_model(simulator_, order_.scenario(id), error);
+    return build_model(simulator_, order_.scenario(id));
   } catch (...) {
-    error = current_exception_text();
-    return nullptr;
+    return current_exception_text();
   }
 }
 

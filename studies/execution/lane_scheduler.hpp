@@ -75,7 +75,7 @@ class LaneScheduler final : public Work {
 
   Group* pick_group();
   Group* build(Group& group, std::unique_lock<std::mutex>& lock);
-  std::shared_ptr<const SharedModel> build_first_scenario(std::uint64_t id, std::string& error) const;
+  [[nodiscard]] ModelOrReason build_first_scenario(std::uint64_t id) const;
   [[nodiscard]] std::size_t fair_share(const Group& group) const;
   [[nodiscard]] static std::size_t left_by_seniors(const Group& group, const Seat& seat);
   [[nodiscard]] static std::size_t uncovered(const Group& group);

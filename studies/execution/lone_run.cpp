@@ -25,15 +25,11 @@ std::string current_exception_text() {
   }
 }
 
-std::shared_ptr<const SharedModel> build_model(const Simulator& simulator, const Scenario& scenario,
-                                               std::string& error) {
+ModelOrReason build_model(const Simulator& simulator, const Scenario& scenario) {
   try {
-    std::shared_ptr<const SharedModel> model = simulator.build(scenario, error);
-    if (!model && error.empty()) error = "the model cannot be built";
-    return model;
+    return simulator.build(scenario);
   } catch (...) {
-    error = current_exception_text();
-    return nullptr;
+    return current_exception_text();
   }
 }
 
@@ -55,10 +51,9 @@ std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const
 
 std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario, Trace* trace,
                                         const std::atomic<bool>* stop) {
-  std::string error;
-  const std::shared_ptr<const SharedModel> model = build_model(simulator, scenario, error);
-  if (!model) return failed_result(error);
-  return run_in_fresh_lanes(*model, scenario, trace, stop);
+  const ModelOrReason model = build_model(simulator, scenario);
+  if (!model) return failed_result(model.error());
+  return run_in_fresh_lanes(**model, scenario, trace, stop);
 }
 
 }  // namespace unbruised::studies

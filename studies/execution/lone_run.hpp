@@ -19,9 +19,8 @@ namespace unbruised::studies {
 ScenarioResult failed_result(std::string cause);
 /// The exception being handled, as the cause of a row.
 std::string current_exception_text();
-/// The model of a scenario; nullptr and `error` where it cannot be built, for whatever reason.
-std::shared_ptr<const SharedModel> build_model(const Simulator& simulator, const Scenario& scenario,
-                                               std::string& error);
+/// The model of a scenario, or why it cannot be built: an exception is a reason too.
+ModelOrReason build_model(const Simulator& simulator, const Scenario& scenario);
 /// One scenario in lane 0 of fresh lanes until it ends; nothing when stopped.
 /// @param trace filled when not null. @param stop may be null.
 std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,

@@ -29,8 +29,8 @@ std::string rate_text(double per_second) {
 
 }  // namespace
 
-ProgressStyle progress_style(int descriptor, bool quiet) {
-  if (quiet) return ProgressStyle::none;
+ProgressStyle progress_style(int descriptor, Verbosity verbosity) {
+  if (verbosity == Verbosity::quiet) return ProgressStyle::none;
   const char* term = std::getenv("TERM");
   const bool dumb = term == nullptr || std::string_view(term) == "dumb";
   return ::isatty(descriptor) != 0 && !dumb ? ProgressStyle::bar : ProgressStyle::lines;
@@ -72,13 +72,8 @@ std::string progress_text(const ProgressState& state) {
   if (const auto left = seconds_left(state)) {
     text += joined({plan.may_end_sooner ? ", at most " : ", about ", duration_text(*left), " left"});
   }
-  std::string separator = "; ";
-  for (std::size_t i = 0; i < state.outcomes.size(); ++i) {
-    if (state.outcomes[i] == 0) continue;
-    text += joined({separator, kOutcomeWords[i], " ", with_thousands(state.outcomes[i])});
-    separator = ", ";
-  }
-  return text;
+  const std::string outcomes = counts_text(state.outcomes);
+  return outcomes.empty() ? text : joined({text, "; ", outcomes});
 }
 
 std::string progress_bar(const ProgressState& state) {
@@ -119,7 +114,7 @@ void Progress::count(Outcome outcome, double steps) {
   const std::lock_guard lock(mutex_);
   ++state_.done;
   if (!std::isnan(steps)) state_.steps_of_done += steps;
-  if (outcome != Outcome::not_run) ++state_.outcomes[static_cast<std::size_t>(outcome)];
+  state_.outcomes.add(outcome);
 }
 
 void Progress::close() {

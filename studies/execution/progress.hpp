@@ -4,7 +4,6 @@
 /// How far a study is and how long it will take still, on stderr: a bar on a terminal, else a plain line after
 /// five seconds and every half a minute.
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -18,14 +17,18 @@
 #include <thread>
 
 #include "core/outcome/outcome.hpp"
+#include "studies/results/outcome_counts.hpp"
 
 namespace unbruised::studies {
 
 enum class ProgressStyle { none, bar, lines };
 
+/// How much the user wants to be told.
+enum class Verbosity { usual, quiet };
+
 /// none when quiet; a bar when `descriptor` is a terminal whose TERM is not "dumb"; else lines. There are no
 /// colours, so NO_COLOR has nothing to switch off.
-ProgressStyle progress_style(int descriptor, bool quiet);
+ProgressStyle progress_style(int descriptor, Verbosity verbosity);
 
 /// What is expected of a study before it runs (studies/estimate); zeros where nothing is known.
 struct ProgressPlan {
@@ -45,7 +48,7 @@ struct ProgressState {
   double steps = 0.0;             ///< made in this run, those of unfinished scenarios too
   double steps_of_done = 0.0;     ///< of them, those of scenarios that ended
   ProgressPlan plan{};
-  std::array<std::size_t, kOutcomeWords.size()> outcomes{};
+  OutcomeCounts outcomes{};
 };
 
 /// Seconds that the rest will take, from the steps made so far and those still to make: of scenarios in the mean

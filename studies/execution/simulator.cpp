@@ -30,10 +30,11 @@ class CoreSimulator final : public Simulator {
  public:
   int lane_count() const override { return unbruised::lane_count(); }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
-  std::shared_ptr<const SharedModel> build(const Scenario& scenario, std::string& error) const override {
+  ModelOrReason build(const Scenario& scenario) const override {
+    std::string error;
     std::shared_ptr<const Model> model = Model::build(scenario, error);
-    if (!model) return nullptr;
-    return std::make_shared<CoreModel>(std::move(model));
+    if (!model) return error.empty() ? std::string("the model cannot be built") : error;
+    return std::shared_ptr<const SharedModel>(std::make_shared<CoreModel>(std::move(model)));
   }
 };
 

@@ -10,6 +10,7 @@
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
+#include "studies/text/value_or.hpp"
 
 namespace unbruised::studies {
 
@@ -31,14 +32,15 @@ class SharedModel {
   [[nodiscard]] virtual std::unique_ptr<LaneEngine> make_lanes() const = 0;
 };
 
+/// The model (never null), or why there is none of this scenario.
+using ModelOrReason = ValueOr<std::shared_ptr<const SharedModel>, std::string>;
+
 class Simulator {
  public:
   virtual ~Simulator() = default;
   [[nodiscard]] virtual int lane_count() const = 0;
   [[nodiscard]] virtual std::string factor_key(const Scenario& scenario) const = 0;
-  /// nullptr and `error` when there is no model of this scenario.
-  [[nodiscard]] virtual std::shared_ptr<const SharedModel> build(const Scenario& scenario,
-                                                                 std::string& error) const = 0;
+  [[nodiscard]] virtual ModelOrReason build(const Scenario& scenario) const = 0;
 };
 
 /// The simulator of core/.

@@ -34,8 +34,7 @@ std::string error_text(const ScenarioRow& row, Metric metric) {
 std::string worst_text(const std::vector<ScenarioRow>& rows, Metric metric) {
   const ScenarioRow* worst = worst_row(rows, metric, Among::all);
   if (worst == nullptr) return {};
-  std::string text =
-      joined({kMetricTable[static_cast<std::size_t>(metric)].name, " ", error_text(*worst, metric)});
+  std::string text = joined({info_of(metric).name, " ", error_text(*worst, metric)});
   const ScenarioRow* held = worst_row(rows, metric, Among::held);
   if (held != nullptr && held != worst) text += joined({", of those held ", error_text(*held, metric)});
   return text;

@@ -103,8 +103,7 @@ std::string change_text(const ResultTable& checks, std::size_t i) {
   const double now = number_in(checks, column, i);
   if (std::isnan(now)) return "does not exist";
   if (found == 0.0) return now == 0.0 ? "0 as before" : joined({short_number(now), " (0 as found)"});
-  const double change = number_in(checks, "objective_change", i);
-  return joined({change < 0.0 ? "" : "+", percent(change)});
+  return signed_percent(number_in(checks, "objective_change", i));
 }
 
 std::string check_text(const ResultTable& checks, std::size_t i) {

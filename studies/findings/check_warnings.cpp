@@ -5,6 +5,7 @@
 
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {

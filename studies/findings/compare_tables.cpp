@@ -10,8 +10,6 @@
 namespace unbruised::studies {
 namespace {
 
-const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
-
 class CompareTables {
  public:
   CompareTables(const Study& study, const std::vector<ScenarioRow>& rows)

@@ -13,8 +13,6 @@
 namespace unbruised::studies {
 namespace {
 
-const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
-
 std::vector<double> answers_of(const std::vector<ScenarioRow>& rows, Metric metric) {
   std::vector<double> answers;
   answers.reserve(rows.size());

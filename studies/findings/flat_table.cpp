@@ -9,6 +9,7 @@
 
 #include "core/outcome/outcome.hpp"
 #include "studies/findings/table_text.hpp"
+#include "studies/results/scenario_columns.hpp"
 #include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
 
@@ -73,20 +74,17 @@ std::string cell_text(const ResultColumn& column, std::size_t row) {
   return quoted + "\"";
 }
 
-}  // namespace
-
+/// A row per scenario: id, outcome, cause, outcome_time_s, varied keys, metrics. Units are part of the names.
 ResultTable scenario_table(const StudyTables& tables) {
   const std::vector<ScenarioRow>& rows = tables.rows;
   ResultTable table{.name = "scenarios", .row = "scenario", .columns = {}, .attributes = {}};
-  table.columns.push_back(column("id", "1", "number of the scenario", rows,
-                                 [](const ScenarioRow& row) { return static_cast<double>(row.id); }));
-  table.columns.push_back(column("outcome", "", "how it ended", rows, [](const ScenarioRow& row) {
-    return std::string(outcome_word(row.result.outcome));
-  }));
-  table.columns.push_back(column("cause", "", "what decided the outcome", rows,
-                                 [](const ScenarioRow& row) { return row.result.cause; }));
-  table.columns.push_back(column("outcome_time_s", "s", "first crossing of the limit that decided", rows,
-                                 [](const ScenarioRow& row) { return row.result.outcome_time_s; }));
+  const auto add = [&](const ScenarioColumn& info, const auto& value) {
+    table.columns.push_back(column(info.name, info.units, info.long_name, rows, value));
+  };
+  add(kIdColumn, [](const ScenarioRow& row) { return static_cast<double>(row.id); });
+  add(kOutcomeColumn, [](const ScenarioRow& row) { return std::string(outcome_word(row.result.outcome)); });
+  add(kCauseColumn, [](const ScenarioRow& row) { return row.result.cause; });
+  add(kOutcomeTimeColumn, [](const ScenarioRow& row) { return row.result.outcome_time_s; });
   add_inputs(table, tables.inputs, rows);
   for (const MetricInfo& info : kMetricTable) {
     table.columns.push_back(column(std::string(info.name), info.units, info.long_name, rows,
@@ -94,6 +92,8 @@ ResultTable scenario_table(const StudyTables& tables) {
   }
   return table;
 }
+
+}  // namespace
 
 ResultTable window_as_table(const WindowTable& window) {
   ResultTable table{.name = "window", .row = "combination", .columns = {}, .attributes = {}};
@@ -128,16 +128,10 @@ ResultTable table_called(const StudyTables& tables, const std::string& name) {
 }
 
 std::string csv_text(const ResultTable& table) {
-  std::string text;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    text += joined({i == 0 ? "" : ",", table.columns[i].name});
-  }
-  text += "\n";
+  const auto line = [&](const auto& cell) { return joined({separated(table.columns, ",", cell), "\n"}); };
+  std::string text = line([](const ResultColumn& column) { return column.name; });
   for (std::size_t row = 0; row < row_count(table); ++row) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      text += joined({i == 0 ? "" : ",", cell_text(table.columns[i], row)});
-    }
-    text += "\n";
+    text += line([row](const ResultColumn& column) { return cell_text(column, row); });
   }
   return text;
 }

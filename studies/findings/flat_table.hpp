@@ -11,8 +11,6 @@
 
 namespace unbruised::studies {
 
-/// A row per scenario: id, outcome, cause, outcome_time_s, varied keys, metrics. Units are part of the names.
-ResultTable scenario_table(const StudyTables& tables);
 /// The grip windows, a row per combination of the varied keys.
 ResultTable window_as_table(const WindowTable& window);
 /// "scenarios", "window" where there is one, and what the kind found beside.

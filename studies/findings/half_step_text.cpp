@@ -21,9 +21,8 @@ std::string move_text(const EndMove& move) {
   if (move.relative == 0.0) return joined({move.name, " stays at ", short_number(move.as_found_N), " N"});
   if (std::isinf(move.half_step_N)) return joined({"no force that was tried holds"});
   if (move.half_step_N <= 0.0) return joined({"every force that was tried damages"});
-  const double percent = std::round(1e3 * move.relative) / 10.0;
-  return joined({move.name, percent < 0.0 ? " falls" : " rises", " from ", short_number(move.as_found_N), " to ",
-                 short_number(move.half_step_N), " N (", percent < 0.0 ? "" : "+", short_number(percent), " %)"});
+  return joined({move.name, move.relative < 0.0 ? " falls" : " rises", " from ", short_number(move.as_found_N),
+                 " to ", short_number(move.half_step_N), " N (", signed_percent(move.relative), ")"});
 }
 
 }  // namespace unbruised::studies

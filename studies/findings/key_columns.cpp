@@ -33,9 +33,7 @@ ResultColumn key_column(const ColumnInfo& key, const std::vector<InputValue>& va
 }
 
 std::string leaves_text(const std::vector<ColumnInfo>& keys) {
-  std::string text;
-  for (const ColumnInfo& key : keys) text += joined({text.empty() ? "" : ", ", key_leaf(key.key)});
-  return text;
+  return comma_list(keys, [](const ColumnInfo& key) { return key_leaf(key.key); });
 }
 
 }  // namespace unbruised::studies

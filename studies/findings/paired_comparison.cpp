@@ -16,8 +16,6 @@ namespace {
 
 bool is_held(const ScenarioRow& row) { return row.result.outcome == Outcome::held; }
 
-const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
-
 /// " s", " m/s2"; empty without a unit.
 std::string unit_text(Metric metric) {
   const Unit* unit = unit_of(info_of(metric).name);

@@ -8,7 +8,8 @@ namespace unbruised::studies {
 
 ValueCounts value_counts(std::string_view resolved_toml) {
   ValueCounts counts;
-  for (const ValueSource& each : value_sources(resolved_toml)) {
+  const ConfigSources sources = config_sources(resolved_toml);
+  for (const ValueSource& each : sources.values) {
     switch (each.standing) {
       case Standing::assumed:
         ++counts.assumed;
@@ -21,7 +22,7 @@ ValueCounts value_counts(std::string_view resolved_toml) {
         break;
     }
   }
-  counts.files = comma_list(varied_files(resolved_toml));
+  counts.files = comma_list(sources.varied_files);
   return counts;
 }
 

@@ -85,8 +85,6 @@ SetPoint none(std::initializer_list<std::string_view> reason) {
   return {.exists = false, .force_N = kAbsent, .tolerance_N = kAbsent, .sentence = joined(reason)};
 }
 
-std::string percent_of(double part) { return joined({short_number(100.0 * part), " %"}); }
-
 /// Why no setting serves; empty: some do, steps aside.
 std::optional<SetPoint> refused(const SafeForces& window, const ForceSetting& gripper, const Settings& safe) {
   const std::string from = least_text(window.least_N);
@@ -100,12 +98,12 @@ std::optional<SetPoint> refused(const SafeForces& window, const ForceSetting& gr
                  " N, and the product is held from ", from, " N on only"});
   }
   if (safe.least_N > safe.greatest_N) {
-    return none({kTooNarrowForIt, ": its force is off by up to ", percent_of(gripper.accuracy),
+    return none({kTooNarrowForIt, ": its force is off by up to ", percent(gripper.accuracy),
                  " either way, and the window is [", from, ", ", to, "] N"});
   }
   if (safe.greatest_N < gripper.min_N || safe.least_N > gripper.max_N) {
     return none({kNotForThisGripper, ": it holds ", short_number(gripper.min_N), " to ",
-                 short_number(gripper.max_N), " N, and with its accuracy of ", percent_of(gripper.accuracy),
+                 short_number(gripper.max_N), " N, and with its accuracy of ", percent(gripper.accuracy),
                  " only settings of ", least_text(safe.least_N), " to ", greatest_text(safe.greatest_N),
                  " N are safe"});
   }

@@ -23,10 +23,11 @@ double independent_products(double wanted, double estimate, double confidence) {
   return std::floor(least) + 1.0;
 }
 
-std::string settings_text(const NeededSample& needed, bool is_grouped) {
+std::string settings_text(const NeededSample& needed, FactorGroups groups) {
   return joined({"sampling.count = ", with_thousands(needed.products),
-                 is_grouped ? joined({" with sampling.factor_groups = ", with_thousands(needed.factor_groups)})
-                            : std::string()});
+                 groups == FactorGroups::shared
+                     ? joined({" with sampling.factor_groups = ", with_thousands(needed.factor_groups)})
+                     : std::string()});
 }
 
 std::string rule_text(const JudgedEvent& judged) {
@@ -45,7 +46,8 @@ std::string doubt_about(const JudgedEvent& judged, const Study& study) {
   }
   const std::size_t needed = trials_to_show(wanted, sampling.confidence);
   const auto count = static_cast<double>(sampling.count);
-  const std::string each = has_shared_groups(study) ? " with sampling.factor_groups = 0" : "";
+  const std::string each =
+      factor_groups_of(study) == FactorGroups::shared ? " with sampling.factor_groups = 0" : "";
   if (sampling.count < needed) {
     const double low = wilson_interval(count, count, sampling.confidence).low;
     return joined({rule, " cannot be shown by ", with_thousands(sampling.count),
@@ -59,7 +61,7 @@ std::string doubt_about(const JudgedEvent& judged, const Study& study) {
 /// Why they may not, depending on how alike they turn out; empty: nothing stands against it.
 std::string note_about(const JudgedEvent& judged, const Study& study) {
   const SamplingSettings& sampling = study.sampling();
-  if (!doubt_about(judged, study).empty() || !has_shared_groups(study)) return {};
+  if (!doubt_about(judged, study).empty() || factor_groups_of(study) == FactorGroups::own) return {};
   if (sampling.factor_groups >= trials_to_show(*judged.wanted, sampling.confidence)) return {};
   return joined(
       {rule_text(judged), " may stay unshown: the products share ", with_thousands(sampling.factor_groups),
@@ -75,10 +77,10 @@ Shown shown(double wanted, const Proportion& found) {
 }
 
 std::optional<NeededSample> needed_sample(double wanted, const Proportion& found, const SamplingSettings& sampling,
-                                          bool is_grouped) {
+                                          FactorGroups factor_groups) {
   if (shown(wanted, found) != Shown::met_by_the_estimate || found.estimate <= wanted) return std::nullopt;
   const double independent = independent_products(wanted, found.estimate, sampling.confidence);
-  if (!is_grouped) {
+  if (factor_groups == FactorGroups::own) {
     if (independent > kProductsMost) return std::nullopt;
     return NeededSample{static_cast<std::size_t>(std::ceil(independent)), 0};
   }
@@ -90,11 +92,12 @@ std::optional<NeededSample> needed_sample(double wanted, const Proportion& found
   return NeededSample{static_cast<std::size_t>(products), static_cast<std::size_t>(std::min(groups, products))};
 }
 
-bool has_shared_groups(const Study& study) {
+FactorGroups factor_groups_of(const Study& study) {
   const bool changes_factor = std::any_of(study.randoms().begin(), study.randoms().end(),
                                           [](const RandomVariable& random) { return random.changes_factor; });
   const SamplingSettings& sampling = study.sampling();
-  return changes_factor && sampling.factor_groups > 0 && sampling.factor_groups < sampling.count;
+  const bool is_shared = changes_factor && sampling.factor_groups > 0 && sampling.factor_groups < sampling.count;
+  return is_shared ? FactorGroups::shared : FactorGroups::own;
 }
 
 std::string shown_text(double wanted, const Proportion& found, const Study& study) {
@@ -106,11 +109,11 @@ std::string shown_text(double wanted, const Proportion& found, const Study& stud
     case Shown::met_by_the_estimate:
       break;
   }
-  const bool is_grouped = has_shared_groups(study);
+  const FactorGroups groups = factor_groups_of(study);
   const std::string met =
       joined({"met by the estimate only, not shown: the interval begins at ", percent(found.interval.low)});
-  if (const auto needed = needed_sample(wanted, found, study.sampling(), is_grouped)) {
-    return joined({met, "; ", settings_text(*needed, is_grouped), " would show it if products stay as they are"});
+  if (const auto needed = needed_sample(wanted, found, study.sampling(), groups)) {
+    return joined({met, "; ", settings_text(*needed, groups), " would show it if products stay as they are"});
   }
   return joined(
       {met, "; the estimate lies too near to ", percent(wanted), " for any number of products to show it"});

@@ -24,13 +24,14 @@ struct NeededSample {
   std::size_t products = 0;       ///< sampling.count
   std::size_t factor_groups = 0;  ///< sampling.factor_groups; 0: every product its own
 };
-/// @param sampling of the study @param is_grouped do products share factor groups?
+/// Is each product a factor group of its own, or do several share one, so that they are alike?
+enum class FactorGroups { own, shared };
+FactorGroups factor_groups_of(const Study& study);
+
+/// @param sampling of the study
 /// @return nothing where it is shown already, or where no sample would: the estimate does not lie above `wanted`
 std::optional<NeededSample> needed_sample(double wanted, const Proportion& found, const SamplingSettings& sampling,
-                                          bool is_grouped);
-
-/// Do products of the study share factor groups?
-bool has_shared_groups(const Study& study);
+                                          FactorGroups groups);
 
 /// "met by the estimate only: ...; sampling.count = 400 with sampling.factor_groups = 0 would show it", or "shown
 /// by the interval"; of a broken one empty.

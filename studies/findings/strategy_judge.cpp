@@ -1,11 +1,11 @@
 #include "studies/findings/strategy_judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "optimizer/pareto.hpp"
+#include "studies/results/outcome_counts.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -15,16 +15,9 @@ namespace {
 /// "dropped", or of several runs "held 150, dropped 10".
 std::string outcomes_text(std::span<const ScenarioResult> results) {
   if (results.size() == 1) return std::string(outcome_word(results.front().outcome));
-  std::array<std::size_t, kOutcomeWords.size()> counts{};
-  for (const ScenarioResult& result : results) {
-    if (result.outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(result.outcome)];
-  }
-  std::string text;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts[k] == 0) continue;
-    text += joined({text.empty() ? "" : ", ", kOutcomeWords[k], " ", with_thousands(counts[k])});
-  }
-  return text;
+  OutcomeCounts counts;
+  for (const ScenarioResult& result : results) counts.add(result.outcome);
+  return counts_text(counts);
 }
 
 }  // namespace

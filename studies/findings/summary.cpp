@@ -1,7 +1,6 @@
 #include "studies/findings/summary.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -12,6 +11,7 @@
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
 #include "studies/results/digest.hpp"
+#include "studies/results/outcome_counts.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -53,6 +53,20 @@ int seriousness(Outcome outcome) {
   }
 }
 
+std::string best_line(const StudyTables& tables) {
+  const ScenarioRow* best = best_row(tables.rows);
+  if (best == nullptr) return joined({"best: none; no scenario was ", held_words(tables.damage_note)});
+  const Metrics& metrics = best->result.metrics;
+  const std::string inputs = inputs_text(tables.inputs, best->inputs);
+  std::string text = joined({"best: scenario ", std::to_string(best->id),
+                             ", cycle_time_s = ", short_number(metrics[Metric::cycle_time_s])});
+  if (!std::isnan(metrics[Metric::friction_margin_min])) {
+    text += joined({", friction_margin_min = ", short_number(metrics[Metric::friction_margin_min])});
+  }
+  if (!inputs.empty()) text += joined({" with ", inputs});
+  return text;
+}
+
 }  // namespace
 
 std::string key_leaf(const std::string& key) {
@@ -76,21 +90,7 @@ std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vecto
 }
 
 std::string outcome_line(const std::vector<ScenarioRow>& rows) {
-  std::array<std::size_t, kOutcomeWords.size()> counts{};
-  std::size_t not_run = 0;
-  for (const ScenarioRow& row : rows) {
-    if (row.result.outcome == Outcome::not_run) {
-      ++not_run;
-    } else {
-      ++counts[static_cast<std::size_t>(row.result.outcome)];
-    }
-  }
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    text += joined({text.empty() ? "" : ", ", kOutcomeWords[i], " ", with_thousands(counts[i])});
-  }
-  if (not_run > 0) text += joined({text.empty() ? "" : ", ", "not run ", with_thousands(not_run)});
+  const std::string text = counts_text(outcome_counts(rows));
   return joined({"outcomes: ", text.empty() ? "none" : text});
 }
 
@@ -101,20 +101,6 @@ const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
     if (best == nullptr || is_better(row, *best)) best = &row;
   }
   return best;
-}
-
-std::string best_line(const StudyTables& tables) {
-  const ScenarioRow* best = best_row(tables.rows);
-  if (best == nullptr) return joined({"best: none; no scenario was ", held_words(tables.damage_note)});
-  const Metrics& metrics = best->result.metrics;
-  const std::string inputs = inputs_text(tables.inputs, best->inputs);
-  std::string text = joined({"best: scenario ", std::to_string(best->id),
-                             ", cycle_time_s = ", short_number(metrics[Metric::cycle_time_s])});
-  if (!std::isnan(metrics[Metric::friction_margin_min])) {
-    text += joined({", friction_margin_min = ", short_number(metrics[Metric::friction_margin_min])});
-  }
-  if (!inputs.empty()) text += joined({" with ", inputs});
-  return text;
 }
 
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind) {

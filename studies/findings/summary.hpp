@@ -35,7 +35,6 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows);
 /// The held row with the shortest cycle, then the least id (the largest margin against slip is the hardest grip,
 /// next to damage: no reason to choose it); nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
-std::string best_line(const StudyTables& tables);
 
 /// All of the above in order. @param study_kind "sweep" shows few combinations, a search all it can.
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind);

@@ -23,11 +23,9 @@ std::string assignment(const std::string& key, double value) {
 }  // namespace
 
 std::string values_text(const std::vector<SearchVariable>& variables, std::span<const double> values) {
-  std::string text;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    text += joined({text.empty() ? "" : ", ", assignment(variables[k].key, values[k])});
-  }
-  return text;
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < values.size(); ++k) texts.push_back(assignment(variables[k].key, values[k]));
+  return comma_list(texts);
 }
 
 const ResultTable* find_table(const std::vector<ResultTable>& tables, std::string_view name) {
@@ -80,11 +78,5 @@ std::vector<std::string> key_texts(const ResultTable& table, std::size_t row) {
 }
 
 std::string keys_text(const ResultTable& table, std::size_t row) { return comma_list(key_texts(table, row)); }
-
-std::string percent(double part) {
-  // 99.96 % is not 100 %.
-  const bool is_nearly_all = part > 0.99 && part < 1.0;
-  return joined({is_nearly_all ? short_number(100.0 * part) : three_digits(100.0 * part), " %"});
-}
 
 }  // namespace unbruised::studies

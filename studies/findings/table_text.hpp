@@ -32,7 +32,4 @@ std::vector<std::string> key_texts(const ResultTable& table, std::size_t row);
 /// The same as values_text.
 std::string keys_text(const ResultTable& table, std::size_t row);
 
-/// "95 %"
-std::string percent(double part);
-
 }  // namespace unbruised::studies

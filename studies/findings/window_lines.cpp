@@ -27,15 +27,21 @@ std::string damage_bracket_text(const WindowRow& row) {
       {"in [", short_number(row.damage_bracket_low_N), ", ", short_number(row.damage_bracket_high_N), ")"});
 }
 
-std::string ends_text(double hold_N, bool hold_is_bound, double damage_N, bool damage_is_bound) {
-  return joined({hold_is_bound ? "[<= " : "[", short_number(hold_N), ", ", damage_is_bound ? ">= " : "",
-                 short_number(damage_N), "] N"});
+/// An end of a window as it is told.
+struct ToldEnd {
+  double force_N = 0.0;
+  bool is_bound = false;  ///< the range that was searched ends there, not the window
+};
+
+std::string ends_text(const ToldEnd& hold, const ToldEnd& damage) {
+  return joined({hold.is_bound ? "[<= " : "[", short_number(hold.force_N), ", ", damage.is_bound ? ">= " : "",
+                 short_number(damage.force_N), "] N"});
 }
 
 /// Wide windows are told as a factor: nobody pictures 2,888 %.
 std::string margin_text(double margin) {
   constexpr double kAsFactorFrom = 2.0;
-  return margin < kAsFactorFrom ? joined({"margin ", three_digits(100.0 * margin), " %"})
+  return margin < kAsFactorFrom ? joined({"margin ", percent(margin)})
                                 : joined({"F_damage is ", three_digits(margin + 1.0), " times F_hold"});
 }
 
@@ -46,8 +52,8 @@ std::string window_text(const WindowRow& row) {
     return joined({"held from ", short_number(row.hold_bracket_high_N), " N on (F_hold ", hold_bracket_text(row),
                    "); ", row.note});
   }
-  std::string text = ends_text(row.hold_bracket_high_N, std::isnan(row.hold_bracket_low_N),
-                               row.damage_bracket_low_N, std::isnan(row.damage_bracket_high_N));
+  std::string text = ends_text({row.hold_bracket_high_N, std::isnan(row.hold_bracket_low_N)},
+                               {row.damage_bracket_low_N, std::isnan(row.damage_bracket_high_N)});
   if (!std::isnan(row.margin)) text += joined({", ", margin_text(row.margin)});
   text += joined({" (F_hold ", hold_bracket_text(row), ", F_damage ", damage_bracket_text(row), ")"});
   if (!row.note.empty()) text += joined({"; ", row.note});
@@ -85,8 +91,7 @@ std::string combination_line(const WindowTable& window, const WindowRow& row) {
 /// %)"
 void add_half_step(const WindowTable& window, std::vector<std::string>& lines) {
   for (const WindowRow& row : window.rows) {
-    std::string text;
-    for (const EndMove& move : half_step_moves(row)) text += joined({text.empty() ? "" : ", ", move_text(move)});
+    const std::string text = comma_list(half_step_moves(row), move_text);
     if (text.empty()) continue;
     const std::string at = at_text(window, row);
     lines.push_back(joined({"checked at half the time step", at.empty() ? "" : ",", at, ": ", text}));
@@ -138,7 +143,7 @@ class SetPointLines {
     const double damage_N = number("damage_force_N", i);
     if (flag("exists", i)) {
       return joined({"grip window over all ", over_, at_keys(i), ": ",
-                     ends_text(hold_N, flag("hold_is_bound", i), damage_N, flag("damage_is_bound", i)),
+                     ends_text({hold_N, flag("hold_is_bound", i)}, {damage_N, flag("damage_is_bound", i)}),
                      " (F_hold ", hold_bracket_text(*hold), at_text(window_, *hold), "; F_damage ",
                      damage_bracket_text(*damage), at_text(window_, *damage), ")"});
     }

@@ -8,6 +8,7 @@
 #include "core/outcome/damage_limits.hpp"
 #include "studies/goals/finite_violation.hpp"
 #include "studies/goals/verdict.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -44,12 +45,11 @@ EventParts parts_of(const OutcomeEvent& event) {
 bool is_smooth(const OutcomeEvent& event) { return event.contains(Ending::held); }
 
 std::string words_of(std::uint32_t endings) {
-  std::string words;
+  std::vector<std::string> words;
   for (std::size_t k = 0; k < kOutcomeWords.size(); ++k) {
-    if ((endings & event_of(static_cast<Outcome>(k)).endings) == 0) continue;
-    words += (words.empty() ? "" : " or ") + std::string(kOutcomeWords[k]);
+    if ((endings & event_of(static_cast<Outcome>(k)).endings) != 0) words.emplace_back(kOutcomeWords[k]);
   }
-  return words;
+  return separated(words, " or ");
 }
 
 /// The event as words alone; empty where that says something else: no word tells slipped from slipped and damaged.
@@ -149,7 +149,8 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
       }
     }
   }
-  if (parts.unslipped) all.push_back(over_limit(result.metrics[Metric::slip_max_m], limits.slip_m, outcome));
+  if (parts.unslipped)
+    all.push_back(over_limit(result.metrics[kSlipLimit.metric], limits.*(kSlipLimit.limit), outcome));
   if (parts.completed) all.push_back(met ? -1.0 : rank_of_early_end(outcome));
   // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics
   // say.
@@ -172,7 +173,7 @@ std::vector<std::string> event_violation_names(const OutcomeEvent& event, const 
       if (bound_of(each, limits)) names.push_back(text + ": " + std::string(each.rule));
     }
   }
-  if (parts.unslipped) names.push_back(text + ": slip_max_m <= limits.slip_m");
+  if (parts.unslipped) names.push_back(text + ": " + std::string(kSlipLimit.rule));
   if (parts.completed) names.push_back(text + ": the cycle is completed");
   return names.empty() ? std::vector<std::string>{text} : names;
 }

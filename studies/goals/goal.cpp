@@ -38,15 +38,17 @@ double objective_metric(const ScenarioResult& result, Metric metric, const Outco
   return is_counted ? goal_metric(result, metric) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// On which side of the others a product counts that does not have the metric.
+enum class Worst { lowest, highest };
+
 /// @param values of the products, NaN where there is none
-/// @param low_is_bad a product without the metric counts as the lowest
-double statistic_value(const GoalTerm& term, std::vector<double> values, bool low_is_bad) {
+double statistic_value(const GoalTerm& term, std::vector<double> values, Worst worst) {
   double sum = 0.0;
   std::size_t missing = 0;
   for (double& value : values) {
     if (std::isnan(value)) {
       ++missing;
-      value = low_is_bad ? -kInfinity : kInfinity;
+      value = worst == Worst::lowest ? -kInfinity : kInfinity;
     } else {
       sum += value;
     }
@@ -55,8 +57,8 @@ double statistic_value(const GoalTerm& term, std::vector<double> values, bool lo
     case Statistic::quantile:
       return sample_quantile(std::move(values), term.level);
     case Statistic::worst:
-      return low_is_bad ? *std::min_element(values.begin(), values.end())
-                        : *std::max_element(values.begin(), values.end());
+      return worst == Worst::lowest ? *std::min_element(values.begin(), values.end())
+                                    : *std::max_element(values.begin(), values.end());
     default:
       if (2 * missing > values.size()) return std::numeric_limits<double>::quiet_NaN();
       return sum / static_cast<double>(values.size() - missing);
@@ -81,7 +83,8 @@ double objective_value(const Objective& objective, std::span<const ScenarioResul
   for (const GoalTerm& term : objective.terms) {
     std::vector<double> values;
     for (const ScenarioResult& result : results) values.push_back(objective_metric(result, term.metric, counts));
-    sum += term.weight * statistic_value(term, std::move(values), term.weight < 0.0);
+    sum +=
+        term.weight * statistic_value(term, std::move(values), term.weight < 0.0 ? Worst::lowest : Worst::highest);
   }
   return sum;
 }
@@ -120,7 +123,8 @@ double violation(const Constraint& constraint, std::span<const ScenarioResult> r
     }
     std::vector<double> values;
     for (const ScenarioResult& result : results) values.push_back(goal_metric(result, constraint.term.metric));
-    const double value = statistic_value(constraint.term, std::move(values), constraint.at_least);
+    const double value =
+        statistic_value(constraint.term, std::move(values), constraint.at_least ? Worst::lowest : Worst::highest);
     return metric_violation(constraint, value, worst);
   }
   std::vector<double> each;

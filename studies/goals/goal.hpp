@@ -8,12 +8,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
 #include "core/scenario/scenario.hpp"
 #include "studies/goals/event.hpp"
+#include "studies/text/value_or.hpp"
 
 namespace unbruised::studies {
 
@@ -52,9 +52,9 @@ struct Constraint {
 /// Single: one scenario per strategy. Sampled: many products per strategy, so metrics need a statistic.
 enum class GoalContext { single, sampled };
 
-/// The goal, or why it is none.
+/// The goal, or why it is none, for whoever wrote it.
 template <class Goal>
-using Parsed = std::variant<Goal, std::string>;
+using Parsed = ValueOr<Goal, std::string>;
 
 Parsed<Objective> parse_objective(std::string_view text, GoalContext context);
 Parsed<Constraint> parse_constraint(std::string_view text, GoalContext context);

@@ -1,7 +1,6 @@
 #include "studies/goals/verdict.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/outcome/damage_limits.hpp"
 
@@ -13,10 +12,8 @@ bool ended_early(Outcome outcome) {
 }
 
 bool exceeds_a_damage_limit(const Metrics& metrics, const LimitParameters& limits) {
-  return std::any_of(kDamageLimits.begin(), kDamageLimits.end(), [&](const DamageLimit& limit) {
-    const std::optional<double> bound = bound_of(limit, limits);
-    return bound && metrics[limit.metric] > *bound;
-  });
+  return std::any_of(kDamageLimits.begin(), kDamageLimits.end(),
+                     [&](const DamageLimit& limit) { return exceeds(metrics, limit, limits); });
 }
 
 }  // namespace
@@ -25,7 +22,7 @@ Verdict holds(const Metrics& metrics, Outcome outcome, const LimitParameters& li
   if (outcome == Outcome::not_grasped || outcome == Outcome::dropped || outcome == Outcome::slipped) {
     return Verdict::no;
   }
-  if (metrics[Metric::slip_max_m] > limits.slip_m) return Verdict::no;
+  if (exceeds(metrics, kSlipLimit, limits)) return Verdict::no;
   return ended_early(outcome) ? Verdict::unknown : Verdict::yes;
 }
 

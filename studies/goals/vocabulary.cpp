@@ -71,7 +71,8 @@ std::string explain(const MetricInfo& metric) {
     if (limit.metric == metric.metric)
       text += joined({"  limit: ", limit.rule, ", else the product is damaged\n"});
   }
-  if (metric.metric == Metric::slip_max_m) text += "  limit: slip_max_m <= limits.slip_m, else it has slipped\n";
+  if (metric.metric == kSlipLimit.metric)
+    text += joined({"  limit: ", kSlipLimit.rule, ", else it has slipped\n"});
   const bool more = more_is_better(metric.metric);
   return text + joined({"  better: ", more ? "more" : "less", "; as in: \"", metric.name,
                         more ? " >= " : " <= ", "NUMBER\", of random products \"mean(", metric.name, ")\"\n"});
@@ -94,9 +95,7 @@ std::string explain(const PlainWord& word) { return entry(word.word, word.meanin
 /// All rows of a table, a blank line between them.
 template <class Table>
 std::string explain_all_of(const Table& table) {
-  std::string text;
-  for (const auto& row : table) text += joined({text.empty() ? "" : "\n", explain(row)});
-  return text;
+  return separated(table, "\n", [](const auto& row) { return explain(row); });
 }
 
 }  // namespace

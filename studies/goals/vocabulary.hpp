@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/outcome/damage_limits.hpp"
 #include "core/outcome/outcome.hpp"
 
 namespace unbruised::studies {
@@ -26,7 +27,7 @@ inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanin
      "simulation.max_rotation_rad)"},
     {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
     {Outcome::dropped, "no finger contact at some time between lift and release"},
-    {Outcome::slipped, "slip_max_m > limits.slip_m"},
+    {Outcome::slipped, kSlipLimit.cause},
     {Outcome::damaged, "any other limit of [limits] is exceeded"},
     {Outcome::held, "none of these"},
 }};

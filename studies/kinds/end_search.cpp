@@ -45,11 +45,13 @@ class EndSearch {
   [[nodiscard]] double safe_N() const { return safe_N_; }
 
  private:
-  [[nodiscard]] bool is_hold() const { return known_.end == WindowEnd::hold; }
   /// Out of the window: downwards at the lower end, upwards at the upper one.
+  enum class Way { outwards, inwards };
+
+  [[nodiscard]] bool is_hold() const { return known_.end == WindowEnd::hold; }
   [[nodiscard]] bool is_further_out(double a_N, double b_N) const { return is_hold() ? a_N < b_N : a_N > b_N; }
-  [[nodiscard]] double moved(double force_N, double factor, bool outwards) const {
-    const double to = is_hold() == outwards ? force_N / factor : force_N * factor;
+  [[nodiscard]] double moved(double force_N, double factor, Way way) const {
+    const double to = is_hold() == (way == Way::outwards) ? force_N / factor : force_N * factor;
     return std::clamp(to, settings_.from_N, settings_.to_N);
   }
   static std::vector<double> none() { return {}; }
@@ -59,21 +61,20 @@ class EndSearch {
     return {known_.safe_N, known_.unsafe_N};
   }
 
-  [[nodiscard]] std::vector<double> stepped(double start_N, const std::array<double, 4>& factors,
-                                            bool outwards) const {
+  [[nodiscard]] std::vector<double> stepped(double start_N, const std::array<double, 4>& factors, Way way) const {
     std::vector<double> forces;
     for (const double factor : factors) {
-      const double force_N = moved(start_N, factor, outwards);
+      const double force_N = moved(start_N, factor, way);
       if (force_N != start_N && (forces.empty() || forces.back() != force_N)) forces.push_back(force_N);
     }
     return forces;
   }
   [[nodiscard]] std::vector<double> inwards(const std::array<double, 4>& factors) const {
-    return stepped(known_.safe_N, factors, false);
+    return stepped(known_.safe_N, factors, Way::inwards);
   }
   /// Where the range ended before the window did, there is nothing to look for.
   [[nodiscard]] std::vector<double> outwards(const std::array<double, 4>& factors) const {
-    return std::isnan(known_.unsafe_N) ? none() : stepped(known_.unsafe_N, factors, true);
+    return std::isnan(known_.unsafe_N) ? none() : stepped(known_.unsafe_N, factors, Way::outwards);
   }
 
   [[nodiscard]] std::vector<double> cuts() const {

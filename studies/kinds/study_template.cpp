@@ -79,9 +79,7 @@ std::string force_values(const TemplateNumbers& numbers, int count) {
     if (step > 0.0) value = std::max(step, std::round(value / step) * step);
     if (values.empty() || value > values.back()) values.push_back(value);
   }
-  std::string text;
-  for (const double value : values) text += joined({text.empty() ? "" : ", ", toml(value)});
-  return text;
+  return comma_list(values, toml);
 }
 
 std::string vary(std::string_view key, std::string_view values, std::string_view comment) {

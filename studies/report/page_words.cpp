@@ -31,6 +31,13 @@ json json_of(const Value& value) {
   return list;
 }
 
+/// { metric, key } of a limit of core; the key without its table.
+template <class Limit>
+json limit_json(const Limit& limit) {
+  constexpr std::string_view kTable = "limits.";
+  return {{"metric", info_of(limit.metric).name}, {"key", limit.key.substr(kTable.size())}};
+}
+
 }  // namespace
 
 json page_words() {
@@ -42,19 +49,18 @@ json page_words() {
   return {{"names", std::move(names)}, {"unit_suffixes", std::move(suffixes)}};
 }
 
+json page_slip_limit() { return limit_json(kSlipLimit); }
+
 json page_damage_limits() {
-  constexpr std::string_view kTable = "limits.";
   json limits = json::array();
-  for (const DamageLimit& limit : kDamageLimits) {
-    limits.push_back({{"metric", kMetricTable[static_cast<std::size_t>(limit.metric)].name},
-                      {"key", limit.key.substr(kTable.size())}});
-  }
+  for (const DamageLimit& limit : kDamageLimits) limits.push_back(limit_json(limit));
   return limits;
 }
 
 json page_sources(const std::string& config_toml) {
   json sources = json::array();
-  for (const ValueSource& each : value_sources(config_toml)) {
+  const ConfigSources known = config_sources(config_toml);
+  for (const ValueSource& each : known.values) {
     sources.push_back({{"key", each.key},
                        {"value", json_of(each.value)},
                        {"source", each.source},

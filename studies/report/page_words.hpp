@@ -14,7 +14,9 @@ namespace unbruised::studies {
 /// of metrics, and of keys whose words are not their letters.
 nlohmann::json page_words();
 
-/// [{ metric, key }]: which key of [limits] bounds which metric.
+/// { metric, key }: the key of [limits] that decides `slipped`.
+nlohmann::json page_slip_limit();
+/// [{ metric, key }]: which key of [limits] that decides `damaged` bounds which metric.
 nlohmann::json page_damage_limits();
 
 /// [{ key, value, source, standing }] of every number of product, gripper and limits in the resolved config.

@@ -195,8 +195,7 @@ json study_json(const ResultsContent& content, const ReportContext& context) {
           {"summary", context.summary}};
 }
 
-}  // namespace
-
+/// `text` with every '<', '>' and '&' written as a JSON escape. They occur in the strings of JSON only.
 std::string inert_json(const std::string& text) {
   std::string inert;
   inert.reserve(text.size());
@@ -214,12 +213,15 @@ std::string inert_json(const std::string& text) {
   return inert;
 }
 
+}  // namespace
+
 ReportData report_data(const ResultsContent& content, const ReportContext& context) {
   PackedColumns packed;
   json page = {{"format", 1}, {"study", study_json(content, context)}};
   page["outcome_words"] = kOutcomeWords;
   page["warnings"] = content.meta.warnings;
   page["words"] = page_words();
+  page["slip_limit"] = page_slip_limit();
   page["damage_limits"] = page_damage_limits();
   page["sources"] = page_sources(content.meta.config_toml);
   page["scenarios"] = scenarios(packed, content);

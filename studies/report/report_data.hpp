@@ -29,7 +29,4 @@ struct ReportData {
 /// Numbers that are not finite become null (NaN in the bytes). Texts that are no UTF-8 get U+FFFD.
 ReportData report_data(const ResultsContent& content, const ReportContext& context);
 
-/// `text` with every '<', '>' and '&' written as a JSON escape. They occur in the strings of JSON only.
-std::string inert_json(const std::string& text);
-
 }  // namespace unbruised::studies

@@ -5,9 +5,9 @@
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
+
+#include "studies/text/value_or.hpp"
 
 namespace unbruised::studies {
 
@@ -38,22 +38,6 @@ using MaybeError = std::optional<ResultsError>;
 
 /// A value of type T, or the error that prevented it.
 template <class T>
-class Expected {
- public:
-  Expected(T value) : content_(std::move(value)) {}             // NOLINT: implicit on purpose
-  Expected(ResultsError error) : content_(std::move(error)) {}  // NOLINT: implicit on purpose
-  [[nodiscard]] bool has_value() const { return content_.index() == 0; }
-  explicit operator bool() const { return has_value(); }
-  [[nodiscard]] T& value() { return std::get<0>(content_); }
-  [[nodiscard]] const T& value() const { return std::get<0>(content_); }
-  T& operator*() { return value(); }
-  const T& operator*() const { return value(); }
-  T* operator->() { return &value(); }
-  const T* operator->() const { return &value(); }
-  [[nodiscard]] const ResultsError& error() const { return std::get<1>(content_); }
-
- private:
-  std::variant<T, ResultsError> content_;
-};
+using Expected = ValueOr<T, ResultsError>;
 
 }  // namespace unbruised::studies

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -30,10 +31,26 @@ inline void describe(Hdf5File& file, const std::string& name, const std::string&
   if (!long_name.empty()) file.set_attribute(name, "long_name", long_name);
 }
 
-inline void describe_flags(Hdf5File& file, const std::string& name, std::span<const std::int8_t> values,
-                           const std::string& meanings, const std::string& long_name) {
-  file.set_attribute(name, "flag_values", values);
-  file.set_attribute(name, "flag_meanings", meanings);
+/// The codes of a column and their words, as CF has them.
+struct Flags {
+  std::vector<std::int8_t> values;
+  std::string meanings;  ///< a blank between words
+};
+
+/// Words of the codes `first`, `first` + 1, ...
+inline Flags flags_of(std::span<const std::string_view> words, std::int8_t first = 0) {
+  Flags flags;
+  for (const std::string_view word : words) {
+    flags.meanings += joined({flags.values.empty() ? "" : " ", word});
+    flags.values.push_back(static_cast<std::int8_t>(first + static_cast<std::int8_t>(flags.values.size())));
+  }
+  return flags;
+}
+
+inline void describe_flags(Hdf5File& file, const std::string& name, const Flags& flags,
+                           const std::string& long_name) {
+  file.set_attribute(name, "flag_values", std::span<const std::int8_t>(flags.values));
+  file.set_attribute(name, "flag_meanings", flags.meanings);
   file.set_attribute(name, "long_name", long_name);
 }
 

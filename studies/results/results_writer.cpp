@@ -9,6 +9,7 @@
 #include "studies/results/place_columns.hpp"
 #include "studies/results/results_file.hpp"
 #include "studies/results/root_texts.hpp"
+#include "studies/results/scenario_columns.hpp"
 #include "studies/results/trace_columns.hpp"
 #include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
@@ -20,13 +21,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto kNotRunCode = static_cast<std::int8_t>(Outcome::not_run);
-constexpr std::array<std::int8_t, 8> kOutcomeFlags = {-1, 0, 1, 2, 3, 4, 5, 6};
-constexpr std::array<std::int8_t, 2> kYesNoFlags = {0, 1};
 
-std::string outcome_meanings() {
-  std::string meanings = "not_run";
-  for (const std::string_view word : kOutcomeWords) meanings.append(" ").append(word);
-  return meanings;
+/// From `not_run` on.
+Flags outcome_flags() {
+  std::vector<std::string_view> words = {outcome_word(Outcome::not_run)};
+  words.insert(words.end(), kOutcomeWords.begin(), kOutcomeWords.end());
+  return flags_of(words, kNotRunCode);
 }
 
 double number_of(const InputValue& value) {
@@ -75,14 +75,14 @@ void write_outcomes(Hdf5File& file, const Dimension& scenarios, const std::vecto
   const auto outcomes =
       column_of(rows, [](const ScenarioRow& row) { return static_cast<std::int8_t>(row.result.outcome); });
   file.write("/scenarios/outcome", outcomes, {rows.size()}, kNotRunCode);
-  describe_flags(file, "/scenarios/outcome", kOutcomeFlags, outcome_meanings(), "how the scenario ended");
+  describe_flags(file, "/scenarios/outcome", outcome_flags(), kOutcomeColumn.long_name);
   file.attach_scale("/scenarios/outcome", scenarios.scale, 0);
   write_text_column(file, "/scenarios/cause", scenarios,
                     column_of(rows, [](const ScenarioRow& row) { return row.result.cause; }),
-                    "what decided the outcome");
+                    kCauseColumn.long_name);
   write_column(file, "/scenarios/outcome_time_s", scenarios,
-               column_of(rows, [](const ScenarioRow& row) { return row.result.outcome_time_s; }), "s",
-               "first crossing of the limit that decided the outcome");
+               column_of(rows, [](const ScenarioRow& row) { return row.result.outcome_time_s; }),
+               kOutcomeTimeColumn.units, kOutcomeTimeColumn.long_name);
   const auto digests = column_of(rows, [](const ScenarioRow& row) { return result_digest(row.result); });
   file.write("/scenarios/digest", digests, {rows.size()});
   describe(file, "/scenarios/digest", "", "XXH3 of outcome, outcome_time_s and every metric");
@@ -112,7 +112,7 @@ void write_scenarios(Hdf5File& file, const ResultsContent& content) {
   const Dimension scenarios{"/scenarios/id", rows.size()};
   const auto ids = column_of(rows, [](const ScenarioRow& row) { return static_cast<std::int64_t>(row.id); });
   file.write(scenarios.scale, ids, {rows.size()});
-  file.set_attribute(scenarios.scale, "long_name", std::string("number of the scenario in the study's order"));
+  file.set_attribute(scenarios.scale, "long_name", std::string(kIdColumn.long_name));
   file.make_scale(scenarios.scale);
   file.make_group("/scenarios/input");
   write_inputs(file, "/scenarios/input", scenarios, content.inputs, rows);
@@ -140,7 +140,7 @@ void write_window(Hdf5File& file, const WindowTable& table) {
         name,
         column_of(table.rows, [&](const WindowRow& row) { return static_cast<std::int8_t>(row.*flag.value); }),
         {table.rows.size()}, 0);
-    describe_flags(file, name, kYesNoFlags, flag.meanings, flag.long_name);
+    describe_flags(file, name, flags_of(flag.words), flag.long_name);
     file.attach_scale(name, windows.scale, 0);
   }
   for (const WindowText& text : kWindowTexts) {

@@ -37,7 +37,6 @@ struct SearchPlace {
   std::uint64_t index = 0;       ///< < 2^16; inside the generation
   friend bool operator==(const SearchPlace&, const SearchPlace&) = default;
 };
-inline constexpr std::uint64_t kSearchesMost = 1ULL << 23U;
 inline constexpr std::uint64_t kGenerationsMost = 1ULL << 24U;
 inline constexpr std::uint64_t kIndicesMost = 1ULL << 16U;
 

@@ -61,12 +61,9 @@ std::string first_foreign_entry(const fs::path& directory) {
 
 std::string list_of(const std::vector<std::string>& keys) {
   constexpr std::size_t kShown = 12;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(keys.size(), kShown); ++i) {
-    text.append(i == 0 ? "" : ", ").append(keys[i]);
-  }
-  if (keys.size() > kShown) text.append(", and ").append(std::to_string(keys.size() - kShown)).append(" more");
-  return text;
+  if (keys.size() <= kShown) return comma_list(keys);
+  const std::vector<std::string> shown(keys.begin(), keys.begin() + kShown);
+  return joined({comma_list(shown), ", and ", std::to_string(keys.size() - kShown), " more"});
 }
 
 }  // namespace
@@ -249,14 +246,6 @@ void RunDirectory::recover_record(const fs::path& path, const JournalRecord& rec
 bool RunDirectory::is_done(std::uint64_t id) const {
   const std::lock_guard lock(mutex_);
   return rows_.contains(id);
-}
-
-std::vector<std::uint64_t> RunDirectory::done_ids() const {
-  const std::lock_guard lock(mutex_);
-  std::vector<std::uint64_t> ids;
-  ids.reserve(rows_.size());
-  for (const auto& [id, row] : rows_) ids.push_back(id);
-  return ids;
 }
 
 std::vector<ScenarioRow> RunDirectory::rows() const {

@@ -55,8 +55,6 @@ class RunDirectory {
 
   /// Is a row of this id recovered or appended? Thread-safe.
   [[nodiscard]] bool is_done(std::uint64_t id) const;
-  /// Ids recovered or appended, ascending. Thread-safe.
-  [[nodiscard]] std::vector<std::uint64_t> done_ids() const;
   /// All rows recovered or appended, by ascending id. Thread-safe.
   [[nodiscard]] std::vector<ScenarioRow> rows() const;
 

@@ -10,8 +10,6 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::array<std::int8_t, 4> kEventFlags = {0, 1, 2, 3};
-
 /// Writes /trace: knows which dimension scales exist already.
 class TraceWriter {
  public:
@@ -107,7 +105,7 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
   file.write("/contact_events/kind",
              column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),
              {events.size()}, 0);
-  describe_flags(file, "/contact_events/kind", kEventFlags, "make break stick slip", "change of the contact");
+  describe_flags(file, "/contact_events/kind", flags_of(kContactEventWords), "change of the contact");
   file.attach_scale("/contact_events/kind", dimension.scale, 0);
 }
 

@@ -4,6 +4,7 @@
 /// The columns of the window table beside its inputs: one list for whoever writes, reads or shows them.
 
 #include <array>
+#include <string_view>
 
 #include "studies/results/rows.hpp"
 
@@ -19,7 +20,7 @@ struct WindowNumber {
 struct WindowFlag {
   const char* name;
   bool WindowRow::*value;
-  const char* meanings;  ///< words of 0 and 1
+  std::array<std::string_view, 2> words;  ///< of 0 and 1
   const char* long_name;
 };
 
@@ -47,8 +48,10 @@ inline constexpr std::array<WindowNumber, 11> kWindowNumbers = {{
 }};
 
 inline constexpr std::array<WindowFlag, 2> kWindowFlags = {{
-    {"exists", &WindowRow::exists, "no_window window", "is there a grip force that holds unharmed"},
-    {"set_point_exists", &WindowRow::set_point_exists, "no_set_point set_point",
+    {"exists", &WindowRow::exists, {"no_window", "window"}, "is there a grip force that holds unharmed"},
+    {"set_point_exists",
+     &WindowRow::set_point_exists,
+     {"no_set_point", "set_point"},
      "is there a force in the window that this gripper can set and keep"},
 }};
 

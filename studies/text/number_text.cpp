@@ -27,6 +27,13 @@ std::string three_digits(double value) {
   return joined({value < 0.0 ? "-" : "", with_thousands(rounded)});
 }
 
+std::string percent(double part) {
+  const bool is_nearly_all = part > 0.99 && part < 1.0;
+  return joined({is_nearly_all ? short_number(100.0 * part) : three_digits(100.0 * part), " %"});
+}
+
+std::string signed_percent(double change) { return joined({change < 0.0 ? "" : "+", percent(change)}); }
+
 std::string with_thousands(unsigned long long value) {
   std::string text = std::to_string(value);
   for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');

@@ -13,6 +13,11 @@ std::string short_number(double value);
 /// Three: what is only an estimate, or a rate. 23.1, 0.25, 1,230
 std::string three_digits(double value);
 
+/// A part of 1 in per cent, three significant digits: "95 %", "-23.4 %"; what is not all never reads 100 %.
+std::string percent(double part);
+/// The same of a change: "+2 %", "-23.4 %".
+std::string signed_percent(double change);
+
 /// 1,234,567
 std::string with_thousands(unsigned long long value);
 

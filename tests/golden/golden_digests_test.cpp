@@ -69,8 +69,8 @@ std::string digest_of(const Study& study) {
 Study study_at(const std::string& path) {
   const std::string root = std::string(UNBRUISED_SOURCE_DIR) + "/configs";
   StudyOrError read = read_study(path, {}, root);
-  if (const auto* error = std::get_if<ConfigError>(&read)) throw std::runtime_error(error->messages.front());
-  return std::get<Study>(std::move(read));
+  if (!read) throw std::runtime_error(read.error().messages.front());
+  return *std::move(read);
 }
 
 TEST(GoldenDigests, Cube512ForASecond) {

@@ -1,6 +1,6 @@
 // One scenario: how it ended, and the quantity that decided it beside its limit.
 
-import { damageRemark, judgesDamage } from "../claims.js";
+import { damageRemark, judgesDamage, judgingLimits } from "../claims.js";
 import { causeWords, crossedLimit } from "../goals.js";
 import { label, outcomeLabel, percent, quantity } from "../words.js";
 import { capital, fact, sentenceCase, verdict } from "./parts.js";
@@ -10,8 +10,7 @@ const SHOWN = ["cycle_time_s", "friction_margin_min", "peak_finger_force_N", "pe
 /** Every limit that judged this scenario, nearest first: { metric, value, bound, units, share }. */
 export function limitsOf(study, row) {
   const { scenarios } = study;
-  const tables = [{ metric: "slip_max_m", key: "slip_m" }, ...(judgesDamage(study) ? study.damageLimits : [])];
-  return tables
+  return judgingLimits(study)
     .map(({ metric, key }) => ({ metric, bound: study.limits[key] ?? null, value: scenarios.at(metric, row), units: scenarios.column(metric)?.units ?? "" }))
     .filter((each) => each.bound > 0 && each.value !== null)
     .map((each) => ({ ...each, share: each.value / each.bound }))

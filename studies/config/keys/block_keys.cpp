@@ -87,6 +87,13 @@ Table random_keys() {
        .use = use,
        .note = "normal, lognormal; at least 3; instead of mean and deviation",
        .block_field = random<&B::data>},
+  };
+}
+
+Table random_bound_keys() {
+  using B = RandomBlock;
+  const Use use = Use::random;
+  return {
       {.path = "random[].from",
        .type = optional_number,
        .meaning = "Least value.",

@@ -5,9 +5,8 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table cell_keys() {
+Table support_keys() {
   using C = CellParameters;
-  const Use use = Use::gripper;
   return {
       {.path = "cell.gravity_m_s2",
        .type = numbers,
@@ -40,6 +39,13 @@ Table cell_keys() {
                   "50 Hz; under a network it is 0.",
        .use = Use::support,
        .field = cell<&C::support_relaxation_time_s>},
+  };
+}
+
+Table path_keys() {
+  using C = CellParameters;
+  const Use use = Use::gripper;
+  return {
       {.path = "cell.approach_gap_m",
        .type = optional_number,
        .meaning = "Way from each pad to the nearest point of the product at the start.",

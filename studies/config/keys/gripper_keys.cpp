@@ -5,7 +5,7 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table gripper_keys() {
+Table finger_and_pad_keys() {
   using G = ParallelJawParameters;
   const Use use = Use::gripper;
   return {
@@ -52,6 +52,13 @@ Table gripper_keys() {
                   "ratio of 0.2 at 50 Hz: rubber loses 0.1 to 0.3.",
        .use = use,
        .field = parallel_jaw<&G::pad_relaxation_time_s>},
+  };
+}
+
+Table drive_keys() {
+  using G = ParallelJawParameters;
+  const Use use = Use::gripper;
+  return {
       {.path = "gripper.drive_gain_N_s_m",
        .type = number,
        .meaning = "Speed gain: drive force = clamp(gain x (wanted - actual speed), +-limit).",

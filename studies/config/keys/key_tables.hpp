@@ -12,21 +12,27 @@ namespace unbruised::studies::key_rows {
 using Table = std::vector<KeySpec>;
 
 Table study_keys();
-Table search_keys();
+Table goal_keys();
+Table algorithm_keys();
 Table sampling_keys();
 Table compare_keys();
 Table sensitivity_keys();
-Table lattice_keys();
+Table shape_keys();
+Table material_keys();
 Table particle_keys();
 Table spring_and_load_keys();
-Table gripper_keys();
-Table cell_keys();
-Table strategy_keys();
+Table finger_and_pad_keys();
+Table drive_keys();
+Table support_keys();
+Table path_keys();
+Table grip_keys();
+Table motion_keys();
 Table limit_keys();
 Table simulation_keys();
 Table vary_keys();
 Table variable_keys();
 Table random_keys();
+Table random_bound_keys();
 Table candidate_keys();
 
 }  // namespace unbruised::studies::key_rows

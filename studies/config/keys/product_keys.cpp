@@ -5,7 +5,7 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table lattice_keys() {
+Table shape_keys() {
   using L = LatticeParameters;
   const Use use = Use::lattice;
   return {
@@ -52,6 +52,13 @@ Table lattice_keys() {
        .meaning = "Density; times the volume of the true shape it is the mass.",
        .use = use,
        .field = lattice<&L::density_kg_m3>},
+  };
+}
+
+Table material_keys() {
+  using L = LatticeParameters;
+  const Use use = Use::lattice;
+  return {
       {.path = "product.youngs_modulus_Pa",
        .type = number,
        .meaning = "Young's modulus.",

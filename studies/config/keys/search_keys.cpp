@@ -16,7 +16,7 @@ std::vector<std::string_view> algorithm_names() {
 
 }  // namespace
 
-Table search_keys() {
+Table goal_keys() {
   using S = SearchTable;
   constexpr auto at = &StudySettings::search;
   return {
@@ -43,6 +43,13 @@ Table search_keys() {
        .note = "\"held\", of a robust study \"P(held) >= 0.99\", is added where no outcome is named; [] is none "
                "at all",
        .study_field = study_table<at, &S::constraints>},
+  };
+}
+
+Table algorithm_keys() {
+  using S = SearchTable;
+  constexpr auto at = &StudySettings::search;
+  return {
       {.path = "search.algorithm",
        .type = choice,
        .meaning = "NLopt algorithm of each search.",

@@ -5,7 +5,7 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table strategy_keys() {
+Table grip_keys() {
   using S = StrategyParameters;
   const Use use = Use::gripper;
   return {
@@ -41,6 +41,13 @@ Table strategy_keys() {
        .meaning = "Rest after the ramp, before the lift.",
        .use = use,
        .field = strategy<&S::settle_s>},
+  };
+}
+
+Table motion_keys() {
+  using S = StrategyParameters;
+  const Use use = Use::gripper;
+  return {
       {.path = "strategy.profile",
        .type = choice,
        .meaning = "Motion profile of lift, transfer and lowering.",

@@ -191,7 +191,7 @@ TEST(Cycle, MetricsVarySmoothlyWithTheStrategy) {
     const double size = std::abs(results[0].metrics[metric]);
     // A change of the speed by 1e-4 moves a smooth metric by some 1e-4 of itself; a whole step of 1 ms of the
     // cycle would be 1e-3.
-    EXPECT_LT(most - least, 2e-4 * size) << kMetricTable[static_cast<std::size_t>(metric)].name;
+    EXPECT_LT(most - least, 2e-4 * size) << info_of(metric).name;
   }
 }
 

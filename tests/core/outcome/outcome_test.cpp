@@ -113,7 +113,7 @@ TEST(Outcome, EveryLimitCanDecideDamage) {
       {&LimitParameters::contact_yield_ratio, Metric::contact_yield_ratio_max},
   };
   for (const auto& [limit, metric] : limits) {
-    const MetricInfo& info = kMetricTable[static_cast<std::size_t>(metric)];
+    const MetricInfo& info = info_of(metric);
     const double value = base.metrics[metric];
     ASSERT_GT(value, 0.0) << info.name;
     Scenario below = yielding(), above = yielding();
@@ -150,7 +150,7 @@ TEST(Outcome, MetricsThatDoNotExistAreNaN) {
   const ScenarioResult result = run(free);
   for (Metric metric : {Metric::cycle_time_s, Metric::lift_time_s, Metric::friction_margin_min,
                         Metric::hold_drift_m_s, Metric::peak_finger_force_N}) {
-    EXPECT_TRUE(std::isnan(result.metrics[metric])) << kMetricTable[static_cast<std::size_t>(metric)].name;
+    EXPECT_TRUE(std::isnan(result.metrics[metric])) << info_of(metric).name;
   }
   EXPECT_EQ(result.metrics[Metric::step_count], 50.0);
 }

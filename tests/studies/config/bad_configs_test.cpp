@@ -63,7 +63,7 @@ TEST(BadConfigs, AreAnsweredWithExactlyTheseMessages) {
 
 TEST(BadConfigs, AMissingFileIsNamed) {
   const auto result = read_study("no/such/study.toml", {}, "");
-  EXPECT_EQ(std::get<ConfigError>(result).messages, std::vector<std::string>{"no/such/study.toml: no such file"});
+  EXPECT_EQ(result.error().messages, std::vector<std::string>{"no/such/study.toml: no such file"});
 }
 
 TEST(BadConfigs, AFileOverFourMebibytesIsRefusedBeforeParsing) {

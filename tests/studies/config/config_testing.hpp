@@ -16,20 +16,19 @@ inline std::string config_root() { return std::string(UNBRUISED_SOURCE_DIR) + "/
 /// The messages for a text; empty when it is accepted.
 inline std::vector<std::string> errors_of(const std::string& text, const std::vector<std::string>& sets = {}) {
   const StudyOrError result = read_study_text(text, "study.toml", sets, "", config_root());
-  const auto* error = std::get_if<ConfigError>(&result);
-  return error == nullptr ? std::vector<std::string>{} : error->messages;
+  return result ? std::vector<std::string>{} : result.error().messages;
 }
 
 /// The study of a text that must be right.
 inline Study study_of(const std::string& text, const std::vector<std::string>& sets = {}) {
   StudyOrError result = read_study_text(text, "study.toml", sets, "", config_root());
-  if (const auto* error = std::get_if<ConfigError>(&result)) {
+  if (!result) {
     std::string all;
-    for (const std::string& line : error->messages) all += line + "\n";
+    for (const std::string& line : result.error().messages) all += line + "\n";
     ADD_FAILURE() << all << "in\n" << text;
-    return std::get<Study>(read_study(config_root() + "/hold.toml", {}, config_root()));
+    return read_study(config_root() + "/hold.toml", {}, config_root()).value();
   }
-  return std::get<Study>(std::move(result));
+  return *std::move(result);
 }
 
 /// A limit of damage for the kinds that judge damage (two lines); nothing for others.

@@ -45,10 +45,6 @@ TEST(StudyKinds, HaveTheBlocksThatTheirScenariosComeFrom) {
 }
 
 TEST(StudyKinds, AreListedInSentences) {
-  EXPECT_EQ(listed({}, "or"), "");
-  EXPECT_EQ(listed({"a"}, "or"), "a");
-  EXPECT_EQ(listed({"a", "b"}, "or"), "a or b");
-  EXPECT_EQ(listed_quoted({"a", "b", "c"}, "and"), "\"a\", \"b\" and \"c\"");
   EXPECT_EQ(why_unused(Use::search, Scenario{}),
             "not used: only studies of kind = \"optimize\", \"robust\" or \"pareto\" have it");
   EXPECT_EQ(why_unused(Use::sampling, Scenario{}),

@@ -29,8 +29,8 @@ std::vector<std::string> warnings_of(const std::string& kind, const std::string&
                                      const std::vector<std::string>& sets) {
   const std::string text = "[study]\nname = \"t\"\nkind = \"" + kind + "\"\n" + kBlock + more;
   const StudyOrError read = read_study_text(text, "study.toml", sets, {}, {});
-  if (const auto* error = std::get_if<ConfigError>(&read)) return {"unreadable: " + error->messages.front()};
-  return grip_force_warnings(std::get<Study>(read));
+  if (!read) return {"unreadable: " + read.error().messages.front()};
+  return grip_force_warnings(*read);
 }
 
 /// The only warning; the empty text when there is none.

@@ -55,10 +55,10 @@ TEST(ShippedConfigs, PassCheckWithoutWarningsOrSayWhyInTheFile) {
       continue;
     }
     const StudyOrError read = read_study(entry.path(), {}, config_root());
-    ASSERT_TRUE(std::holds_alternative<Study>(read)) << entry.path();
+    ASSERT_TRUE(read.has_value()) << entry.path();
     ++studies;
     const std::vector<std::string> explained = explained_in(entry.path());
-    const std::vector<std::string> warnings = study_warnings(std::get<Study>(read));
+    const std::vector<std::string> warnings = study_warnings(*read);
     for (const std::string& warning : warnings) {
       EXPECT_TRUE(any_is_part_of(explained, warning)) << entry.path() << "\n  " << warning;
     }

@@ -22,8 +22,8 @@ grip_force_N = 2.0
 
 std::vector<std::string> warnings_of(const std::string& text, const std::vector<std::string>& sets = {}) {
   const StudyOrError read = read_study_text(text, "study.toml", sets, {}, {});
-  if (const auto* error = std::get_if<ConfigError>(&read)) return {"unreadable: " + error->messages.front()};
-  return study_warnings(std::get<Study>(read));
+  if (!read) return {"unreadable: " + read.error().messages.front()};
+  return study_warnings(*read);
 }
 
 bool one_says(const std::vector<std::string>& warnings, const std::string& words) {

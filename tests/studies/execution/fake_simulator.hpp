@@ -127,12 +127,9 @@ class FakeSimulator final : public Simulator {
 
   int lane_count() const override { return kFakeLanes; }
   std::string factor_key(const Scenario& scenario) const override { return std::to_string(modulus(scenario)); }
-  std::shared_ptr<const SharedModel> build(const Scenario& scenario, std::string& error) const override {
-    if (modulus(scenario) == faults.no_model_of_modulus_Pa) {
-      error = "the matrix cannot be factored";
-      return nullptr;
-    }
-    return std::make_shared<FakeModel>(record, faults);
+  ModelOrReason build(const Scenario& scenario) const override {
+    if (modulus(scenario) == faults.no_model_of_modulus_Pa) return std::string("the matrix cannot be factored");
+    return std::shared_ptr<const SharedModel>(std::make_shared<FakeModel>(record, faults));
   }
 
  private:

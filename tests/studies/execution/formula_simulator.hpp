@@ -69,8 +69,8 @@ class FormulaSimulator final : public Simulator {
   explicit FormulaSimulator(Formula formula) : formula_(std::move(formula)) {}
   int lane_count() const override { return kFormulaLanes; }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
-  std::shared_ptr<const SharedModel> build(const Scenario&, std::string&) const override {
-    return std::make_shared<FormulaModel>(formula_);
+  ModelOrReason build(const Scenario&) const override {
+    return std::shared_ptr<const SharedModel>(std::make_shared<FormulaModel>(formula_));
   }
 
  private:

@@ -15,8 +15,8 @@ namespace {
 
 TEST(Progress, SaysRateTimeLeftAndOutcomes) {
   ProgressState state{.done = 60, .total = 1100, .done_at_start = 20, .seconds = 10.0};
-  state.outcomes[0] = 30;
-  state.outcomes[3] = 10;
+  state.outcomes.of[0] = 30;
+  state.outcomes.of[3] = 10;
   EXPECT_EQ(
       progress_text(state),
       "60 of 1,100 scenarios (20 of an earlier run), 4 per second, about 4 min 20 s left; held 30, damaged 10");
@@ -55,8 +55,8 @@ TEST(Progress, SaysOfASearchWhatItTakesAtMost) {
 }
 
 TEST(Progress, PrintsPlainLinesOffATerminalAndNothingWhenQuiet) {
-  EXPECT_EQ(progress_style(-1, false), ProgressStyle::lines);
-  EXPECT_EQ(progress_style(-1, true), ProgressStyle::none);
+  EXPECT_EQ(progress_style(-1, Verbosity::usual), ProgressStyle::lines);
+  EXPECT_EQ(progress_style(-1, Verbosity::quiet), ProgressStyle::none);
   std::string printed;
   {
     Progress progress(

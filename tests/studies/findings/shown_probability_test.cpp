@@ -23,7 +23,7 @@ TEST(ShownProbability, FortyOutOfFortyMeetNinetyNinePercentButDoNotShowIt) {
 }
 
 TEST(ShownProbability, TheNeededSampleShowsItAndOneProductFewerDoesNot) {
-  const auto needed = needed_sample(0.99, all_of(40), {}, false);
+  const auto needed = needed_sample(0.99, all_of(40), {}, FactorGroups::own);
   ASSERT_TRUE(needed);
   EXPECT_EQ(needed->products, 381U);  // z^2 0.99 / 0.01 = 380.3
   EXPECT_EQ(shown(0.99, all_of(needed->products)), Shown::shown);
@@ -35,7 +35,7 @@ TEST(ShownProbability, TheNeededSampleOfAnEstimateBelowOneShowsItToo) {
   std::vector<bool> outcomes(20, true);
   outcomes[0] = false;
   const Proportion found = proportion(outcomes, {}, kConfidence);
-  const auto needed = needed_sample(0.9, found, {}, false);
+  const auto needed = needed_sample(0.9, found, {}, FactorGroups::own);
   ASSERT_TRUE(needed);
   const auto n = static_cast<double>(needed->products);
   EXPECT_GE(wilson_interval(0.95 * n, n, kConfidence).low, 0.9);
@@ -44,7 +44,7 @@ TEST(ShownProbability, TheNeededSampleOfAnEstimateBelowOneShowsItToo) {
 
 TEST(ShownProbability, NoSampleShowsWhatTheEstimateOnlyReaches) {
   const Proportion half = proportion({true, false}, {}, kConfidence);
-  EXPECT_FALSE(needed_sample(0.5, half, {}, false));
+  EXPECT_FALSE(needed_sample(0.5, half, {}, FactorGroups::own));
 }
 
 TEST(ShownProbability, ProductsThatShareGroupsNeedMoreGroups) {
@@ -54,7 +54,7 @@ TEST(ShownProbability, ProductsThatShareGroupsNeedMoreGroups) {
   const Proportion found = proportion(std::vector<bool>(40, true), group, kConfidence);
   ASSERT_NEAR(found.effective_size, 4.0, 1e-9);
   const SamplingSettings sampling{.count = 40, .factor_groups = 4, .confidence = kConfidence};
-  const auto needed = needed_sample(0.99, found, sampling, true);
+  const auto needed = needed_sample(0.99, found, sampling, FactorGroups::shared);
   ASSERT_TRUE(needed);
   EXPECT_EQ(needed->factor_groups, 381U);
   EXPECT_EQ(needed->products, 3810U);  // still ten of each group

@@ -11,9 +11,7 @@
 namespace unbruised::studies {
 namespace {
 
-OutcomeEvent event(std::string_view text) {
-  return std::get<Constraint>(parse_constraint(text, GoalContext::single)).event;
-}
+OutcomeEvent event(std::string_view text) { return parse_constraint(text, GoalContext::single).value().event; }
 
 ScenarioResult ended(Outcome outcome, double plastic_strain = 0.0) {
   ScenarioResult result;
@@ -57,8 +55,8 @@ TEST(Events, WhoWantsDropsToCountWritesThem) {
 }
 
 TEST(Events, AProductThatIsNotKeptHasNoObjectiveUnlessItsEndIsNamed) {
-  const auto objective = std::get<Objective>(parse_objective("plastic_strain_max", GoalContext::single));
-  const auto time = std::get<Objective>(parse_objective("cycle_time_s", GoalContext::single));
+  const auto objective = parse_objective("plastic_strain_max", GoalContext::single).value();
+  const auto time = parse_objective("cycle_time_s", GoalContext::single).value();
   const ScenarioResult dropped = ended(Outcome::dropped);
   EXPECT_TRUE(std::isnan(objective_value(objective, dropped)));
   EXPECT_EQ(objective_value(objective, dropped, event("held or dropped")), 0.0);
@@ -68,7 +66,7 @@ TEST(Events, AProductThatIsNotKeptHasNoObjectiveUnlessItsEndIsNamed) {
 }
 
 TEST(Events, AMeanTellsHowManyProductsItIsNotOf) {
-  const auto mean = std::get<Objective>(parse_objective("mean(cycle_time_s)", GoalContext::sampled));
+  const auto mean = parse_objective("mean(cycle_time_s)", GoalContext::sampled).value();
   const std::vector<ScenarioResult> products = {ended(Outcome::held), ended(Outcome::dropped),
                                                 ended(Outcome::slipped)};
   EXPECT_EQ(objective_value(mean, products), 1.0);

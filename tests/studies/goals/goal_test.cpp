@@ -19,14 +19,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Objective objective(std::string_view text) {
   Parsed<Objective> single = parse_objective(text, GoalContext::single);
-  if (std::holds_alternative<Objective>(single)) return std::get<Objective>(std::move(single));
-  return std::get<Objective>(parse_objective(text, GoalContext::sampled));
+  if (single.has_value()) return *std::move(single);
+  return parse_objective(text, GoalContext::sampled).value();
 }
 
 Constraint constraint(std::string_view text) {
   Parsed<Constraint> single = parse_constraint(text, GoalContext::single);
-  if (std::holds_alternative<Constraint>(single)) return std::get<Constraint>(std::move(single));
-  return std::get<Constraint>(parse_constraint(text, GoalContext::sampled));
+  if (single.has_value()) return *std::move(single);
+  return parse_constraint(text, GoalContext::sampled).value();
 }
 
 /// A run that was held, well inside the limits below.

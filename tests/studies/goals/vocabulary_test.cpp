@@ -64,8 +64,8 @@ TEST(Vocabulary, GivesExamplesThatParse) {
       const std::string goal = (*it)[1];
       bool parses = false;
       for (const GoalContext context : {GoalContext::single, GoalContext::sampled}) {
-        parses = parses || std::holds_alternative<Constraint>(parse_constraint(goal, context)) ||
-                 std::holds_alternative<Objective>(parse_objective(goal, context));
+        parses =
+            parses || parse_constraint(goal, context).has_value() || parse_objective(goal, context).has_value();
       }
       EXPECT_TRUE(parses) << word << ": " << goal;
     }

@@ -17,7 +17,7 @@ constexpr double kGravity = 9.80665;
 
 Study shipped(const std::string& name, const std::vector<std::string>& sets = {}) {
   const std::string root = std::string(UNBRUISED_SOURCE_DIR) + "/configs";
-  return std::get<Study>(read_study(root + "/" + name, sets, root));
+  return read_study(root + "/" + name, sets, root).value();
 }
 
 std::string active_constraints(const StudyReport& report) {

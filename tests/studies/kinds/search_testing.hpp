@@ -46,12 +46,12 @@ class TemporaryFolder {
 inline Study study_of(const std::string& text, const std::vector<std::string>& sets = {}) {
   const std::string root = std::string(UNBRUISED_SOURCE_DIR) + "/configs";
   StudyOrError read = read_study_text(text, "test.toml", sets, root, root);
-  if (const auto* error = std::get_if<ConfigError>(&read)) {
+  if (!read) {
     std::string all;
-    for (const std::string& message : error->messages) all += message + "\n";
+    for (const std::string& message : read.error().messages) all += message + "\n";
     throw std::runtime_error(all);
   }
-  return std::get<Study>(std::move(read));
+  return *std::move(read);
 }
 
 struct RunOnce {

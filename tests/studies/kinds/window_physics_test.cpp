@@ -23,7 +23,7 @@ constexpr double kGravity = 9.80665;
 
 Study study_of(const std::string& file, const std::vector<std::string>& sets = {}) {
   const std::string root = std::string(UNBRUISED_SOURCE_DIR) + "/configs";
-  return std::get<Study>(read_study(root + "/" + file, sets, root));
+  return read_study(root + "/" + file, sets, root).value();
 }
 
 WindowTable window_of(const Study& study) {

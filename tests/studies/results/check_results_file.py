@@ -52,6 +52,8 @@ def check_trace(path):
     check("time_s" in trace.coords, "time_s is no coordinate")
     events = xarray.open_dataset(path, group="contact_events", engine="h5netcdf")
     check(events["kind"].dims == ("event",), "contact_events has no dimension event")
+    check(events["kind"].attrs["flag_meanings"] == "make break stick slip", "contact_events/kind has other words")
+    check(events["surface"].attrs["long_name"] == "0 left pad, 1 right pad, 2 support", "surfaces have other names")
 
 
 def main():

@@ -75,6 +75,12 @@ void in_killed_process(Body body) {
   ASSERT_TRUE(WIFSIGNALED(status));
 }
 
+std::vector<std::uint64_t> ids_of(const std::vector<ScenarioRow>& rows) {
+  std::vector<std::uint64_t> ids;
+  for (const ScenarioRow& row : rows) ids.push_back(row.id);
+  return ids;
+}
+
 TEST(RunDirectory, BeginsWithItsConfigAndEndsWithResults) {
   const TemporaryDirectory parent;
   auto run = RunDirectory::open(request_in(parent));
@@ -100,7 +106,7 @@ TEST(RunDirectory, ContinuesAKilledRunAndEndsWithTheSameDigest) {
     auto run = RunDirectory::open(request_in(parent));
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_TRUE((*run)->continued());
-    EXPECT_EQ((*run)->done_ids().size(), done);
+    EXPECT_EQ((*run)->rows().size(), done);
     append_missing(**run, kScenarios);
     EXPECT_EQ(finish_and_digest(**run), expected) << done;
     EXPECT_TRUE(verify_run_directory((*run)->directory())->damage.empty());
@@ -117,7 +123,7 @@ TEST(RunDirectory, ContinuesBehindATornRecordAndSaysSo) {
   fs::resize_file(journal, fs::file_size(journal) - 9);
   auto run = RunDirectory::open(request_in(parent));
   ASSERT_TRUE(run);
-  EXPECT_EQ((*run)->done_ids(), (std::vector<std::uint64_t>{0, 1, 2, 3}));
+  EXPECT_EQ(ids_of((*run)->rows()), (std::vector<std::uint64_t>{0, 1, 2, 3}));
   EXPECT_TRUE(any_note_has((*run)->notes(), "unfinished record"));
   append_missing(**run, kScenarios);
   EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
@@ -142,7 +148,7 @@ TEST(RunDirectory, ContinuesAnInterruptedStudyWhoseResultsWereWrittenIncomplete)
   }
   auto run = RunDirectory::open(request_in(parent));
   ASSERT_TRUE(run) << run.error().message;
-  EXPECT_EQ((*run)->done_ids().size(), 10U);
+  EXPECT_EQ((*run)->rows().size(), 10U);
   append_missing(**run, kScenarios);
   EXPECT_TRUE(verify_run_directory((*run)->directory())->damage.empty());  // results.h5 is only older
   EXPECT_EQ(finish_and_digest(**run), uninterrupted_digest());
@@ -209,7 +215,7 @@ TEST(RunDirectory, FreshMovesTheOldOneAsideEveryTime) {
     auto run = RunDirectory::open(request);
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_FALSE((*run)->continued());
-    EXPECT_TRUE((*run)->done_ids().empty());
+    EXPECT_TRUE((*run)->rows().empty());
     EXPECT_TRUE(any_note_has((*run)->notes(), "window.old-" + std::to_string(time)));
   }
   EXPECT_EQ(verify_run_directory(parent.path() / "window.old-1")->journal_rows, 3U);

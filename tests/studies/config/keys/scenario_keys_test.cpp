@@ -1,0 +1,257 @@
+// Every key of a scenario reaches the field it names, read directly and from the resolved text.
+
+#include <algorithm>
+
+#include "studies/config/schema.hpp"
+#include "tests/studies/config/config_testing.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+using testing::gripped_block;
+using testing::small_network;
+using testing::study_of;
+
+/// Lines of a study that differ from `gripped_block` or `small_network`, and what must have arrived.
+struct Arrival {
+  std::string key;
+  std::string value;
+  bool (*arrived)(const Scenario&);
+  std::vector<std::string> with = {};  ///< further --set that the key needs
+};
+
+const LatticeParameters& lattice(const Scenario& s) { return std::get<LatticeParameters>(s.product); }
+const NetworkParameters& network(const Scenario& s) { return std::get<NetworkParameters>(s.product); }
+
+using S = const Scenario&;
+using A3 = std::array<double, 3>;
+using A2 = std::array<double, 2>;
+
+std::vector<Arrival> product_arrivals() {
+  const std::vector<std::string> plastic = {"product.yield_stress_Pa=11.5", "product.tangent_modulus_Pa=7.5"};
+  const std::vector<std::string> lossy = {"product.loss_ratio=0.25", "product.at_frequency_Hz=12.5"};
+  return {
+      {"product.shape", "\"cylinder\"", [](S s) { return lattice(s).shape == Shape::cylinder; }},
+      {"product.size_m", "[0.5, 0.25, 0.75]",
+       [](S s) {
+         return lattice(s).size_m == A3{0.5, 0.25, 0.75};
+       }},
+      {"product.axis", "\"y\"", [](S s) { return lattice(s).axis == Axis::y; }, {"product.shape=cylinder"}},
+      {"product.cell_size_m", "0.0125", [](S s) { return lattice(s).cell_size_m == 0.0125; }},
+      {"product.mass_kg", "0.375", [](S s) { return lattice(s).mass_kg == 0.375 && !lattice(s).density_kg_m3; }},
+      {"product.density_kg_m3", "875.0",
+       [](S s) { return lattice(s).density_kg_m3 == 875.0 && !lattice(s).mass_kg; }},
+      {"product.youngs_modulus_Pa", "12345.0", [](S s) { return lattice(s).youngs_modulus_Pa == 12345.0; }},
+      {"product.poisson_ratio", "0.375", [](S s) { return lattice(s).poisson_ratio == 0.375; }},
+      {"product.yield_stress_Pa", "11.5", [](S s) { return lattice(s).yield_stress_Pa == 11.5; }, plastic},
+      {"product.tangent_modulus_Pa", "7.5", [](S s) { return lattice(s).tangent_modulus_Pa == 7.5; }, plastic},
+      {"product.relaxation_time_s", "0.125", [](S s) { return lattice(s).relaxation_time_s == 0.125; }},
+      {"product.loss_ratio", "0.25", [](S s) { return lattice(s).loss_ratio == 0.25; }, lossy},
+      {"product.at_frequency_Hz", "12.5", [](S s) { return lattice(s).at_frequency_Hz == 12.5; }, lossy},
+      {"product.friction", "0.875", [](S s) { return lattice(s).friction == 0.875; }},
+      {"product.initial_velocity_m_s", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return lattice(s).initial_velocity_m_s == A3{1.0, 2.0, 3.0};
+       }},
+  };
+}
+
+std::vector<Arrival> gripper_arrivals() {
+  return {
+      {"gripper.finger_mass_kg", "0.375", [](S s) { return jaw_of(s).finger_mass_kg == 0.375; }},
+      {"gripper.stroke_m", "0.375", [](S s) { return jaw_of(s).stroke_m == 0.375; }},
+      {"gripper.pad_size_m", "[0.5, 0.25]",
+       [](S s) {
+         return jaw_of(s).pad_size_m == A2{0.5, 0.25};
+       }},
+      {"gripper.pad_thickness_m", "0.375", [](S s) { return jaw_of(s).pad_thickness_m == 0.375; }},
+      {"gripper.pad_modulus_Pa", "375.0", [](S s) { return jaw_of(s).pad_modulus_Pa == 375.0; }},
+      {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return jaw_of(s).pad_relaxation_time_s == 0.375; }},
+      {"gripper.drive_gain_N_s_m", "375.0", [](S s) { return jaw_of(s).drive_gain_N_s_m == 375.0; }},
+      {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return jaw_of(s).drive_viscous_N_s_m == 0.375; }},
+      {"gripper.min_force_N", "0.25", [](S s) { return jaw_of(s).min_force_N == 0.25; }},
+      {"gripper.force_accuracy", "0.125", [](S s) { return jaw_of(s).force_accuracy == 0.125; }},
+      {"gripper.force_step_N", "0.125", [](S s) { return jaw_of(s).force_step_N == 0.125; }},
+      {"gripper.opening_m", "0.375", [](S s) { return jaw_of(s).opening_m == 0.375; }, {"gripper.stroke_m=0.5"}},
+      {"gripper.max_force_N", "375.0", [](S s) { return jaw_of(s).max_force_N == 375.0; }},
+      {"gripper.max_speed_m_s", "3.75", [](S s) { return jaw_of(s).max_speed_m_s == 3.75; }},
+      {"gripper.coupling", "\"independent\"",
+       [](S s) { return jaw_of(s).coupling == FingerCoupling::independent; }},
+  };
+}
+
+std::vector<Arrival> cell_arrivals() {
+  return {
+      {"cell.grip_offset_m", "0.0078125", [](S s) { return s.cell.grip_offset_m == 0.0078125; }},
+      {"cell.gravity_m_s2", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return s.cell.gravity_m_s2 == A3{1.0, 2.0, 3.0};
+       }},
+      {"cell.support", "false", [](S s) { return !s.cell.support; }},
+      {"cell.support_friction", "0.375", [](S s) { return s.cell.support_friction == 0.375; }},
+      {"cell.support_modulus_Pa", "375.0", [](S s) { return s.cell.support_modulus_Pa == 375.0; }},
+      {"cell.support_thickness_m", "0.375", [](S s) { return s.cell.support_thickness_m == 0.375; }},
+      {"cell.support_relaxation_time_s", "0.375", [](S s) { return s.cell.support_relaxation_time_s == 0.375; }},
+      {"cell.approach_gap_m", "0.0375", [](S s) { return s.cell.approach_gap_m == 0.0375; }},
+      {"cell.grip_height_m", "-0.0375", [](S s) { return s.cell.grip_height_m == -0.0375; }},
+      {"cell.lift_height_m", "0.375", [](S s) { return s.cell.lift_height_m == 0.375; }},
+      {"cell.transfer_m", "[0.5, 0.25]",
+       [](S s) {
+         return s.cell.transfer_m == A2{0.5, 0.25};
+       }},
+      {"cell.place_height_m", "-0.375", [](S s) { return s.cell.place_height_m == -0.375; }},
+  };
+}
+
+std::vector<Arrival> strategy_arrivals() {
+  return {
+      {"strategy.approach_speed_m_s", "0.375", [](S s) { return s.strategy.approach_speed_m_s == 0.375; }},
+      {"strategy.grip_force_N", "3.75", [](S s) { return s.strategy.grip_force_N == 3.75; }},
+      {"strategy.contact_force_N", "0.875", [](S s) { return s.strategy.contact_force_N == 0.875; }},
+      {"strategy.grip_ramp_s", "0.875", [](S s) { return s.strategy.grip_ramp_s == 0.875; }},
+      {"strategy.ramp_from_start", "true", [](S s) { return s.strategy.ramp_from_start; }},
+      {"strategy.settle_s", "0.875", [](S s) { return s.strategy.settle_s == 0.875; }},
+      {"strategy.profile", "\"trapezoid\"", [](S s) { return s.strategy.profile == ProfileKind::trapezoid; }},
+      {"strategy.lift_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lift_acceleration_m_s2 == 8.75; }},
+      {"strategy.transfer_acceleration_m_s2", "8.75",
+       [](S s) { return s.strategy.transfer_acceleration_m_s2 == 8.75; }},
+      {"strategy.lower_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lower_acceleration_m_s2 == 8.75; }},
+      {"strategy.speed_m_s", "8.75", [](S s) { return s.strategy.speed_m_s == 8.75; }},
+      {"strategy.hold_s", "8.75", [](S s) { return s.strategy.hold_s == 8.75; }},
+      {"strategy.release_height_m",
+       "0.875",
+       [](S s) { return s.strategy.release_height_m == 0.875; },
+       {"cell.lift_height_m=1.0"}},
+      {"strategy.place_settle_s", "0.875", [](S s) { return s.strategy.place_settle_s == 0.875; }},
+      {"strategy.release_speed_m_s", "0.375", [](S s) { return s.strategy.release_speed_m_s == 0.375; }},
+      {"strategy.recover_s", "0.875", [](S s) { return s.strategy.recover_s == 0.875; }},
+  };
+}
+
+std::vector<Arrival> limit_and_simulation_arrivals() {
+  return {
+      {"limits.permanent_set_m", "0.875", [](S s) { return s.limits.permanent_set_m == 0.875; }},
+      {"limits.plastic_strain", "0.875", [](S s) { return s.limits.plastic_strain == 0.875; }},
+      {"limits.bruised_volume_m3", "0.875", [](S s) { return s.limits.bruised_volume_m3 == 0.875; }},
+      {"limits.peak_pressure_Pa", "0.875", [](S s) { return s.limits.peak_pressure_Pa == 0.875; }},
+      {"limits.absorbed_energy_J", "0.875", [](S s) { return s.limits.absorbed_energy_J == 0.875; }},
+      {"limits.finger_force_N", "0.875", [](S s) { return s.limits.finger_force_N == 0.875; }},
+      {"limits.contact_yield_ratio", "0.875", [](S s) { return s.limits.contact_yield_ratio == 0.875; }},
+      {"limits.slip_m", "0.875", [](S s) { return s.limits.slip_m == 0.875; }},
+      {"limits.damage", "\"not considered\"",
+       [](S s) { return s.limits.damage == DamageJudging::not_considered; }},
+      {"simulation.time_step_s", "0.125", [](S s) { return s.simulation.time_step_s == 0.125; }},
+      {"simulation.theta", "1.5", [](S s) { return s.simulation.theta == 1.5; }},
+      {"simulation.trace_interval_s", "0.875", [](S s) { return s.simulation.trace_interval_s == 0.875; }},
+      {"simulation.pressure_patch_m", "0.875", [](S s) { return s.simulation.pressure_patch_m == 0.875; }},
+      {"simulation.max_strain", "0.875", [](S s) { return s.simulation.max_strain == 0.875; }},
+      {"simulation.max_rotation_rad", "0.875", [](S s) { return s.simulation.max_rotation_rad == 0.875; }},
+  };
+}
+
+std::vector<Arrival> network_arrivals() {
+  return {
+      {"product.particle[1].position_m", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return network(s).particle[1].position_m == A3{1.0, 2.0, 3.0};
+       }},
+      {"product.particle[1].mass_kg", "0.375", [](S s) { return network(s).particle[1].mass_kg == 0.375; }},
+      {"product.particle[1].fixed", "[\"z\", \"x\"]",
+       [](S s) {
+         return network(s).particle[1].fixed == std::array<bool, 3>{true, false, true};
+       }},
+      {"product.particle[1].initial_displacement_m", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return network(s).particle[1].initial_displacement_m == A3{1.0, 2.0, 3.0};
+       }},
+      {"product.particle[1].initial_velocity_m_s", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return network(s).particle[1].initial_velocity_m_s == A3{1.0, 2.0, 3.0};
+       }},
+      {"product.particle[1].contact_stiffness_N_m",
+       "375.0",
+       [](S s) { return network(s).particle[1].contact_stiffness_N_m == 375.0; },
+       {"cell.support=true"}},
+      {"product.spring[0].between", "[1, 0]",
+       [](S s) {
+         return network(s).spring[0].between == std::array<int, 2>{1, 0};
+       }},
+      {"product.spring[0].stiffness_N_m", "375.0",
+       [](S s) { return network(s).spring[0].stiffness_N_m == 375.0; }},
+      {"product.spring[0].damping_N_s_m", "3.75", [](S s) { return network(s).spring[0].damping_N_s_m == 3.75; }},
+      {"product.spring[0].rest_length_m", "3.75", [](S s) { return network(s).spring[0].rest_length_m == 3.75; }},
+      {"product.spring[0].yield_force_N", "3.75", [](S s) { return network(s).spring[0].yield_force_N == 3.75; }},
+      {"product.spring[0].hardening_ratio", "3.75",
+       [](S s) { return network(s).spring[0].hardening_ratio == 3.75; }},
+      {"product.load[0].particle", "0", [](S s) { return network(s).load[0].particle == 0; }},
+      {"product.load[0].time_s", "[0.5, 3.0]",
+       [](S s) {
+         return network(s).load[0].time_s == std::vector<double>{0.5, 3.0};
+       }},
+      {"product.load[0].force_N", "[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]",
+       [](S s) {
+         return network(s).load[0].force_N == std::vector<A3>{A3{1.0, 2.0, 3.0}, A3{4.0, 5.0, 6.0}};
+       }},
+      {"product.friction", "0.875", [](S s) { return network(s).friction == 0.875; }},
+      {"simulation.duration_s", "3.75", [](S s) { return s.simulation.duration_s == 3.75; }},
+      {"simulation.initial_acceleration", "\"zero\"",
+       [](S s) { return s.simulation.initial_acceleration == InitialAcceleration::zero; }},
+  };
+}
+
+std::vector<Arrival> lattice_arrivals() {
+  std::vector<Arrival> all;
+  for (const auto& part : {product_arrivals(), gripper_arrivals(), cell_arrivals(), strategy_arrivals(),
+                           limit_and_simulation_arrivals()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+/// The key read directly, and once more from the resolved text.
+void expect_arrivals(const std::vector<Arrival>& arrivals, const std::string& text) {
+  const Scenario before = study_of(text).scenario(0);
+  for (const Arrival& arrival : arrivals) {
+    EXPECT_FALSE(arrival.arrived(before)) << arrival.key << ": the test needs a value that is not there already";
+    std::vector<std::string> sets = arrival.with;
+    sets.push_back(arrival.key + "=" + arrival.value);
+    const Study study = study_of(text, sets);
+    EXPECT_TRUE(arrival.arrived(study.scenario(0))) << arrival.key;
+    const Study again = study_of(study.resolved_toml());
+    EXPECT_TRUE(arrival.arrived(again.scenario(0))) << arrival.key << " from\n" << study.resolved_toml();
+    EXPECT_EQ(again.resolved_toml(), study.resolved_toml());
+  }
+}
+
+TEST(ScenarioKeys, EveryLatticeKeyReachesTheFieldItNames) {
+  expect_arrivals(lattice_arrivals(), gripped_block("simulate"));
+}
+
+TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
+
+TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
+  std::vector<std::string> covered;
+  for (const auto& list : {lattice_arrivals(), network_arrivals()}) {
+    for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
+  }
+  for (const KeySpec& spec : key_table()) {
+    if (spec.field == nullptr || spec.choices.size() == 1) continue;  // a single word has nothing to change to
+    EXPECT_NE(std::find(covered.begin(), covered.end(), spec.path), covered.end()) << spec.path;
+  }
+}
+
+TEST(ScenarioKeys, GripperKindIsAParallelJawUntilThereIsAnother) {
+  const std::string text = gripped_block("simulate");
+  const Study plain = study_of(text);
+  const Study named = study_of(text, {"gripper.kind=parallel_jaw"});
+  for (const Study& study : {plain, named, study_of(named.resolved_toml())}) {
+    EXPECT_TRUE(std::holds_alternative<ParallelJawParameters>(study.scenario(0).gripper));
+  }
+  EXPECT_EQ(named.resolved_toml(), plain.resolved_toml());
+  const std::vector<std::string> errors = testing::errors_of(text, {"gripper.kind=suction_cup"});
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors.front().find("parallel_jaw"), std::string::npos) << errors.front();
+}
+
+}  // namespace
+}  // namespace unbruised::studies

@@ -78,6 +78,13 @@ static_assert(is_in_order());
 
 std::span<const StudyKindRow> study_kind_table() { return kKinds; }
 
+std::optional<StudyKind> study_kind_named(std::string_view word) {
+  for (const StudyKindRow& row : kKinds) {
+    if (row.word == word) return row.kind;
+  }
+  return std::nullopt;
+}
+
 const StudyKindRow& row_of(StudyKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
 
 }  // namespace unbruised::studies

@@ -5,6 +5,7 @@
 /// of the row, never for a kind by name. How each kind runs stands in kinds/kind_table.hpp.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ std::span<const StudyKindRow> study_kind_table();
 const StudyKindRow& row_of(StudyKind kind);
 /// The word of a kind, as in `study.kind`.
 inline std::string_view study_kind_word(StudyKind kind) { return row_of(kind).word; }
+
+/// The kind of a word; nothing for the word of another version.
+std::optional<StudyKind> study_kind_named(std::string_view word);
 
 /// Kinds in which NLopt searches a box of variables.
 inline bool is_search(StudyKind kind) { return row_of(kind).scenarios == ScenarioSource::questions; }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <variant>
 
+#include "studies/config/study_kind.hpp"
 #include "studies/findings/balances.hpp"
 #include "studies/findings/claims.hpp"
 #include "studies/findings/found_lines.hpp"
@@ -18,7 +20,7 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::size_t kCombinationLinesOfSweep = 12;
+constexpr std::size_t kCombinationLinesOfGrid = 12;
 constexpr std::size_t kCombinationLinesOfSearch = 200;
 
 std::string input_text(const InputValue& value) {
@@ -104,7 +106,9 @@ const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
 }
 
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind) {
-  const std::size_t most = study_kind == "sweep" ? kCombinationLinesOfSweep : kCombinationLinesOfSearch;
+  const std::optional<StudyKind> kind = study_kind_named(study_kind);
+  const bool has_searched_ends = kind && searches_force(*kind);
+  const std::size_t most = has_searched_ends ? kCombinationLinesOfSearch : kCombinationLinesOfGrid;
   std::vector<std::string> lines = {outcome_line(tables.rows)};
   if (!tables.damage_note.empty()) lines.push_back(tables.damage_note);
   if (std::string balances = balance_line(tables.rows); !balances.empty()) lines.push_back(std::move(balances));
@@ -118,7 +122,7 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   for (std::string& line : found_lines(tables.found, held_words(tables.damage_note)))
     lines.push_back(std::move(line));
   if (!tables.found.empty()) return lines;
-  if (study_kind == "simulate") {
+  if (kind && leaves_trace(*kind)) {
     if (has_cycles) lines.push_back(best_line(tables));
   } else {
     // The fastest of the scenarios so far is no answer to what these kinds ask.

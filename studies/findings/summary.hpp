@@ -36,7 +36,8 @@ std::string outcome_line(const std::vector<ScenarioRow>& rows);
 /// next to damage: no reason to choose it); nullptr: none.
 const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
 
-/// All of the above in order. @param study_kind "sweep" shows few combinations, a search all it can.
+/// All of the above in order. @param study_kind the word of a kind: one that searches forces shows all
+/// combinations it can, a grid few.
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind);
 /// The first row of each outcome that is not held, most serious first, with its cause and the command that replays
 /// it.

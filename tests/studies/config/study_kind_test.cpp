@@ -32,6 +32,11 @@ TEST(StudyKinds, OfTheConfigAreThoseOfTheTableInItsOrder) {
 }
 
 /// What the rows say must fit together, whatever kinds there will be.
+TEST(StudyKinds, AreFoundByTheirWords) {
+  for (const StudyKindRow& row : study_kind_table()) EXPECT_EQ(study_kind_named(row.word), row.kind) << row.word;
+  EXPECT_EQ(study_kind_named("of another version"), std::nullopt);
+}
+
 TEST(StudyKinds, HaveTheBlocksThatTheirScenariosComeFrom) {
   for (const StudyKindRow& row : study_kind_table()) {
     EXPECT_EQ(row.scenarios == ScenarioSource::questions, row.variable != Blocks::refused) << row.word;

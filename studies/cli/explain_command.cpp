@@ -9,12 +9,12 @@ namespace {
 
 /// Keys as answers print them, without their table: "grip_force_N".
 std::optional<std::string> explain_leaf(const std::string& leaf) {
-  std::string text;
+  std::vector<std::string> found;
   for (const std::string& key : key_patterns()) {
-    if (key_leaf(key) == leaf) text += joined({text.empty() ? "" : "\n", explain_key(key).value_or("")});
+    if (key_leaf(key) == leaf) found.push_back(explain_key(key).value_or(""));
   }
-  if (text.empty()) return std::nullopt;
-  return text;
+  if (found.empty()) return std::nullopt;
+  return separated(found, "\n");
 }
 
 std::optional<std::string> explanation_of(const std::string& word) {

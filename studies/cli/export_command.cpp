@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 
 /// Says which tables there are.
 int unknown_table(const ExportArguments& arguments, const std::vector<std::string>& names) {
-  std::string known;
-  for (const std::string& name : names) known += joined({known.empty() ? "" : ", ", name});
-  print_error(joined({"--table ", arguments.table, ": ", arguments.path.string(), " holds the tables ", known}));
+  print_error(joined(
+      {"--table ", arguments.table, ": ", arguments.path.string(), " holds the tables ", comma_list(names)}));
   return kExitInput;
 }
 

@@ -28,8 +28,7 @@ void print_origin(const RecordedStudy& recorded) {
     print_line(joined({"written by unbruised ", recorded.meta.unbruised_version, " (", recorded.meta.compiler,
                        ", ", recorded.meta.instruction_set, ") ", recorded.meta.created_utc}));
   }
-  std::string keys;
-  for (const ColumnInfo& column : recorded.tables.inputs) keys += joined({keys.empty() ? "" : ", ", column.key});
+  const std::string keys = comma_list(recorded.tables.inputs, [](const ColumnInfo& column) { return column.key; });
   if (!keys.empty()) print_line(joined({"varied: ", keys}));
   if (recorded.has_trace) print_line("with the trace of its scenario (/trace)");
 }

@@ -9,6 +9,7 @@
 #include "studies/config/rules.hpp"
 #include "studies/config/search_parts.hpp"
 #include "studies/statistics/distribution.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -78,11 +79,9 @@ void check_places(const StudyRule& rule, const BoxPlaces& places, const std::vec
     Violations broken;
     rule.check(Study::with_values(base, keys, values), settings, broken);
     if (broken.empty()) continue;
-    std::string where;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      where += (where.empty() ? "" : ", ") + keys[k] + " = " + rounded(values[k]);
-    }
-    report(broken, sides.front().origin, " (reached at " + where + ")", problems);
+    std::vector<std::string> where;
+    for (std::size_t k = 0; k < sides.size(); ++k) where.push_back(keys[k] + " = " + rounded(values[k]));
+    report(broken, sides.front().origin, " (reached at " + comma_list(where) + ")", problems);
     return;
   }
 }

@@ -82,7 +82,7 @@ class Collector {
 
   /// " (at product.size_m[1] = 0.012)": the values of the other keys that vary and that the row follows from.
   [[nodiscard]] std::string place(const Implausible& found, Scenario scenario, const End& here) const {
-    std::string where;
+    std::vector<std::string> where;
     std::set<std::string> told = {found.measured.key};
     for (const End& end : ends_) {
       if (!follows_from(*found.row, end.key) || !told.insert(end.key).second) continue;
@@ -90,9 +90,9 @@ class Collector {
       const auto value = number_at(address.spec->field(scenario, address.index), address.elements);
       if (!value) continue;
       const std::string& name = end.key == here.key ? here.written_as : end.key;
-      where += (where.empty() ? "" : ", ") + name + " = " + rounded(*value);
+      where.push_back(name + " = " + rounded(*value));
     }
-    return where.empty() ? where : " (at " + where + ")";
+    return where.empty() ? std::string() : " (at " + comma_list(where) + ")";
   }
 
   std::vector<End> ends_;

@@ -36,17 +36,16 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
   const Scenario scenario = study.scenario(0);
   const auto* product = std::get_if<LatticeParameters>(&scenario.product);
   if (product == nullptr) return;
-  std::string what;
-  const auto add = [&](std::string_view words) { what += joined({what.empty() ? "" : ", ", words}); };
-  if (is_undamped(*product)) add("the product (relaxation_time_s or loss_ratio)");
+  std::vector<std::string> what;
+  if (is_undamped(*product)) what.emplace_back("the product (relaxation_time_s or loss_ratio)");
   if (const auto* jaw = parallel_jaw(scenario); jaw != nullptr && jaw->pad_relaxation_time_s == 0.0)
-    add("the pads (pad_relaxation_time_s)");
+    what.emplace_back("the pads (pad_relaxation_time_s)");
   if (scenario.cell.support && scenario.cell.support_relaxation_time_s == 0.0) {
-    add("the support (support_relaxation_time_s)");
+    what.emplace_back("the support (support_relaxation_time_s)");
   }
   if (what.empty()) return;
   warnings.push_back(
-      joined({"without damping: ", what,
+      joined({"without damping: ", comma_list(what),
               ": what is bumped goes on bouncing, so products drop and are marked that a real gripper "
               "would hold; a grip window may come out half as wide"}));
 }

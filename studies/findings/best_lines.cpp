@@ -80,12 +80,11 @@ void add_shown(const std::vector<ResultTable>& tables, std::vector<std::string>&
 void add_active(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
   const ResultTable* constraints = find_table(tables, "constraints");
   if (constraints == nullptr) return;
-  std::string text;
+  std::vector<std::string> active;
   for (std::size_t i = 0; i < row_count(*constraints); ++i) {
-    if (number_in(*constraints, "active", i) != 1.0) continue;
-    text += joined({text.empty() ? "" : "; ", text_in(*constraints, "text", i)});
+    if (number_in(*constraints, "active", i) == 1.0) active.push_back(text_in(*constraints, "text", i));
   }
-  lines.push_back(joined({"active constraints: ", text.empty() ? "none" : text}));
+  lines.push_back(joined({"active constraints: ", active.empty() ? "none" : separated(active, "; ")}));
 }
 
 void add_bounds(const ResultTable& best, std::vector<std::string>& lines) {

@@ -45,13 +45,12 @@ void add_strategies(const std::vector<ResultTable>& tables, std::string_view hel
 // -- pareto. -------------------------------------------------------------------------------------------------
 
 std::string point_text(const ResultTable& pareto, std::size_t i) {
-  std::string text;
+  std::vector<std::string> objectives;
   for (const ResultColumn& column : pareto.columns) {
     if (!column.name.starts_with("objective_")) continue;
-    text += joined(
-        {text.empty() ? "" : ", ", column.long_name, " = ", short_number(number_in(pareto, column.name, i))});
+    objectives.push_back(joined({column.long_name, " = ", short_number(number_in(pareto, column.name, i))}));
   }
-  return text + joined({at_keys(pareto, i), scenario_text(pareto, i)});
+  return joined({comma_list(objectives), at_keys(pareto, i), scenario_text(pareto, i)});
 }
 
 void add_front(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {

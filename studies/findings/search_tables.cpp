@@ -184,31 +184,30 @@ class SearchTables {
 
   /// The variables that want to leave the box, e.g. "lift_acceleration_m_s2 (upper)".
   [[nodiscard]] std::string at_bounds(const Candidate& shown) const {
-    std::string text;
+    std::vector<std::string> bounds;
     for (std::size_t k = 0; k < shown.values.size(); ++k) {
       const SearchVariable& v = study_.variables()[k];
       const double room = kAtBound * (v.to - v.from);
       const bool lower = shown.values[k] - v.from < room;
       const bool upper = v.to - shown.values[k] < room;
-      if (lower || upper)
-        text += joined({text.empty() ? "" : ", ", key_leaf(v.key), lower ? " (lower)" : " (upper)"});
+      if (lower || upper) bounds.push_back(joined({key_leaf(v.key), lower ? " (lower)" : " (upper)"}));
     }
-    return text;
+    return comma_list(bounds);
   }
 
   /// Of the least violated strategy: what is in the way, where it is no constraint.
   [[nodiscard]] std::string why_infeasible(const Candidate& shown) const {
     if (shown.violation > 0.0) return {};
-    std::string objective;
+    std::vector<std::string> missing;
     for (std::size_t k = 0; k < shown.objectives.size(); ++k) {
-      if (std::isfinite(shown.objectives[k])) continue;
-      objective += joined({objective.empty() ? "" : " and ", judge_.objectives()[k].text});
+      if (!std::isfinite(shown.objectives[k])) missing.push_back(judge_.objectives()[k].text);
     }
     const auto keeps_all = [](const Candidate& c) { return c.violation <= 0.0; };
     const auto keeping = std::count_if(found_.candidates.begin(), found_.candidates.end(), keeps_all);
     const bool all = static_cast<std::size_t>(keeping) == found_.candidates.size();
-    return joined({objective, " exists for none of the ", with_thousands(static_cast<unsigned long long>(keeping)),
-                   " strategies tried", all ? "" : " that keep every constraint"});
+    return joined({separated(missing, " and "), " exists for none of the ",
+                   with_thousands(static_cast<unsigned long long>(keeping)), " strategies tried",
+                   all ? "" : " that keep every constraint"});
   }
 
   /// What the sample shows of each probability constraint; NaN and "" of the others.

@@ -13,6 +13,8 @@ namespace {
 constexpr double kNearShare = 0.005;
 /// Forces below this are numerical dust of a contact that has opened [N].
 constexpr double kDust = 1e-12;
+/// Of a cell's face that a contact must cover for its depth to count; a corner of a face covers a quarter.
+constexpr double kLeastCover = 0.2;
 
 std::vector<WindowPressure> windows_over(const ContactModel& model) {
   std::vector<WindowPressure> windows;
@@ -251,7 +253,10 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, Candida
     const auto along = static_cast<std::size_t>(tangents[t]);
     const Lane place = end.u_theta.get(node + along) - carrier_of(surface, end.theta)[along].place_m;
     const Lane before = register_.anchor[t].get(c);
-    const Lane after = w_.at_end(before, place + register_.tangent_theta[t].get(c) / shear);
+    const Lane stretch = register_.tangent_theta[t].get(c) / shear;
+    const Lane after = w_.at_end(before, place + stretch);
+    const Lane stretched = w_.at_end(register_.stretch[t].get(c), stretch);
+    register_.stretch[t].put(c, select(step.closed, stretched, Lane(0.0)));
     step.moved[t] = select(step.sliding, after - before, Lane(0.0));
     register_.anchor[t].put(c, before + step.moved[t]);
   }
@@ -324,9 +329,13 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.area_m2 == 0.0) return;  // a particle's own layer has no thickness
   const SurfaceLane& surface = surfaces_[candidate.surface];
+  const double cell_m2 = candidate.tributary[0].extent_m * candidate.tributary[1].extent_m;
+  // A sliver of a cell under a pad's edge is measured at its particle, which stands beside the pad.
+  const Mask measures =
+      step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
   const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
   const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * Lane(candidate.cell_compliance_m_Pa));
-  layer_strain_ = max(layer_strain_, select(step.closed, depth * of_layer / surface.thickness_m, Lane(0.0)));
+  layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
 }
 
 /// Notes when within the step a pad's contact closed.

@@ -90,8 +90,9 @@ FaceGrid face_grid(const ContactModel& contact, int surface, const LatticeParame
       if (candidate.surface != surface) continue;
       const Tributary& piece = candidate.tributary[t];
       auto [at, added] = pieces.try_emplace(piece.place_m, piece);
-      for (std::size_t side = 0; side < 2; ++side)
-        at->second.cell[side] = at->second.cell[side] || piece.cell[side];
+      for (std::size_t side = 0; side < 2; ++side) {
+        at->second.cells[side] = std::max(at->second.cells[side], piece.cells[side]);
+      }
     }
     for (const auto& [place, piece] : pieces) grid.piece[t].push_back(piece);
   }

@@ -8,9 +8,10 @@ namespace unbruised {
 
 ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
-                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &share, &mean[0],
-                          &mean[1], &mean_square[0], &mean_square[1], &gap_now, &gap_free}) {
+  for (LaneArray* rows : {&normal,           &tangent[0],     &tangent[1],        &normal_theta, &tangent_theta[0],
+                          &tangent_theta[1], &penetration,    &penetration_theta, &viscous,      &stretch[0],
+                          &stretch[1],       &anchor[0],      &anchor[1],         &share,        &mean[0],
+                          &mean[1],          &mean_square[0], &mean_square[1],    &gap_now,      &gap_free}) {
     *rows = LaneArray(n);
   }
   for (LaneArray& rows : place_weight) {
@@ -23,8 +24,8 @@ ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
 
 void ContactRegister::clear(int lane) {
   for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
-                          &penetration, &penetration_theta, &viscous, &anchor[0], &anchor[1], &share, &mean[0],
-                          &mean[1], &mean_square[0], &mean_square[1]}) {
+                          &penetration, &penetration_theta, &viscous, &stretch[0], &stretch[1], &anchor[0],
+                          &anchor[1], &share, &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
     rows->clear_lane(lane);
   }
   for (LaneArray& weights : place_weight) {
@@ -101,11 +102,9 @@ LayerEnergy ContactRegister::stored_energy(std::size_t c, const SurfaceLane& sur
   const Mask pressed = (surface.relaxation_s > Lane(0.0)) & (penetration.get(c) > Lane(0.0));
   if (none(closed | pressed)) return {};
   const Lane press = normal_stiffness(c, surface);
-  const Lane n = normal.get(c), t1 = tangent[0].get(c), t2 = tangent[1].get(c);
-  const Lane in_place = press * squared_depth(candidate, penetration.get(c), cover(c)) * Lane(0.5);
-  Lane stored = in_place;
-  if (candidate.flat) stored = select(pressed, in_place, Lane(0.5) * n * n / max(press, Lane(1e-300)));
-  const Lane sheared = Lane(1.5) * (t1 * t1 + t2 * t2) / max(layer_stiffness(c, surface), Lane(1e-300));
+  const Lane s1 = stretch[0].get(c), s2 = stretch[1].get(c);
+  const Lane stored = press * squared_depth(candidate, penetration.get(c), cover(c)) * Lane(0.5);
+  const Lane sheared = layer_stiffness(c, surface) * (s1 * s1 + s2 * s2) * Lane(0.5 / 3.0);
   return {select(closed | pressed, stored, Lane(0.0)), select(closed, sheared, Lane(0.0))};
 }
 

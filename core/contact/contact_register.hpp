@@ -64,6 +64,7 @@ class ContactRegister {
   std::array<LaneArray, 2> tangent_theta;
   LaneArray penetration, penetration_theta;  ///< of the particle's place; meaningful while closed
   LaneArray viscous;                         ///< viscous part of `normal`; 0 where the layer has none
+  std::array<LaneArray, 2> stretch;          ///< of the layer in shear: tangent / stiffness
   std::array<LaneArray, 2> anchor;
   // Of the part of its tributary piece that the surface covers.
   LaneArray share;                             ///< of its area

@@ -52,15 +52,19 @@ bool TributaryFace::has_cell(const std::array<int, 2>& cell) const {
 }
 
 Tributary TributaryFace::piece(const std::array<double, 3>& position_m, std::size_t tangent) const {
-  Tributary piece{position_m[plane_.tangent[tangent]], plane_.extent_m[tangent], curved_[tangent], {true, true}};
+  Tributary piece{position_m[plane_.tangent[tangent]], plane_.extent_m[tangent], curved_[tangent], {2, 2}};
   if (piece.curved) return piece;
   const std::array<int, 2> place = plane_.grid_place(position_m);
   for (const int side : {0, 1}) {
-    std::array<int, 2> cell = place;  // the cell above it along both tangents
-    cell[tangent] += side - 1;
-    std::array<int, 2> beside = cell;
-    --beside[1 - tangent];
-    piece.cell[static_cast<std::size_t>(side)] = has_cell(cell) || has_cell(beside);
+    int& count = piece.cells[static_cast<std::size_t>(side)] = 0;
+    while (count < 2) {
+      std::array<int, 2> cell = place;  // that begins at the particle along both tangents
+      cell[tangent] += side == 1 ? count : -1 - count;
+      std::array<int, 2> beside = cell;
+      --beside[1 - tangent];
+      if (!has_cell(cell) && !has_cell(beside)) break;
+      ++count;
+    }
   }
   return piece;
 }

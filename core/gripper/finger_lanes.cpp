@@ -132,7 +132,7 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
     // By the mean speed: v changes by the mean of the forces, so that this is what the motion loses, however short
     // the impact is against the step.
     const Lane taken = Lane(0.5) * (s.stop + stop) * mean_speed * Lane(w.dt) - stored;
-    dissipated_ += select(running, max(taken, Lane(0.0)), Lane(0.0));
+    dissipated_ += select(running, taken, Lane(0.0));
     s.stop = select(running, stop, s.stop);
     s.depth = select(running, depth, s.depth);
     s.way = select(running, way, s.way);

@@ -224,7 +224,8 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     }
     if (!contact.idle()) {
       sweeps += contact.solve(fingers, lanes);
-      abort_lanes(contact.sweep().unsolved(), "the contact forces did not converge within a step");
+      abort_lanes(contact.sweep().unsolved(),
+                  "the contact forces did not converge within a step; use a smaller simulation.time_step_s");
     }
     timer.lap(times.contact_s);
     if (!contact.idle()) {

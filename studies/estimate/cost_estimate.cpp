@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/contact_effort.hpp"
 #include "core/motion/motion_plan.hpp"
 #include "core/scenario/opening.hpp"
 #include "studies/execution/build_info.hpp"
@@ -23,8 +24,8 @@ double estimated_factor_entries(const ModelSize& size) {
 }  // namespace
 
 LaneStepRate measured_lane_step_rate() {
-  if (instruction_set() == "avx512f") return {1.5e-10, "an AVX-512 core (Zen 5)"};
-  return {8.7e-10, "an AVX2 core (Zen 3 at 2.4 GHz)"};
+  if (instruction_set() == "avx512f") return {1.5e-10, 4.3e-11, "an AVX-512 core (Zen 5)"};
+  return {8.7e-10, 1.27e-10, "an AVX2 core (Zen 3 at 2.4 GHz)"};
 }
 
 double simulated_duration_s(const Scenario& scenario) {
@@ -59,8 +60,12 @@ double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size) {
   return estimated_trace_rows(scenario) * kPerParticle * static_cast<double>(size.particle_count);
 }
 
-double estimated_lane_step_s(const ModelSize& size) {
-  return measured_lane_step_rate().seconds_per_factor_entry * estimated_factor_entries(size);
+double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
+  const LaneStepRate rate = measured_lane_step_rate();
+  const double freedoms =
+      std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_candidate_count));
+  const double contact = has_gripper(scenario) ? estimated_sweeps(scenario) * freedoms * freedoms : 0.0;
+  return rate.seconds_per_factor_entry * estimated_factor_entries(size) + rate.seconds_per_contact_entry * contact;
 }
 
 }  // namespace unbruised::studies

@@ -14,7 +14,8 @@ namespace unbruised::studies {
 /// Core time of one step of one lane per estimated entry of the factor, all parts of the step included.
 struct LaneStepRate {
   double seconds_per_factor_entry = 0.0;
-  std::string_view measured_on;  ///< kind of core
+  double seconds_per_contact_entry = 0.0;  ///< of the compliance, per sweep
+  std::string_view measured_on;            ///< kind of core
 };
 
 /// Entries of L of a lattice are about this times freedoms^(4/3) (nested dissection of a solid; 222,825 at 1536).
@@ -37,6 +38,7 @@ double estimated_lane_bytes(const ModelSize& size);
 double estimated_trace_rows(const Scenario& scenario);
 /// A trace in its file before it is compressed: displacement, velocity, acceleration of every particle.
 double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size);
-double estimated_lane_step_s(const ModelSize& size);
+/// Core time of one step of one lane: the solves, and the contact sweeps while something is held.
+double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size);
 
 }  // namespace unbruised::studies

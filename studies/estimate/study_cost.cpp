@@ -20,6 +20,7 @@ constexpr double kRowBytesBesideColumns = 160.0;
 /// The scenarios of one factor key.
 struct GroupCost {
   ModelSize size;
+  double lane_step_s = 0.0;  ///< of its first scenario
   std::size_t count = 0;
   double steps = 0.0;  ///< of all its scenarios
 };
@@ -37,7 +38,10 @@ KnownCost known_cost(const ScenarioSet& set) {
   for (std::size_t point = 0; point < set.count; ++point) {
     const Scenario scenario = set.scenario(point);
     const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
-    if (is_new) cost.groups.push_back({.size = model_size(scenario)});
+    if (is_new) {
+      const ModelSize size = model_size(scenario);
+      cost.groups.push_back({.size = size, .lane_step_s = estimated_lane_step_s(scenario, size)});
+    }
     GroupCost& group = cost.groups[place->second];
     ++group.count;
     group.steps += estimated_steps(scenario);
@@ -54,7 +58,7 @@ double compute_seconds(const KnownCost& known, double each) {
     const double evaluations = each * static_cast<double>(group.count);
     const double mean_steps = group.steps / static_cast<double>(group.count);
     // Lanes that stay empty cost as much as full ones.
-    seconds += std::ceil(evaluations / lanes) * lanes * mean_steps * estimated_lane_step_s(group.size);
+    seconds += std::ceil(evaluations / lanes) * lanes * mean_steps * group.lane_step_s;
   }
   return seconds;
 }

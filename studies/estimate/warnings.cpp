@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/contact/contact_effort.hpp"
 #include "core/contact/contact_time.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/findings/shown_probability.hpp"
@@ -25,6 +26,27 @@ void warn_about_contact(const Study& study, std::vector<std::string>& warnings) 
               "third); use "
               "simulation.time_step_s <= ",
               short_number(fewest.contact_s / kStepsPerContact)}));
+}
+
+/// The scenarios that are looked at for a light product: at most this many, evenly spread over the study.
+constexpr std::size_t kLookedAt = 64;
+
+void warn_about_light_products(const Study& study, std::vector<std::string>& warnings) {
+  const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
+  double largest = 0.0, step_s = 0.0;
+  for (std::size_t id = 0; id < study.scenario_count(); id += stride) {
+    const Scenario scenario = study.scenario(id);
+    const double coupling = contact_coupling(scenario);
+    if (coupling <= largest) continue;
+    largest = coupling;
+    step_s = time_step_of_coupling_s(scenario, kLargestCoupling);
+  }
+  if (!(largest > kLargestCoupling)) return;
+  warnings.push_back(
+      joined({"the pads or the support are so stiff against so light a product that the contact forces may not be "
+              "found within a time step (coupling ",
+              short_number(largest), ", at most ", short_number(kLargestCoupling),
+              "); use simulation.time_step_s <= ", short_number(step_s)}));
 }
 
 bool is_undamped(const LatticeParameters& product) {
@@ -55,6 +77,7 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
 std::vector<std::string> study_warnings(const Study& study) {
   std::vector<std::string> warnings = study.warnings();
   warn_about_contact(study, warnings);
+  warn_about_light_products(study, warnings);
   warn_about_damping(study, warnings);
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));

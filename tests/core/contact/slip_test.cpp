@@ -46,6 +46,7 @@ TEST(Slip, DoesNotDependOnHowFineTheFaceIs) {
     scenario.strategy.hold_s = 0.1;
     scenario.cell.transfer_m = {0.0, 0.0};
     scenario.strategy.release_height_m = 0.008;  // it hangs lower than it stood
+    scenario.simulation.duration_s = 0.45;       // and would land harder than a millisecond resolves
     scenario.limits.slip_m = 0.1;
     const ScenarioResult result = run(scenario);
     EXPECT_EQ(result.outcome, Outcome::held) << result.cause;

@@ -13,7 +13,7 @@ namespace {
 /// The particles of a face of 40 mm in cells of this many, from 0 to 40 mm.
 std::vector<Tributary> face(int cells) {
   std::vector<Tributary> pieces;
-  for (int i = 0; i <= cells; ++i) pieces.push_back({0.04 * i / cells, 0.04 / cells, false, {i > 0, i < cells}});
+  for (int i = 0; i <= cells; ++i) pieces.push_back({0.04 * i / cells, 0.04 / cells, false, {i, cells - i}});
   return pieces;
 }
 
@@ -30,7 +30,7 @@ TEST(Tributary, PiecesUnderAStretchAddUpToItInForceAndMoment) {
         for (const Tributary& piece : face(cells)) {
           const CoveredPiece covered = piece.covered_by({Lane(from), Lane(to)}, Lane(0.0));
           const double weight = covered.share[0] * full_weight_m(piece);
-          EXPECT_NEAR(weight, piece.weight_m({Lane(from), Lane(to)}, Lane(0.0))[0], kSum);
+          EXPECT_NEAR(weight, piece.weight_m({Lane(from), Lane(to)}, {Lane(from), Lane(to)}, Lane(0.0))[0], kSum);
           force += weight;
           moment += weight * piece.place_m;
           by_pieces += weight * (piece.place_m + covered.mean_m[0]);
@@ -60,7 +60,7 @@ TEST(Tributary, SecondMomentsAreThoseOfTheStretch) {
 
 TEST(Tributary, AFullyCoveredPieceIsCoveredToTheLastBit) {
   for (const bool curved : {false, true}) {
-    const Tributary piece{0.0123, 0.0077, curved, {true, curved}};
+    const Tributary piece{0.0123, 0.0077, curved, {1, curved ? 2 : 0}};
     const CoveredPiece covered = piece.covered_by({Lane(-1.0), Lane(1.0)}, Lane(0.0037));
     EXPECT_EQ(covered.share[0], 1.0);
     for (const Lane& place : covered.place) EXPECT_EQ(place[0], 1.0);
@@ -68,7 +68,7 @@ TEST(Tributary, AFullyCoveredPieceIsCoveredToTheLastBit) {
 }
 
 TEST(Tributary, ACurvedPieceIsOneCellWideAndCutPlaceByPlace) {
-  const Tributary piece{0.0, 0.004, true, {true, true}};
+  const Tributary piece{0.0, 0.004, true, {2, 2}};
   // Its places are 1 mm wide from -2 to 2 mm; the particle has moved by 1 mm.
   const CoveredPiece covered = piece.covered_by({Lane(0.0005), Lane(0.1)}, Lane(0.001));
   const double expected[] = {0.0, 0.5, 1.0, 1.0};
@@ -76,8 +76,41 @@ TEST(Tributary, ACurvedPieceIsOneCellWideAndCutPlaceByPlace) {
   EXPECT_NEAR(covered.share[0], 2.5 / 4.0, 1e-12);
 }
 
+TEST(Tributary, AParticleBeyondTheEdgeCarriesNothingUntilHalfItsCellIsCovered) {
+  const std::vector<Tributary> pieces = face(4);  // at 0, 10, 20, 30, 40 mm
+  const auto share = [&](std::size_t i, double to) {
+    return pieces[i].covered_by({Lane(-1.0), Lane(to)}, Lane(0.0)).share[0];
+  };
+  EXPECT_EQ(share(3, 0.0249), 0.0);
+  EXPECT_GT(share(3, 0.026), 0.0);
+  EXPECT_NEAR(share(2, 0.025), 0.5 + 0.5 + 0.125, 1e-12) << "half a hat, and the line carried on over half a cell";
+  EXPECT_NEAR(share(1, 0.025), 1.0 - 0.125, 1e-12);
+  // A pad slides over a particle without a jump.
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const double edge : {0.02, 0.025, 0.03})
+      EXPECT_NEAR(share(i, edge - 1e-9), share(i, edge + 1e-9), 1e-6) << i;
+  }
+}
+
+TEST(Tributary, WindowsAddUpToWhatIsCovered) {
+  for (const int cells : {1, 2, 4, 9}) {
+    const Stretch covered{Lane(0.0033), Lane(0.0337)}, lower{Lane(0.0033), Lane(0.0201)},
+        upper{Lane(0.0201), Lane(0.0337)};
+    for (const Stretch& window : {lower, upper}) {
+      double sum = 0.0;
+      for (const Tributary& piece : face(cells)) {
+        const Lane lower_part = piece.weight_m(lower, covered, Lane(0.0));
+        const Lane upper_part = piece.weight_m(upper, covered, Lane(0.0));
+        EXPECT_NEAR((lower_part + upper_part)[0], piece.weight_m(covered, covered, Lane(0.0))[0], kSum) << cells;
+        sum += piece.weight_m(window, covered, Lane(0.0))[0];
+      }
+      EXPECT_NEAR(sum, (window.high - window.low)[0], kSum) << cells;
+    }
+  }
+}
+
 TEST(Tributary, NothingIsCoveredBeyondTheRimOfTheFace) {
-  const Tributary rim{0.04, 0.01, false, {true, false}};
+  const Tributary rim{0.04, 0.01, false, {2, 0}};
   EXPECT_EQ(rim.covered_by({Lane(0.04), Lane(0.05)}, Lane(0.0)).share[0], 0.0);
   EXPECT_EQ(rim.covered_by({Lane(0.0401), Lane(0.05)}, Lane(0.0)).share[0], 0.0);
   EXPECT_GT(rim.covered_by({Lane(0.0399), Lane(0.05)}, Lane(0.0)).share[0], 0.0);

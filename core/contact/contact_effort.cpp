@@ -1,0 +1,80 @@
+#include "core/contact/contact_effort.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "core/contact/layered_face.hpp"
+#include "core/scenario/lattice_cells.hpp"
+
+namespace unbruised {
+namespace {
+
+/// coupling = quadratic dt^2 + linear dt.
+struct CouplingLaw {
+  double quadratic_1_s2 = 0.0;
+  double linear_1_s = 0.0;
+};
+
+/// Of layers of this stiffness in all that hold a mass. A viscous layer is 1 + 3 tau / (theta dt) as stiff in a
+/// step.
+CouplingLaw law_of(double stiffness_N_m, double relaxation_s, double mass_kg, double theta) {
+  const double elastic = stiffness_N_m * theta * theta / (6.0 * mass_kg);
+  return {elastic, elastic * 3.0 * relaxation_s / theta};
+}
+
+double coupling_at(const CouplingLaw& law, double dt) { return (law.quadratic_1_s2 * dt + law.linear_1_s) * dt; }
+
+CouplingLaw coupling_law(const Scenario& scenario) {
+  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+  const auto* jaw = parallel_jaw(scenario);
+  if (product == nullptr) return {};
+  const double mass_kg = lattice_mass_kg(*product), theta = scenario.simulation.theta;
+  CouplingLaw largest;
+  if (jaw != nullptr) {
+    const LayeredFace side = side_at_pad(*product, *jaw, scenario.cell);
+    const double both = 2.0 * side.layer_per_area_Pa_m * side.patch_m2(scenario.strategy.grip_force_N);
+    largest = law_of(both, jaw->pad_relaxation_time_s, mass_kg, theta);
+  }
+  if (scenario.cell.support) {
+    const LayeredFace base = side_at_support(*product, scenario.cell);
+    const double weight_N = mass_kg * std::abs(scenario.cell.gravity_m_s2[2]);
+    const double layer = base.layer_per_area_Pa_m * base.patch_m2(weight_N);
+    const CouplingLaw law = law_of(layer, scenario.cell.support_relaxation_time_s, mass_kg, theta);
+    const double dt = scenario.simulation.time_step_s;
+    if (coupling_at(law, dt) > coupling_at(largest, dt)) largest = law;
+  }
+  return largest;
+}
+
+/// Particles under a patch of a face of this cell, at least four.
+double particles_under(double patch_m2, double cell_area_m2) {
+  const double side = std::sqrt(patch_m2 / cell_area_m2) + 1.0;
+  return std::max(4.0, side * side);
+}
+
+}  // namespace
+
+double contact_coupling(const Scenario& scenario) {
+  return coupling_at(coupling_law(scenario), scenario.simulation.time_step_s);
+}
+
+double time_step_of_coupling_s(const Scenario& scenario, double coupling) {
+  const CouplingLaw law = coupling_law(scenario);
+  const double root = std::sqrt(law.linear_1_s * law.linear_1_s + 4.0 * law.quadratic_1_s2 * coupling);
+  return 2.0 * coupling / (law.linear_1_s + root);
+}
+
+double estimated_sweeps(const Scenario& scenario) { return 5.0 + 2.5 * contact_coupling(scenario); }
+
+double estimated_contact_freedoms(const Scenario& scenario) {
+  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+  const auto* jaw = parallel_jaw(scenario);
+  if (product == nullptr || jaw == nullptr) return 0.0;
+  const LayeredFace side = side_at_pad(*product, *jaw, scenario.cell);
+  const std::array<double, 3> cell = lattice_cell_extent_m(*product);
+  const double nodes = 2.0 * particles_under(side.patch_m2(scenario.strategy.grip_force_N), cell[1] * cell[2]);
+  return 3.0 * nodes;
+}
+
+}  // namespace unbruised

@@ -42,7 +42,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   forget_slip(lane);
   for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
-  for (Lane* value : {&dissipated_, &patch_pressure_}) value->set(lane, 0.0);
+  for (Lane* value : {&dissipated_, &patch_pressure_, &layer_strain_}) value->set(lane, 0.0);
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m});
 }
 

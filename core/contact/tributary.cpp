@@ -3,6 +3,9 @@
 namespace unbruised {
 namespace {
 
+/// Of a cell: rounding leaves 1e-16.
+constexpr double kLeastWeight = 1e-9;
+
 /// Integrals of weight x s^power over a window, s in cells from the particle.
 struct Moments {
   std::array<Lane, 3> of{Lane(0.0), Lane(0.0), Lane(0.0)};
@@ -99,8 +102,10 @@ CoveredPiece Tributary::covered_by(const Stretch& covered, const Lane& moved) co
   const Moments m = flat_moments(cells, s, s);
   CoveredPiece piece;
   piece.place.fill(Lane(1.0));
-  const Lane weight = max0(m.of[0]);
-  const Lane inverse = Lane(extent_m) / max(weight, Lane(1e-300));
+  // Next to nothing is nothing: it has no middle.
+  const Mask some = m.of[0] > Lane(kLeastWeight);
+  const Lane weight = select(some, m.of[0], Lane(0.0));
+  const Lane inverse = select(some, Lane(extent_m) / max(weight, Lane(kLeastWeight)), Lane(0.0));
   piece.share = weight * Lane(extent_m / full_weight_m(*this));
   piece.mean_m = m.of[1] * inverse;
   piece.mean_square_m2 = m.of[2] * inverse * Lane(extent_m);

@@ -14,22 +14,19 @@ namespace {
 
 using namespace testing;
 
-/// A stiff plate of 4 x 4 x 0.6 cm between viscous pads.
+/// A stiff plate of 2 x 2 x 0.6 cm between viscous pads.
 Scenario plate(double mass_kg) {
   Scenario scenario = small_box();
   LatticeParameters& product = lattice_of(scenario);
-  product.size_m = {0.006, 0.04, 0.04};
+  product.size_m = {0.006, 0.02, 0.02};
   product.cell_size_m = 0.003;
   product.density_kg_m3.reset();
   product.mass_kg = mass_kg;
   product.youngs_modulus_Pa = 1e8;
   product.friction = 0.6;
   jaw_of(scenario).pad_relaxation_time_s = 2e-3;
-  scenario.cell.support = false;
-  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
-  scenario.cell.lift_height_m = 0.0;
   scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.strategy.grip_force_N = 0.5;
+  scenario.strategy.grip_force_N = 2.0;
   scenario.strategy.settle_s = 0.05;
   scenario.strategy.recover_s = 0.0;
   return scenario;
@@ -39,7 +36,7 @@ TEST(ContactEffort, TheCouplingIsThatOfTheLayersAndTheInertia) {
   const Scenario scenario = plate(0.02);
   const ParallelJawParameters& jaw = *parallel_jaw(scenario);
   const double dt = scenario.simulation.time_step_s, theta_dt = scenario.simulation.theta * dt;
-  const double layer = jaw.pad_modulus_Pa / jaw.pad_thickness_m * 0.03 * 0.03;
+  const double layer = jaw.pad_modulus_Pa / jaw.pad_thickness_m * 0.02 * 0.02;
   const double in_a_step = layer * (1.0 + 3.0 * 2e-3 / theta_dt);
   EXPECT_NEAR(contact_coupling(scenario), 2.0 * in_a_step * theta_dt * theta_dt / (6.0 * 0.02), 1e-9);
 }
@@ -55,11 +52,11 @@ TEST(ContactEffort, TheStepOfACouplingHasIt) {
 }
 
 TEST(ContactEffort, SweepsAreThoseThatARunTakesWithinAFactorOfTwo) {
-  for (const double mass : {0.1, 0.03}) {
-    const Scenario scenario = plate(mass);
+  for (const double mass : {0.05, 0.01}) {
+    Scenario scenario = plate(mass);
+    scenario.simulation.duration_s = 0.6;  // gripped and lifted
     const ScenarioResult result = run(scenario);
-    EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
-    const double held_s = scenario.strategy.grip_ramp_s + scenario.strategy.settle_s + scenario.strategy.hold_s;
+    const double held_s = 0.6 - result.metrics[Metric::first_contact_time_s];
     const double each = result.metrics[Metric::contact_iterations] / (held_s / scenario.simulation.time_step_s);
     EXPECT_GT(estimated_sweeps(scenario), each / 2.0) << mass << " kg: " << each;
     EXPECT_LT(estimated_sweeps(scenario), each * 2.0) << mass << " kg: " << each;
@@ -71,10 +68,10 @@ TEST(LayeredFace, CoversWhatThePadCovers) {
   const auto area = [&] {
     return side_at_pad(lattice_of(scenario), *parallel_jaw(scenario), scenario.cell).patch_m2(1.0);
   };
-  EXPECT_DOUBLE_EQ(area(), 0.03 * 0.03);
-  scenario.cell.grip_offset_m = 0.015;  // 10 mm of 30 reach over the plate's end
-  EXPECT_NEAR(area(), 0.02 * 0.03, 1e-15);
-  scenario.cell.grip_height_m = 0.036;  // above it
+  EXPECT_DOUBLE_EQ(area(), 0.02 * 0.02);
+  scenario.cell.grip_offset_m = 0.015;  // from the plate's middle on
+  EXPECT_NEAR(area(), 0.01 * 0.02, 1e-15);
+  scenario.cell.grip_height_m = 0.026;  // above it
   EXPECT_EQ(area(), 0.0);
 }
 

@@ -109,6 +109,17 @@ TEST(Tributary, WindowsAddUpToWhatIsCovered) {
   }
 }
 
+TEST(Tributary, WhatIsNotCoveredHasNoMiddle) {
+  // A force of 0 at an infinite place is no number, and would reach a lane only when a neighbour looks at the
+  // particle.
+  for (const double to : {-0.5, 0.0, 1e-13}) {
+    const CoveredPiece covered = face(4)[1].covered_by({Lane(-1.0), Lane(to)}, Lane(0.0));
+    EXPECT_EQ(covered.share[0], 0.0);
+    EXPECT_EQ(covered.mean_m[0], 0.0);
+    EXPECT_EQ(covered.mean_square_m2[0], 0.0);
+  }
+}
+
 TEST(Tributary, NothingIsCoveredBeyondTheRimOfTheFace) {
   const Tributary rim{0.04, 0.01, false, {2, 0}};
   EXPECT_EQ(rim.covered_by({Lane(0.04), Lane(0.05)}, Lane(0.0)).share[0], 0.0);

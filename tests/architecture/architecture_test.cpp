@@ -224,6 +224,7 @@ TEST(Architecture, StudyKindsAreNamedInTheirTablesOnly) {
 TEST(Architecture, OnlyScenarioAndBodyAskWhatAProductIs) {
   const std::regex asked(R"(\b(get_if|get|holds_alternative)<(Lattice|Network)Parameters>|\blattice \?)");
   const std::vector<std::string> knowing = {
+      "core/contact/contact_effort.cpp",       // an estimate for each kind
       "core/contact/contact_model.cpp",        // makes the candidates of each kind
       "core/contact/contact_time.cpp",         // an estimate for each kind
       "core/material/spring_plasticity.cpp"};  // the material of springs, which only networks have

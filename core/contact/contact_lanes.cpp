@@ -61,13 +61,7 @@ void ContactLanes::leave(int surface, int lane) {
     if (model_.candidate[c].surface != surface) continue;
     const LayerEnergy stored = register_.stored_energy(c, surfaces_[surface]);
     dissipated_.set(lane, dissipated_[lane] + stored.pressed[lane] + stored.sheared[lane]);
-    for (LaneArray* force : {&register_.normal, &register_.normal_theta, &register_.viscous,
-                             &register_.penetration, &register_.penetration_theta}) {
-      force->at(c, lane) = 0.0;
-    }
-    for (std::size_t t = 0; t < 2; ++t) {
-      register_.tangent[t].at(c, lane) = register_.tangent_theta[t].at(c, lane) = 0.0;
-    }
+    register_.open(c, lane);
   }
 }
 

@@ -34,6 +34,13 @@ void ContactRegister::clear(int lane) {
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) rows->clear_lane(lane);
 }
 
+void ContactRegister::open(std::size_t c, int lane) {
+  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
+                          &penetration, &penetration_theta, &viscous, &stretch[0], &stretch[1]}) {
+    rows->at(c, lane) = 0.0;
+  }
+}
+
 void ContactRegister::set_rest(int lane, const StaticRest& rest) {
   for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
     if (!(rest.normal_force_N[c] > 0.0)) continue;  // the support has no edge

@@ -30,6 +30,8 @@ class ContactRegister {
 
   /// Opens all contacts of a lane.
   void clear(int lane);
+  /// Takes all force from a contact of a lane.
+  void open(std::size_t c, int lane);
   /// Puts the contacts of a product at rest on its support into a lane.
   void set_rest(int lane, const StaticRest& rest);
   /// Lets a lane's anchors stand where the particles are.

@@ -64,7 +64,7 @@ double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   const LaneStepRate rate = measured_lane_step_rate();
   const double freedoms =
       std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_candidate_count));
-  const double contact = has_gripper(scenario) ? estimated_sweeps(scenario) * freedoms * freedoms : 0.0;
+  const double contact = estimated_sweeps(scenario) * freedoms * freedoms;
   return rate.seconds_per_factor_entry * estimated_factor_entries(size) + rate.seconds_per_contact_entry * contact;
 }
 

@@ -17,18 +17,9 @@ using namespace testing;
 /// A block of 5 cm that nothing but two fingers touches, pressed slowly and held.
 Scenario pressed_block(double cell_size_m, const std::array<double, 2>& pad_size_m, double grip_force_N) {
   Scenario scenario = small_box();
-  LatticeParameters& block = lattice_of(scenario);
-  block.size_m = {0.05, 0.05, 0.05};
-  block.cell_size_m = cell_size_m;
-  block.density_kg_m3.reset();
-  block.mass_kg = 0.1;
-  block.youngs_modulus_Pa = 1e9;
-  block.friction = 0.0;
+  make_product(scenario, {0.05, 0.05, 0.05}, cell_size_m, 0.1, 1e9).friction = 0.0;
   jaw_of(scenario).pad_size_m = pad_size_m;
-  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
-  scenario.cell.support = false;
-  scenario.cell.lift_height_m = 0.0;
-  scenario.cell.transfer_m = {0.0, 0.0};
+  only_grip(scenario);
   scenario.strategy.approach_speed_m_s = 0.02;
   scenario.strategy.contact_force_N = 0.05;
   scenario.strategy.grip_force_N = grip_force_N;

@@ -17,13 +17,7 @@ using namespace testing;
 /// A stiff plate of 2 x 2 x 0.6 cm between viscous pads.
 Scenario plate(double mass_kg) {
   Scenario scenario = small_box();
-  LatticeParameters& product = lattice_of(scenario);
-  product.size_m = {0.006, 0.02, 0.02};
-  product.cell_size_m = 0.003;
-  product.density_kg_m3.reset();
-  product.mass_kg = mass_kg;
-  product.youngs_modulus_Pa = 1e8;
-  product.friction = 0.6;
+  make_product(scenario, {0.006, 0.02, 0.02}, 0.003, mass_kg, 1e8).friction = 0.6;
   jaw_of(scenario).pad_relaxation_time_s = 2e-3;
   scenario.cell.transfer_m = {0.0, 0.0};
   scenario.strategy.grip_force_N = 2.0;

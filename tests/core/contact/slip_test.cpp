@@ -14,20 +14,7 @@ using namespace testing;
 TEST(Slip, IsTheWayOfThePadAlongAProductThatStays) {
   // A slippery post stands on the floor while the pads are lifted along it: contacts at the pads' edges open and
   // close, and each knows only its own part of the way.
-  Scenario scenario = small_box();
-  LatticeParameters& post = lattice_of(scenario);
-  post.size_m = {0.05, 0.05, 0.15};
-  post.cell_size_m = 0.025;
-  post.density_kg_m3.reset();
-  post.mass_kg = 1.0;
-  post.youngs_modulus_Pa = 1e6;
-  post.friction = 0.05;
-  scenario.cell.grip_height_m = -0.04;
-  scenario.cell.lift_height_m = 0.04;
-  scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.strategy.grip_force_N = 2.0;
-  scenario.strategy.recover_s = 0.0;
-  const ScenarioResult result = run(scenario);
+  const ScenarioResult result = run(standing_post(0.0));
   EXPECT_EQ(result.outcome, Outcome::slipped) << result.cause;
   // The springs of the pads take some 10 um of it; the mean travel of closed contacts saturated at 26 mm.
   EXPECT_NEAR(result.metrics[Metric::slip_max_m], 0.04, 1e-4);

@@ -14,13 +14,7 @@ using namespace testing;
 /// A block of 4 cm and 0.1 kg held with 5 N between thin pads, carried 0.3 m.
 Scenario carried_block(const std::array<double, 2>& transfer_m, double relaxation_time_s) {
   Scenario scenario = small_box();
-  LatticeParameters& block = lattice_of(scenario);
-  block.size_m = {0.04, 0.04, 0.04};
-  block.cell_size_m = 0.02;
-  block.density_kg_m3.reset();
-  block.mass_kg = 0.1;
-  block.youngs_modulus_Pa = 2e6;
-  block.friction = 0.6;
+  make_product(scenario, {0.04, 0.04, 0.04}, 0.02, 0.1, 2e6).friction = 0.6;
   jaw_of(scenario).pad_modulus_Pa = 2.5e6;
   jaw_of(scenario).pad_relaxation_time_s = relaxation_time_s;
   scenario.cell.transfer_m = transfer_m;

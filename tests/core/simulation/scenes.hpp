@@ -130,6 +130,40 @@ inline Scenario small_box() {
 
 inline LatticeParameters& lattice_of(Scenario& scenario) { return std::get<LatticeParameters>(scenario.product); }
 
+/// Makes the product a solid of this size, cell, mass and stiffness.
+inline LatticeParameters& make_product(Scenario& scenario, const std::array<double, 3>& size_m, double cell_size_m,
+                                       double mass_kg, double youngs_modulus_Pa) {
+  LatticeParameters& product = lattice_of(scenario);
+  product.size_m = size_m;
+  product.cell_size_m = cell_size_m;
+  product.density_kg_m3.reset();
+  product.mass_kg = mass_kg;
+  product.youngs_modulus_Pa = youngs_modulus_Pa;
+  return product;
+}
+
+/// Leaves only the fingers to touch the product, and nothing that carries it away.
+inline void only_grip(Scenario& scenario) {
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+  scenario.cell.support = false;
+  scenario.cell.lift_height_m = 0.0;
+  scenario.cell.transfer_m = {0.0, 0.0};
+}
+
+/// A slippery post of 16 cm and 1 kg: pads that are lifted 4 cm slide up along it while it stays where it stands.
+inline Scenario standing_post(double place_height_m) {
+  Scenario scenario = small_box();
+  make_product(scenario, {0.05, 0.05, 0.16}, 0.025, 1.0, 1e6).friction = 0.05;
+  scenario.cell.grip_height_m = -0.04;
+  scenario.cell.lift_height_m = 0.04;
+  scenario.cell.place_height_m = place_height_m;
+  scenario.cell.transfer_m = {0.0, 0.0};
+  scenario.strategy.grip_force_N = 2.0;
+  scenario.strategy.hold_s = 0.1;
+  scenario.strategy.recover_s = 0.0;
+  return scenario;
+}
+
 /// A single freedom along x: a particle on a spring to a wall.
 inline Scenario oscillator(double mass_kg, double stiffness_N_m, double time_step_s, int steps) {
   Scenario scenario;

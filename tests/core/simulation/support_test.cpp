@@ -11,26 +11,6 @@ namespace {
 
 using namespace testing;
 
-/// A slippery post of 16 cm and 1 kg: pads that lift it slide up along it while it stays where it stands.
-Scenario standing_post(double place_height_m) {
-  Scenario scenario = small_box();
-  LatticeParameters& post = lattice_of(scenario);
-  post.size_m = {0.05, 0.05, 0.16};
-  post.cell_size_m = 0.025;
-  post.density_kg_m3.reset();
-  post.mass_kg = 1.0;
-  post.youngs_modulus_Pa = 1e6;
-  post.friction = 0.05;
-  scenario.cell.grip_height_m = -0.04;
-  scenario.cell.lift_height_m = 0.04;
-  scenario.cell.place_height_m = place_height_m;
-  scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.strategy.grip_force_N = 2.0;
-  scenario.strategy.hold_s = 0.1;
-  scenario.strategy.recover_s = 0.0;
-  return scenario;
-}
-
 TEST(Support, OfAProductThatWasNotLiftedStaysWhereItIs) {
   for (const double height : {0.0, 0.03}) {
     Trace trace;
@@ -77,10 +57,8 @@ TEST(Support, ABodyAtRestHasNoEnergyBalanceToBeOff) {
 
 TEST(Support, AProductThatFallsForEverAfterItsReleaseWasHeld) {
   Scenario scenario = small_box();
-  scenario.cell.support = false;
+  only_grip(scenario);
   scenario.cell.gravity_m_s2 = {0.0, 0.5, 0.0};  // it turns a little as it leaves the pads
-  scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.cell.lift_height_m = 0.0;
   scenario.cell.grip_offset_m = 0.004;
   scenario.strategy.recover_s = 5.0;
   const ScenarioResult result = run(scenario);
@@ -89,18 +67,9 @@ TEST(Support, AProductThatFallsForEverAfterItsReleaseWasHeld) {
 
 TEST(Layers, PressedFlatAreOutOfRange) {
   Scenario scenario = small_box();
-  LatticeParameters& ball = lattice_of(scenario);
-  ball.shape = Shape::sphere;
-  ball.size_m = {0.05, 0.05, 0.05};
-  ball.cell_size_m = 0.0125;
-  ball.density_kg_m3.reset();
-  ball.mass_kg = 0.1;
-  ball.youngs_modulus_Pa = 1e9;
+  make_product(scenario, {0.05, 0.05, 0.05}, 0.0125, 0.1, 1e9).shape = Shape::sphere;
   jaw_of(scenario).pad_size_m = {0.2, 0.2};
-  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
-  scenario.cell.support = false;
-  scenario.cell.lift_height_m = 0.0;
-  scenario.cell.transfer_m = {0.0, 0.0};
+  only_grip(scenario);
   scenario.strategy.approach_speed_m_s = 0.02;
   scenario.simulation.time_step_s = 5e-4;
   // A stiff ball in a layer of thickness t: F = pi R k d^2 with k = E/t. At 100 N d = 3.1 mm of 3 mm; at 30 N

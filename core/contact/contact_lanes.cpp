@@ -33,8 +33,6 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       sweep_(model, surfaces_, register_),
       window_(windows_over(model)) {
   place_free_.fill(Lane(0.0));
-  slip_.fill({Lane(0.0), Lane(0.0)});
-  open_way_.fill({Lane(0.0), Lane(0.0)});
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
@@ -131,76 +129,47 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
                                                    start.u.get(node + static_cast<std::size_t>(tangents[t])));
     }
   }
-  const Lane share_before = register_.share.get(c);
   const LayerEnergy before = register_.stored_energy(c, surface);
-  const Lane depth_before = squared_depth(candidate, register_.penetration.get(c), register_.cover(c));
   register_.set_cover(c, piece, lanes);
-  // Of the same layer at the same place the energy goes with what carries it: an elastic force by the depths under
-  // the surface, a shear by the area.
-  const Lane kept = register_.share.get(c) / max(share_before, Lane(1e-300));
-  const Lane depth = squared_depth(candidate, register_.penetration.get(c), register_.cover(c));
-  const Lane kept_depth = select(depth_before > Lane(0.0), depth / max(depth_before, Lane(1e-300)), Lane(1.0));
-  const Lane lost = before.pressed * (Lane(1.0) - kept * kept_depth) + before.sheared * (Lane(1.0) - kept);
-  dissipated_ += select(lanes & (share_before > Lane(0.0)), lost, Lane(0.0));
+  const LayerEnergy after = register_.stored_energy(c, surface);
+  const Lane lost = before.pressed - after.pressed + before.sheared - after.sheared;
+  dissipated_ += select(lanes, lost, Lane(0.0));
 }
 
 void ContactLanes::end_step(const ContactEnd& end, const Mask& running) {
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
   first_touch_ = Lane(2.0);
+  for (PadSlip& pad : slip_) pad.begin_step();
   carry_open_anchors(end, running);
   for (int c : sweep_.live_candidates()) end_candidate(static_cast<std::size_t>(c), end, running);
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
     measure_windows(surface, end, running);
-    advance_slip(surface, running);
+    if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].end_step(least_turning_radius_m(), running);
   }
-}
-
-/// A pad slips as far as its anchors move, weighted by what they carry; while nothing touches, as far as the
-/// particles before it do.
-void ContactLanes::advance_slip(int surface, const Mask& running) {
-  if (!is_pad(surface)) return;
-  const auto at = static_cast<std::size_t>(surface);
-  SurfaceTally& sums = tally_[at];
-  const Mask touches = sums.weight > Lane(0.0);
-  Lane square(0.0);
-  for (std::size_t t = 0; t < 2; ++t) {
-    const Lane way = select(touches, sums.moved[t] / max(sums.weight, Lane(1e-300)), open_way_[at][t]);
-    slip_[at][t] += select(running, way, Lane(0.0));
-    square += slip_[at][t] * slip_[at][t];
-  }
-  sums.slip_m = sqrt(square);
 }
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
 void ContactLanes::carry_open_anchors(const ContactEnd& end, const Mask& running) {
-  std::array<Lane, kFingerCount> count;
-  count.fill(Lane(0.0));
-  open_way_.fill({Lane(0.0), Lane(0.0)});
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const int surface = model_.candidate[c].surface;
     const auto tangents = tangent_axes(surface);
     const auto node = 3 * static_cast<std::size_t>(model_.candidate[c].node);
     const Mask open = running & !register_.is_closed(c);
+    std::array<Lane, 2> way;
     for (std::size_t t = 0; t < 2; ++t) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
       const Lane place = end.u.get(node + axis) - carrier_of(surface, end.next)[axis].place_m;
       const Lane before = register_.anchor[t].get(c);
       register_.anchor[t].put(c, select(open, place, before));
-      if (is_pad(surface))
-        open_way_[static_cast<std::size_t>(surface)][t] += select(open, place - before, Lane(0.0));
+      way[t] = place - before;
     }
-    if (is_pad(surface)) count[static_cast<std::size_t>(surface)] += select(open, Lane(1.0), Lane(0.0));
-  }
-  for (std::size_t pad = 0; pad < kFingerCount; ++pad) {
-    for (Lane& way : open_way_[pad]) way = way / max(count[pad], Lane(1.0));
+    if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].add_open(way, open);
   }
 }
 
 void ContactLanes::forget_slip(int lane) {
-  for (auto& pad : slip_) {
-    for (Lane& way : pad) way.set(lane, 0.0);
-  }
+  for (PadSlip& pad : slip_) pad.forget(lane);
 }
 
 void ContactLanes::end_candidate(std::size_t c, const ContactEnd& end, const Mask& running) {
@@ -291,10 +260,11 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
   sums.tangent[1] += select(running, step.after[2], Lane(0.0));
   sums.closed += closed;
   sums.sliding += select(step.sliding, Lane(1.0), Lane(0.0));
-  const Lane weight = select(step.closed, register_.normal_theta.get(c), Lane(0.0));
-  sums.weight += weight;
-  for (std::size_t t = 0; t < 2; ++t) sums.moved[t] += weight * step.moved[t];
   if (is_pad(model_.candidate[c].surface)) {
+    const auto& piece = model_.candidate[c].tributary;
+    slip_[static_cast<std::size_t>(model_.candidate[c].surface)].add_closed(
+        {piece[0].place_m, piece[1].place_m}, select(step.closed, register_.normal_theta.get(c), Lane(0.0)),
+        step.moved);
     sums.add_moments(model_.candidate[c], step.after[0],
                      {register_.penetration_theta.get(c),
                       register_.cover(c),

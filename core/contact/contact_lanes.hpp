@@ -10,6 +10,7 @@
 ///   when it slips
 /// and u = u_free + W J' (N, T). The register's closed contacts decide the equations; the factor never changes.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "core/contact/contact_model.hpp"
 #include "core/contact/contact_register.hpp"
 #include "core/contact/contact_sweep.hpp"
+#include "core/contact/pad_slip.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/contact/window_pressure.hpp"
@@ -76,6 +78,8 @@ class ContactLanes {
   void end_step(const ContactEnd& end, const Mask& running);
 
   [[nodiscard]] const std::array<SurfaceTally, kSurfaceCount>& tally() const { return tally_; }
+  /// Of the product past a pad since load, or since it was last forgotten.
+  [[nodiscard]] const PadSlip& slip(int pad) const { return slip_[static_cast<std::size_t>(pad)]; }
   /// Largest pressure over a patch of fixed size in this step, per lane.
   [[nodiscard]] const Lane& patch_pressure() const { return patch_pressure_; }
   /// Largest compression of a layer over its thickness in this step, per lane.
@@ -117,7 +121,10 @@ class ContactLanes {
   void tally_torque(std::size_t candidate, const ContactEnd& end, const Mask& running, const CandidateStep& step);
   void note_touch(std::size_t candidate, const CandidateStep& step);
   void note_layer_strain(std::size_t candidate, const CandidateStep& step);
-  void advance_slip(int surface, const Mask& running);
+  /// Contacts of a pad nearer together than this say nothing about an angle.
+  [[nodiscard]] double least_turning_radius_m() const {
+    return 0.1 * std::min(model_.pad_extent_m[0], model_.pad_extent_m[1]);
+  }
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
 
   const ContactModel& model_;
@@ -135,8 +142,7 @@ class ContactLanes {
   std::array<Lane, kSurfaceCount> place_free_;    ///< at t + theta dt, of fingers that nothing presses on
 
   std::array<SurfaceTally, kSurfaceCount> tally_;
-  std::array<std::array<Lane, 2>, kFingerCount> slip_;      ///< of product past each pad, along its tangents
-  std::array<std::array<Lane, 2>, kFingerCount> open_way_;  ///< in this step, of the particles that do not touch
+  std::array<PadSlip, kFingerCount> slip_;
   Lane patch_pressure_{0.0}, layer_strain_{0.0}, first_touch_{2.0}, dissipated_{0.0};
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/algebra/lane_solve.hpp"
 #include "core/contact/tributary_face.hpp"
+#include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -206,7 +207,7 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
   const TrueShape shape(parameters);
   const TributaryFace face(shape, lattice, plane, points);
   const double sign = normal_sign(surface);
-  const double depth = kCandidateDepth * parameters.size_m[plane.axis];
+  const double depth = kDeepestMeeting * parameters.size_m[plane.axis];
   for (const SurfacePoint& point : points) {
     if (sign * (point.position_m - pole_m) > depth) continue;
     const auto& position_m = lattice.position_m[static_cast<std::size_t>(point.node)];

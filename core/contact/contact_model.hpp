@@ -79,10 +79,6 @@ struct ContactModel {
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
 };
 
-/// Surface particles no deeper than this share of the body's extent behind the pole can touch a pad or the
-/// support: far more than a body of validity-limited strain can be flattened.
-inline constexpr double kCandidateDepth = 0.15;
-
 /// In-plane offset of sample place `q` from the particle, as a share of the tributary rectangle's extents.
 constexpr std::array<double, 2> relief_offset(int q) {
   return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};

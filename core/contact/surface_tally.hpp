@@ -23,13 +23,10 @@ struct PressedPiece {
 /// What one surface does to the product, per lane.
 struct SurfaceTally {
   Lane normal{0.0};
-  std::array<Lane, 2> tangent{Lane(0.0), Lane(0.0)};  ///< along tangent_axes(surface), on the product
-  Lane closed{0.0};                                   ///< contacts that carry force
-  Lane sliding{0.0};                                  ///< of these, at the friction cone
-  std::array<Lane, 2> moved{Lane(0.0), Lane(0.0)};  ///< way of the anchors in this step, weighted by normal force
-  Lane weight{0.0};                                 ///< of these
-  Lane slip_m{0.0};                                 ///< length of the way that product and pad have slipped
-  std::array<Lane, 2> first{Lane(0.0), Lane(0.0)};  ///< moments of the normal force over the plane
+  std::array<Lane, 2> tangent{Lane(0.0), Lane(0.0)};            ///< along tangent_axes(surface), on the product
+  Lane closed{0.0};                                             ///< contacts that carry force
+  Lane sliding{0.0};                                            ///< of these, at the friction cone
+  std::array<Lane, 2> first{Lane(0.0), Lane(0.0)};              ///< moments of the normal force over the plane
   std::array<Lane, 3> second{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< yy, zz, yz
   std::array<Lane, 3> torque{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< about the palm centre, on the product
 

@@ -50,15 +50,19 @@ inline constexpr std::array<DamageLimit, 7> kDamageLimits = {{
      "contact_yield_ratio_max > limits.contact_yield_ratio"},
 }};
 
-/// The limit that decides `slipped`. It is always set, and damage is none of its business.
+/// A limit that decides `slipped`. It is always set, and damage is none of its business.
 struct SlipLimit {
   Metric metric;
   double LimitParameters::*limit;
   std::string_view key, rule, cause;  ///< as of a DamageLimit
 };
 
-inline constexpr SlipLimit kSlipLimit = {Metric::slip_max_m, &LimitParameters::slip_m, "limits.slip_m",
-                                         "slip_max_m <= limits.slip_m", "slip_max_m > limits.slip_m"};
+inline constexpr std::array<SlipLimit, 2> kSlipLimits = {{
+    {Metric::slip_max_m, &LimitParameters::slip_m, "limits.slip_m", "slip_max_m <= limits.slip_m",
+     "slip_max_m > limits.slip_m"},
+    {Metric::slip_max_rad, &LimitParameters::slip_rad, "limits.slip_rad", "slip_max_rad <= limits.slip_rad",
+     "slip_max_rad > limits.slip_rad"},
+}};
 
 /// Did the product slip further than it may?
 inline bool exceeds(const Metrics& metrics, const SlipLimit& slip, const LimitParameters& limits) {

@@ -41,9 +41,10 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
       has_gripper_(has_gripper(scenario)),
       has_product_yield_(yield_stress_Pa(scenario.product).has_value()) {
   if (has_gripper_) {
-    for (Metric metric : {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m,
-                          Metric::slip_max_m, Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m,
-                          Metric::peak_acceleration_m_s2, Metric::grip_impulse_N_s}) {
+    for (Metric metric :
+         {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m, Metric::slip_max_m,
+          Metric::slip_max_rad, Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m,
+          Metric::peak_acceleration_m_s2, Metric::grip_impulse_N_s}) {
       metrics[metric] = 0.0;
     }
     if (has_product_yield_) metrics[Metric::contact_yield_ratio_max] = 0.0;
@@ -123,12 +124,14 @@ void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingC
 }
 
 void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {
-  double slip = 0.0;
   for (const FingerObservation& finger : now.finger) {
-    if (touches(finger)) slip = std::max(slip, finger.slip_m);
+    if (!touches(finger)) continue;
+    raise(Metric::slip_max_m, finger.slip_m);
+    raise(Metric::slip_max_rad, finger.slip_rad);
   }
-  raise(kSlipLimit.metric, slip);
-  if (exceeds(metrics, kSlipLimit, limits_)) slipped_.at(now.time_s, kSlipLimit.cause);
+  for (const SlipLimit& limit : kSlipLimits) {
+    if (exceeds(metrics, limit, limits_)) slipped_.at(now.time_s, limit.cause);
+  }
   if (now.time_s <= cycle.plan().lower_end_s()) {
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
@@ -136,7 +139,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
       if (!touches(finger)) continue;
       double margin;
       if (finger.sliding_contacts >= finger.closed_contacts) {
-        margin = -finger.slip_m / limits_.slip_m;
+        margin = -std::max(finger.slip_m / limits_.slip_m, finger.slip_rad / limits_.slip_rad);
       } else {
         const double tangential = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
         if (tangential <= kLeastTangentialShare * finger.normal_N) continue;

@@ -21,7 +21,8 @@ struct FingerObservation {
   std::array<double, 2> tangent_N{};  ///< along y and z, on the product
   double closed_contacts = 0;
   double sliding_contacts = 0;
-  double slip_m = 0;  ///< that the product has slipped past its pad since the start of the lift
+  double slip_m = 0;    ///< that the product has slipped past its pad since the start of the lift
+  double slip_rad = 0;  ///< that it has turned against it meanwhile
   double yield_ratio = 0;
 };
 

@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, kMetricCount> kMetricWords = {
     "energy put in",         "energy balance error",
     "impulse balance error", "time steps",
     "contact iterations",    "plasticity iterations",
-    "grip impulse",
+    "grip impulse",          "angle of slip",
 };
 
 /// "contact yield ratio"

@@ -60,6 +60,7 @@ enum class Metric : std::uint8_t {
   contact_iterations,
   plasticity_iterations,
   grip_impulse_N_s,
+  slip_max_rad,
   count_  // not a metric: the number of them
 };
 
@@ -118,6 +119,8 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "extra solves that plastic flow needed, all steps"},
     {Metric::grip_impulse_N_s, "grip_impulse_N_s", "N s",
      "time integral of a finger's normal force, mean of both, up to the release; creep set x dashpot constant"},
+    {Metric::slip_max_rad, "slip_max_rad", "rad",
+     "largest angle over fingers that the product has turned against a pad since the end of grip"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -7,6 +7,7 @@
 #include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/number_fields.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/plausible.hpp"
 
 namespace unbruised {
@@ -198,6 +199,14 @@ void pad_overlap_across(const Scenario& s, const MeasureVisit& visit) {
   visit({"cell.grip_offset_m", s.cell.grip_offset_m, half - std::abs(s.cell.grip_offset_m)});
 }
 
+void pad_lean(const Scenario& s, const MeasureVisit& visit) {
+  const auto meeting = pad_meeting(s);
+  if (!meeting) return;
+  const bool across = std::abs(s.cell.grip_offset_m) > std::abs(s.cell.grip_height_m);
+  visit({across ? "cell.grip_offset_m" : "cell.grip_height_m",
+         across ? s.cell.grip_offset_m : s.cell.grip_height_m, meeting->lean_rad});
+}
+
 void approach_gap(const Scenario& s, const MeasureVisit& visit) {
   if (!has_gripper(s)) return;
   const double gap = approach_gap_m(s);
@@ -251,6 +260,15 @@ Rows cell_rows() {
        "the pads pass beside the product",
        "geometry",
        pad_overlap_across},
+      {"lean of the product's side where the pads meet it",
+       "rad",
+       0.0,
+       0.3,
+       {"cell.grip_height_m", "cell.grip_offset_m", "product.size_m", "gripper.pad_size_m", "product.shape"},
+       {},
+       "a pad's edge on a slope pushes along the grip axis only here, in truth across the slope too",
+       "arc tangent of the least usual friction coefficient of fruit, 0.3",
+       pad_lean},
       plain("cell.lift_height_m", "lift", "m", 0.0, 10.0, kLength, "cells of robots and gantries"),
       plain("cell.transfer_m", "way of the transfer", "m", 0.0, 10.0, kLength, "cells of robots and gantries"),
       plain("cell.place_height_m", "height of the target", "m", 0.0, 10.0, kLength,
@@ -348,6 +366,8 @@ Rows limit_rows() {
       plain("limits.contact_yield_ratio", "contact yield ratio", "", 0.05, 10.0, kFraction,
             "1: first yield (Johnson, Contact Mechanics)"),
       plain("limits.slip_m", "slip", "m", 1e-6, 0.05, kLength, "from a hundredth of a millimetre to a pad"),
+      plain("limits.slip_rad", "angle of slip", "rad", 1e-4, 1.6, kAngle,
+            "from what can be seen to a quarter turn"),
       plain("simulation.time_step_s", "time step", "s", 1e-7, 1e-2, kTime, "impacts of fingers last 5 to 50 ms"),
       plain("simulation.duration_s", "length of the run", "s", 0.0, 3600.0, kTime, "an hour"),
       plain("simulation.pressure_patch_m", "pressure patch", "m", 1e-4, 0.1, kLength, "a finger tip is 10 mm"),

@@ -217,6 +217,8 @@ struct LimitParameters {
   std::optional<double> contact_yield_ratio;
   /// > 0
   double slip_m = 2e-3;
+  /// > 0
+  double slip_rad = 0.1;
 };
 
 enum class InitialAcceleration { consistent, zero };

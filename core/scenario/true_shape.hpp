@@ -32,7 +32,7 @@ class TrueShape {
   [[nodiscard]] double face_area_m2(std::size_t axis) const;
   [[nodiscard]] bool contains(const std::array<double, 3>& place_m) const;
   /// Half the chord along `axis` through a place (its own component along the axis does not count) [m]; negative
-  /// where the line misses the shape.
+  /// where the line passes beside its round axes (flat ones are not asked).
   [[nodiscard]] double half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const;
   /// Radius of curvature at the pole of `axis` along another, round one [m].
   [[nodiscard]] double pole_radius_m(std::size_t axis, std::size_t along) const {

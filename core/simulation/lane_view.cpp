@@ -54,7 +54,8 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.tangent_N = {tally.tangent[0][lane], tally.tangent[1][lane]};
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
-    finger.slip_m = tally.slip_m[lane];
+    finger.slip_m = contact.slip(static_cast<int>(f)).way_m()[lane];
+    finger.slip_rad = contact.slip(static_cast<int>(f)).angle_rad()[lane];
     finger.yield_ratio = yield_ratio[f][lane];
     const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/scenario/pad_meeting.hpp"
+
 namespace unbruised {
 
 namespace {
@@ -36,6 +38,13 @@ bool falls_for_ever(const LaneStep& step) {
 }
 
 }  // namespace
+
+void OutcomeObserver::start(const LaneStep& loaded) {
+  const auto meeting = pad_meeting(loaded.scenario);
+  if (!meeting || meeting->depth_share <= kDeepestMeeting) return;
+  record_.abort(Outcome::out_of_range, "the pads meet the product too far behind its outermost place",
+                loaded.time_s);
+}
 
 bool OutcomeObserver::observe(const LaneStep& step) {
   contact_sweeps_ += step.contact_sweeps;

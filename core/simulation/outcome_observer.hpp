@@ -15,7 +15,7 @@ class OutcomeObserver final : public LaneObserver {
   /// @param balances of the lanes; have to outlive the run
   OutcomeObserver(const Scenario& scenario, const Balances& balances) : record_(scenario), balances_(balances) {}
 
-  void start(const LaneStep& /*loaded*/) override {}
+  void start(const LaneStep& loaded) override;
   bool observe(const LaneStep& step) override;
   void end(const LaneStep& last) override;
 

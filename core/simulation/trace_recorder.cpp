@@ -24,7 +24,9 @@ void TraceRecorder::record(const LaneStep& step) {
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const FingerObservation& finger = step.seen.finger[f];
     row.yield_ratio[f] = finger.yield_ratio;
-    if (step.cycle.lift_started() && finger.closed_contacts > 0) row.slip_m[f] = finger.slip_m;
+    if (!step.cycle.lift_started() || finger.closed_contacts == 0) continue;
+    row.slip_m[f] = finger.slip_m;
+    row.slip_rad[f] = finger.slip_rad;
   }
   row.phase = step.cycle.phase(row.time_s);
   row.patch_pressure_Pa = step.seen.patch_pressure_Pa;

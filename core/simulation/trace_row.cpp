@@ -63,6 +63,9 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "slip_m", "m",
           "way that the product has slipped past each finger's pad since the start of the lift", {"finger"},
           {kFingerCount});
+  declare(trace, "slip_rad", "rad",
+          "angle that the product has turned against each finger's pad since the start of the lift", {"finger"},
+          {kFingerCount});
   declare(trace, "phase", "1", phase_codes(), {}, {});
   if (!can_yield(scenario)) return;
   declare(trace, "contact_yield_ratio", "1",
@@ -96,6 +99,7 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.palm_m);
   signals.put(row.patch_pressure_Pa);
   signals.put(row.slip_m);
+  signals.put(row.slip_rad);
   signals.put(static_cast<double>(row.phase));
   if (row.yields) signals.put(row.yield_ratio);
 }

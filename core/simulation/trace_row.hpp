@@ -25,7 +25,7 @@ struct TraceRow {
   std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{};
   CyclePhase phase = CyclePhase::approach;
-  std::array<double, kFingerCount> yield_ratio{}, slip_m{};
+  std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{};
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;
   double absorbed_energy_J = 0;

@@ -8,7 +8,7 @@ export function judgesDamage(study) {
 
 /** The limits that judge a run: [{ metric, key }], the key one of study.limits. */
 export function judgingLimits(study) {
-  return [study.slipLimit, ...(judgesDamage(study) ? study.damageLimits : [])];
+  return [...study.slipLimits, ...(judgesDamage(study) ? study.damageLimits : [])];
 }
 
 /** The bound that judges a metric in all scenarios; null where none does. */

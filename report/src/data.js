@@ -153,7 +153,7 @@ function readClaims(page) {
   const isJudged = damageLimits.some(({ key }) => limits[key] !== undefined);
   return {
     limits,
-    slipLimit: page.slip_limit,
+    slipLimits: page.slip_limits,
     damageLimits,
     damage: page.study.damage ?? (plainValue(block.damage) === "not considered" ? "not considered" : isJudged ? "judged" : "not looked at"),
     warnings: [...new Set([page.study.damage ? page.study.damage_note : "", ...(page.warnings ?? [])].filter(Boolean))],

@@ -10,13 +10,13 @@ const FINGERS = ["finger 1", "finger 2"];
 /** Signals with the metric that their limit speaks about. */
 const METRIC_OF = {
   contact_yield_ratio: "contact_yield_ratio_max", plastic_strain_max: "plastic_strain_max", patch_pressure_Pa: "peak_pressure_Pa",
-  absorbed_energy_J: "absorbed_energy_J", slip_m: "slip_max_m", finger_force_N: "peak_finger_force_N",
+  absorbed_energy_J: "absorbed_energy_J", slip_m: "slip_max_m", slip_rad: "slip_max_rad", finger_force_N: "peak_finger_force_N",
 };
 const TITLES = {
-  finger_force_N: "force of each finger", contact_yield_ratio: "contact yield ratio", patch_pressure_Pa: "contact pressure", slip_m: "slip",
+  finger_force_N: "force of each finger", contact_yield_ratio: "contact yield ratio", patch_pressure_Pa: "contact pressure", slip_m: "slip", slip_rad: "angle of slip",
   palm_position_m: "way of the palm", finger_way_m: "closing way of the fingers", support_force_N: "force of the support", contact_count: "closed contacts",
 };
-const ORDER = ["finger_force_N", "contact_yield_ratio", "slip_m", "palm_position_m", "plastic_strain_max", "patch_pressure_Pa", "absorbed_energy_J", "support_force_N", "contact_count", "finger_way_m"];
+const ORDER = ["finger_force_N", "contact_yield_ratio", "slip_m", "slip_rad", "palm_position_m", "plastic_strain_max", "patch_pressure_Pa", "absorbed_energy_J", "support_force_N", "contact_count", "finger_way_m"];
 const STRIPS_MOST = 8;
 const AXIS_WORDS = { x: "along the grip", y: "across", z: "up" };
 

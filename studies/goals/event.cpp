@@ -149,8 +149,11 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
       }
     }
   }
-  if (parts.unslipped)
-    all.push_back(over_limit(result.metrics[kSlipLimit.metric], limits.*(kSlipLimit.limit), outcome));
+  if (parts.unslipped) {
+    for (const SlipLimit& each : kSlipLimits) {
+      all.push_back(over_limit(result.metrics[each.metric], limits.*(each.limit), outcome));
+    }
+  }
   if (parts.completed) all.push_back(met ? -1.0 : rank_of_early_end(outcome));
   // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics
   // say.
@@ -173,7 +176,9 @@ std::vector<std::string> event_violation_names(const OutcomeEvent& event, const 
       if (bound_of(each, limits)) names.push_back(text + ": " + std::string(each.rule));
     }
   }
-  if (parts.unslipped) names.push_back(text + ": " + std::string(kSlipLimit.rule));
+  if (parts.unslipped) {
+    for (const SlipLimit& each : kSlipLimits) names.push_back(text + ": " + std::string(each.rule));
+  }
   if (parts.completed) names.push_back(text + ": the cycle is completed");
   return names.empty() ? std::vector<std::string>{text} : names;
 }

@@ -22,7 +22,9 @@ Verdict holds(const Metrics& metrics, Outcome outcome, const LimitParameters& li
   if (outcome == Outcome::not_grasped || outcome == Outcome::dropped || outcome == Outcome::slipped) {
     return Verdict::no;
   }
-  if (exceeds(metrics, kSlipLimit, limits)) return Verdict::no;
+  for (const SlipLimit& limit : kSlipLimits) {
+    if (exceeds(metrics, limit, limits)) return Verdict::no;
+  }
   return ended_early(outcome) ? Verdict::unknown : Verdict::yes;
 }
 

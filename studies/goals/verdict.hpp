@@ -15,7 +15,7 @@ enum class Verdict {
   unknown,  ///< the run ended before it could be told (diverged, out_of_range, not run)
 };
 
-/// Neither `not_grasped` nor `dropped`, and slip_max_m <= limits.slip_m.
+/// Neither `not_grasped` nor `dropped`, and within limits.slip_m and limits.slip_rad.
 Verdict holds(const Metrics& metrics, Outcome outcome, const LimitParameters& limits);
 
 /// No damage limit exceeded; slip is no damage. A run that ended early is damaged when a limit was exceeded by

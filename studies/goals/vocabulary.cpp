@@ -71,8 +71,9 @@ std::string explain(const MetricInfo& metric) {
     if (limit.metric == metric.metric)
       text += joined({"  limit: ", limit.rule, ", else the product is damaged\n"});
   }
-  if (metric.metric == kSlipLimit.metric)
-    text += joined({"  limit: ", kSlipLimit.rule, ", else it has slipped\n"});
+  for (const SlipLimit& limit : kSlipLimits) {
+    if (limit.metric == metric.metric) text += joined({"  limit: ", limit.rule, ", else it has slipped\n"});
+  }
   const bool more = more_is_better(metric.metric);
   return text + joined({"  better: ", more ? "more" : "less", "; as in: \"", metric.name,
                         more ? " >= " : " <= ", "NUMBER\", of random products \"mean(", metric.name, ")\"\n"});

@@ -23,11 +23,13 @@ struct OutcomeMeaning {
 inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanings = {{
     {Outcome::diverged, "a number stopped being finite, or a solve did not converge"},
     {Outcome::out_of_range,
-     "a strain or rotation left the range in which the model holds (simulation.max_strain, "
-     "simulation.max_rotation_rad)"},
+     "the state is none that the model describes: a strain or a rotation is too large (simulation.max_strain, "
+     "simulation.max_rotation_rad), a pad or the support is pressed flat, the pads meet the product far behind "
+     "its "
+     "outermost place, or energy is unaccounted for"},
     {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
     {Outcome::dropped, "no finger contact at some time between lift and release"},
-    {Outcome::slipped, kSlipLimit.cause},
+    {Outcome::slipped, "slip_max_m > limits.slip_m or slip_max_rad > limits.slip_rad"},
     {Outcome::damaged, "any other limit of [limits] is exceeded"},
     {Outcome::held, "none of these"},
 }};

@@ -32,10 +32,14 @@ json json_of(const Value& value) {
 }
 
 /// { metric, key } of a limit of core; the key without its table.
-template <class Limit>
-json limit_json(const Limit& limit) {
+template <class Limits>
+json limits_json(const Limits& limits) {
   constexpr std::string_view kTable = "limits.";
-  return {{"metric", info_of(limit.metric).name}, {"key", limit.key.substr(kTable.size())}};
+  json all = json::array();
+  for (const auto& limit : limits) {
+    all.push_back({{"metric", info_of(limit.metric).name}, {"key", limit.key.substr(kTable.size())}});
+  }
+  return all;
 }
 
 }  // namespace
@@ -49,13 +53,9 @@ json page_words() {
   return {{"names", std::move(names)}, {"unit_suffixes", std::move(suffixes)}};
 }
 
-json page_slip_limit() { return limit_json(kSlipLimit); }
+json page_slip_limits() { return limits_json(kSlipLimits); }
 
-json page_damage_limits() {
-  json limits = json::array();
-  for (const DamageLimit& limit : kDamageLimits) limits.push_back(limit_json(limit));
-  return limits;
-}
+json page_damage_limits() { return limits_json(kDamageLimits); }
 
 json page_sources(const std::string& config_toml) {
   json sources = json::array();

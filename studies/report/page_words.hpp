@@ -15,7 +15,7 @@ namespace unbruised::studies {
 nlohmann::json page_words();
 
 /// { metric, key }: the key of [limits] that decides `slipped`.
-nlohmann::json page_slip_limit();
+nlohmann::json page_slip_limits();
 /// [{ metric, key }]: which key of [limits] that decides `damaged` bounds which metric.
 nlohmann::json page_damage_limits();
 

@@ -221,7 +221,7 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   page["outcome_words"] = kOutcomeWords;
   page["warnings"] = content.meta.warnings;
   page["words"] = page_words();
-  page["slip_limit"] = page_slip_limit();
+  page["slip_limits"] = page_slip_limits();
   page["damage_limits"] = page_damage_limits();
   page["sources"] = page_sources(content.meta.config_toml);
   page["scenarios"] = scenarios(packed, content);

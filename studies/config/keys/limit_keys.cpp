@@ -52,6 +52,11 @@ Table limit_keys() {
        .meaning = "A longer slip_max_m makes the outcome 'slipped'.",
        .use = use,
        .field = limits<&M::slip_m>},
+      {.path = "limits.slip_rad",
+       .type = number,
+       .meaning = "A larger slip_max_rad makes the outcome 'slipped'.",
+       .use = use,
+       .field = limits<&M::slip_rad>},
   };
 }
 

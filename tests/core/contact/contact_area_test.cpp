@@ -143,6 +143,21 @@ TEST(ContactArea, YieldOfAFlatFaceIsThatOfItsMeanPressure) {
   }
 }
 
+TEST(ContactArea, PadsFarUpABallAreNotFollowed) {
+  // A pad of 1 cm at 20 mm above the middle of a ball of 5 cm meets it 5 mm behind its pole, at 24 mm 8.8 mm.
+  Scenario scenario = pressed_block(0.005, {0.01, 0.01}, 0.2);
+  lattice_of(scenario).shape = Shape::ellipsoid;
+  lattice_of(scenario).friction = 1.0;
+  scenario.cell.grip_height_m = 0.02;
+  const ScenarioResult followed = run(scenario);
+  EXPECT_FALSE(std::isnan(followed.metrics[Metric::first_contact_time_s])) << followed.cause;
+  scenario.cell.grip_height_m = 0.024;
+  const ScenarioResult refused = run(scenario);
+  EXPECT_EQ(refused.outcome, Outcome::out_of_range);
+  EXPECT_EQ(refused.cause, "the pads meet the product too far behind its outermost place");
+  EXPECT_EQ(refused.outcome_time_s, 0.0);
+}
+
 TEST(ContactArea, TheLargestWindowIsNotBelowThePadsMeanPressure) {
   // Nine windows of 10 mm tile the pad.
   for (const double modulus : {1e5, 1e6}) {

@@ -1,5 +1,6 @@
 // Slip is the way that a person would measure between pad and product.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,56 @@ TEST(Slip, DoesNotDependOnHowFineTheFaceIs) {
   }
   EXPECT_GT(slip[0], 1e-3);
   EXPECT_NEAR(slip[1], slip[0], 0.03 * slip[0]) << "of what the faces deform";
+}
+
+/// A block of 4 cm that pads of 1 cm hold 12 mm beside its middle: it turns about the grip axis by its weight.
+Scenario swinging_block() {
+  Scenario scenario = small_box();
+  make_product(scenario, {0.04, 0.04, 0.04}, 0.01, 0.064, 1e6).friction = 0.5;
+  jaw_of(scenario).pad_size_m = {0.01, 0.01};
+  scenario.cell.grip_offset_m = 0.012;
+  scenario.strategy.grip_force_N = 1.2;
+  scenario.strategy.hold_s = 0.5;
+  scenario.limits.slip_m = 0.1;
+  scenario.simulation.max_strain = 1.0;
+  return scenario;
+}
+
+TEST(Slip, OfAProductThatTurnsInTheGripIsAnAngle) {
+  Trace trace;
+  const ScenarioResult result = run(swinging_block(), &trace);
+  EXPECT_TRUE(result.metrics[Metric::slip_max_rad] > 0.1) << result.metrics[Metric::slip_max_rad];
+  // The line from the lowest to the highest particle of its middle, in the plane across the grip axis.
+  std::size_t low = 0, high = 0;
+  for (std::size_t i = 0; i + 2 < trace.rest_position_m.size(); i += 3) {
+    const auto z = [&](std::size_t at) { return trace.rest_position_m[at + 2]; };
+    if (z(i) < z(low)) low = i;
+    if (z(i) > z(high)) high = i;
+  }
+  const auto top = freedom(trace, trace.displacement_m, high + 1),
+             bottom = freedom(trace, trace.displacement_m, low + 1);
+  const auto angle = column(trace, "slip_rad", 0);
+  const double height_m = trace.rest_position_m[high + 2] - trace.rest_position_m[low + 2];
+  const auto turned_rad = [&](std::size_t row) {
+    return std::abs(std::asin((top[row] - bottom[row]) / height_m));
+  };
+  // The layers have sheared as far as they do by the time it slides as a whole.
+  const auto row_past = [&](double least_rad) {
+    const auto past = std::find_if(angle.begin(), angle.end(), [&](double a) { return a > least_rad; });
+    EXPECT_NE(past, angle.end());
+    return static_cast<std::size_t>(past - angle.begin());
+  };
+  const std::size_t from = row_past(0.03), to = row_past(0.12);
+  const double slipped_rad = angle[to] - angle[from];
+  EXPECT_NEAR(slipped_rad, turned_rad(to) - turned_rad(from), 0.03 * slipped_rad) << "of the block's own twist";
+}
+
+TEST(Slip, OfABlockThatIsHeldInItsMiddleHasNoAngle) {
+  Scenario scenario = swinging_block();
+  scenario.cell.grip_offset_m = 0.0;
+  const ScenarioResult result = run(scenario);
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_LT(result.metrics[Metric::slip_max_rad], 1e-4);
 }
 
 }  // namespace

@@ -20,13 +20,13 @@ void expect_words_of(const Limit& limit) {
 
 TEST(Limits, AreToldByTheMetricAndTheKeyTheyJoin) {
   for (const DamageLimit& limit : kDamageLimits) expect_words_of(limit);
-  expect_words_of(kSlipLimit);
+  for (const SlipLimit& limit : kSlipLimits) expect_words_of(limit);
 }
 
 TEST(Limits, StandInOneTableEach) {
   std::map<std::string, int> rows;
   for (const DamageLimit& limit : kDamageLimits) ++rows[std::string(limit.key)];
-  ++rows[std::string(kSlipLimit.key)];
+  for (const SlipLimit& limit : kSlipLimits) ++rows[std::string(limit.key)];
   for (const NumberField& field : number_fields()) {
     if (field.path.starts_with("limits.")) {
       EXPECT_EQ(rows[std::string(field.path)], 1) << field.path;
@@ -37,13 +37,15 @@ TEST(Limits, StandInOneTableEach) {
 
 TEST(Limits, AreExceededOnlyBeyondTheirBoundAndWhereTheyAreJudged) {
   LimitParameters limits;
-  limits.slip_m = 1e-3;
   Metrics metrics;
-  EXPECT_FALSE(exceeds(metrics, kSlipLimit, limits));  // NaN: not measured
-  metrics[Metric::slip_max_m] = 1e-3;
-  EXPECT_FALSE(exceeds(metrics, kSlipLimit, limits));
-  metrics[Metric::slip_max_m] = 1.1e-3;
-  EXPECT_TRUE(exceeds(metrics, kSlipLimit, limits));
+  for (const SlipLimit& limit : kSlipLimits) {
+    limits.*(limit.limit) = 1e-3;
+    EXPECT_FALSE(exceeds(metrics, limit, limits)) << limit.key;  // NaN: not measured
+    metrics[limit.metric] = 1e-3;
+    EXPECT_FALSE(exceeds(metrics, limit, limits)) << limit.key;
+    metrics[limit.metric] = 1.1e-3;
+    EXPECT_TRUE(exceeds(metrics, limit, limits)) << limit.key;
+  }
   for (const DamageLimit& limit : kDamageLimits) {
     metrics[limit.metric] = 2.0;
     EXPECT_FALSE(exceeds(metrics, limit, limits)) << limit.key;
@@ -54,7 +56,7 @@ TEST(Limits, AreExceededOnlyBeyondTheirBoundAndWhereTheyAreJudged) {
   }
   limits.damage = DamageJudging::not_considered;
   for (const DamageLimit& limit : kDamageLimits) EXPECT_FALSE(exceeds(metrics, limit, limits)) << limit.key;
-  EXPECT_TRUE(exceeds(metrics, kSlipLimit, limits));
+  for (const SlipLimit& limit : kSlipLimits) EXPECT_TRUE(exceeds(metrics, limit, limits)) << limit.key;
 }
 
 }  // namespace

@@ -53,6 +53,22 @@ ScenarioResult record_of(const Scenario& scenario, const std::function<void(Step
   return record.finish(cycle, time_s);
 }
 
+TEST(HandlingRecord, SlipsByAngleAsWellAsByWay) {
+  Scenario scenario = scene();
+  scenario.limits.slip_rad = 0.05;
+  const ScenarioResult result = record_of(scenario, [](StepObservation& seen) {
+    if (seen.time_s < 0.35) return;
+    seen.finger[1].slip_rad = 0.06;
+    seen.finger[1].sliding_contacts = seen.finger[1].closed_contacts;
+  });
+  EXPECT_EQ(result.outcome, Outcome::slipped);
+  EXPECT_EQ(result.cause, "slip_max_rad > limits.slip_rad");
+  EXPECT_NEAR(result.outcome_time_s, 0.35, kStep_s);
+  EXPECT_EQ(result.metrics[Metric::slip_max_rad], 0.06);
+  EXPECT_EQ(result.metrics[Metric::slip_max_m], 0.0);
+  EXPECT_DOUBLE_EQ(result.metrics[Metric::friction_margin_min], -0.06 / 0.05);
+}
+
 TEST(HandlingRecord, HoldsAndAddsUpTheImpulseOfTheGrip) {
   const ScenarioResult result = record_of(scene(), [](StepObservation&) {});
   EXPECT_EQ(result.outcome, Outcome::held) << result.cause;

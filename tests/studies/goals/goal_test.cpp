@@ -39,6 +39,7 @@ ScenarioResult held_result() {
   result.metrics[Metric::permanent_set_max_m] = 2.5e-5;
   result.metrics[Metric::plastic_strain_max] = 0.005;
   result.metrics[Metric::slip_max_m] = 5e-4;
+  result.metrics[Metric::slip_max_rad] = 0.25 * LimitParameters{}.slip_rad;
   return result;
 }
 
@@ -111,15 +112,17 @@ TEST(Goals, HeldIsOneComponentPerLimit) {
   const LimitParameters limits = two_limits();
   const std::vector<std::string> names = violation_names(held, limits);
   const std::vector<double> parts = violations(held, held_result(), limits);
-  ASSERT_EQ(names.size(), 4U);
-  ASSERT_EQ(parts.size(), 4U);
+  ASSERT_EQ(names.size(), 5U);
+  ASSERT_EQ(parts.size(), 5U);
   EXPECT_NE(names[0].find("limits.permanent_set_m"), std::string::npos);
   EXPECT_NE(names[1].find("limits.plastic_strain"), std::string::npos);
   EXPECT_NE(names[2].find("limits.slip_m"), std::string::npos);
+  EXPECT_NE(names[3].find("limits.slip_rad"), std::string::npos);
   EXPECT_DOUBLE_EQ(parts[0], -0.75);
   EXPECT_DOUBLE_EQ(parts[1], -0.5);
   EXPECT_DOUBLE_EQ(parts[2], -0.75);
-  EXPECT_EQ(parts[3], -1.0) << "the cycle is completed";
+  EXPECT_DOUBLE_EQ(parts[3], -0.75);
+  EXPECT_EQ(parts[4], -1.0) << "the cycle is completed";
   EXPECT_DOUBLE_EQ(violation(held, held_result(), limits), -0.5);
 }
 
@@ -142,7 +145,7 @@ TEST(Goals, AnEarlyEndHasARankThatGrowsWithHowEarlyItIs) {
     ScenarioResult result;  // no metric at all
     result.outcome = outcome;
     const std::vector<double> parts = violations(held, result, two_limits());
-    EXPECT_EQ(parts, std::vector<double>(4, rank)) << outcome_word(outcome);
+    EXPECT_EQ(parts, std::vector<double>(5, rank)) << outcome_word(outcome);
     EXPECT_EQ(violation(constraint("slip_max_m <= 1e-3"), result, two_limits()), rank);
     EXPECT_GT(rank, before);
     before = rank;

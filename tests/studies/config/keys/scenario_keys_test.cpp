@@ -138,6 +138,7 @@ std::vector<Arrival> limit_and_simulation_arrivals() {
       {"limits.finger_force_N", "0.875", [](S s) { return s.limits.finger_force_N == 0.875; }},
       {"limits.contact_yield_ratio", "0.875", [](S s) { return s.limits.contact_yield_ratio == 0.875; }},
       {"limits.slip_m", "0.875", [](S s) { return s.limits.slip_m == 0.875; }},
+      {"limits.slip_rad", "0.875", [](S s) { return s.limits.slip_rad == 0.875; }},
       {"limits.damage", "\"not considered\"",
        [](S s) { return s.limits.damage == DamageJudging::not_considered; }},
       {"simulation.time_step_s", "0.125", [](S s) { return s.simulation.time_step_s == 0.125; }},

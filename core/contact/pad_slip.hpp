@@ -1,0 +1,42 @@
+#pragma once
+
+/// @file
+/// How far the product has slipped past a pad, as a person would measure it: by way at the centre of what the pad
+/// presses on, and by angle about it (docs/metrics.md).
+
+#include <array>
+
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// Of one pad, all lanes at once.
+class PadSlip {
+ public:
+  /// Lets a lane's slip begin from here.
+  void forget(int lane);
+
+  void begin_step();
+  /// Takes in how far a contact's anchor moved in this step; it counts by its force. @param place_m along the
+  /// pad's tangents, at rest @param force_N 0 in lanes where it is open
+  void add_closed(const std::array<double, 2>& place_m, const Lane& force_N, const std::array<Lane, 2>& moved_m);
+  /// Takes in the way of a particle that does not touch, in lanes where `open`.
+  void add_open(const std::array<Lane, 2>& way_m, const Mask& open);
+  /// The motion of the product that fits those of the anchors best; while nothing touches, the mean way of the
+  /// particles before the pad. @param least_radius_m contacts nearer together than this show no angle
+  void end_step(double least_radius_m, const Mask& running);
+
+  [[nodiscard]] Lane way_m() const { return sqrt(way_[0] * way_[0] + way_[1] * way_[1]); }
+  [[nodiscard]] Lane angle_rad() const { return max(angle_, -angle_); }
+
+ private:
+  std::array<Lane, 2> way_{Lane(0.0), Lane(0.0)};
+  Lane angle_{0.0};
+  // Sums over the contacts of the present step, each times its force.
+  Lane force_{0.0}, square_{0.0}, turn_{0.0};
+  std::array<Lane, 2> moved_{Lane(0.0), Lane(0.0)}, place_{Lane(0.0), Lane(0.0)};
+  std::array<Lane, 2> open_way_{Lane(0.0), Lane(0.0)};
+  Lane open_count_{0.0};
+};
+
+}  // namespace unbruised

@@ -265,12 +265,12 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
     slip_[static_cast<std::size_t>(model_.candidate[c].surface)].add_closed(
         {piece[0].place_m, piece[1].place_m}, select(step.closed, register_.normal_theta.get(c), Lane(0.0)),
         step.moved);
-    sums.add_moments(model_.candidate[c], step.after[0],
-                     {register_.penetration_theta.get(c),
-                      register_.cover(c),
-                      {register_.mean[0].get(c), register_.mean[1].get(c)},
-                      {register_.mean_square[0].get(c), register_.mean_square[1].get(c)}});
   }
+  sums.add_moments(model_.candidate[c], step.after[0],
+                   {register_.penetration_theta.get(c),
+                    register_.cover(c),
+                    {register_.mean[0].get(c), register_.mean[1].get(c)},
+                    {register_.mean_square[0].get(c), register_.mean_square[1].get(c)}});
 }
 
 /// Adds the torque of a pad's contact about the palm centre.
@@ -350,8 +350,9 @@ Lane ContactLanes::lowest_place_m(int surface, const LaneArray& u) const {
   return lowest;
 }
 
-Lane ContactLanes::yield_ratio(int pad, const Lane& yield_stress) const {
-  return unbruised::yield_ratio(tally_[pad], model_.patch_form[pad], model_.pad_extent_m, surfaces_[pad],
+Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
+  const auto at = static_cast<std::size_t>(surface);
+  return unbruised::yield_ratio(tally_[at], model_.patch_form[at], model_.cell_extent_m[at], surfaces_[surface],
                                 yield_stress);
 }
 

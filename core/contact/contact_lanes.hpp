@@ -93,8 +93,8 @@ class ContactLanes {
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
   /// Stored in the layers, [J].
   [[nodiscard]] Lane stored_energy() const { return register_.stored_energy(surfaces_); }
-  /// Mean pressure of a pad's patch / mean pressure at first yield, from the present tally.
-  [[nodiscard]] Lane yield_ratio(int pad, const Lane& yield_stress) const;
+  /// Mean pressure of a surface's patch / mean pressure at first yield, from the present tally.
+  [[nodiscard]] Lane yield_ratio(int surface, const Lane& yield_stress) const;
   /// Force of one surface on the product along x, y, z, in one lane.
   [[nodiscard]] std::array<double, 3> surface_force(int surface, int lane) const;
 
@@ -123,7 +123,7 @@ class ContactLanes {
   void note_layer_strain(std::size_t candidate, const CandidateStep& step);
   /// Contacts of a pad nearer together than this say nothing about an angle.
   [[nodiscard]] double least_turning_radius_m() const {
-    return 0.1 * std::min(model_.pad_extent_m[0], model_.pad_extent_m[1]);
+    return 0.1 * std::min(model_.cell_extent_m[kLeftPad][0], model_.cell_extent_m[kLeftPad][1]);
   }
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
 

@@ -16,8 +16,6 @@ namespace {
 /// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
 constexpr std::array<std::size_t, kSurfaceCount> kFacingSide = {0, 1, 4};
 
-constexpr std::size_t kPadAxis = 0;
-
 /// Cell compliance x E / (1 - nu^2) / width of the rectangle. Calibrated: with it Hertz's force at a given
 /// approach is met within 15 % from five cells per radius on, be it a particle or a cell that stands under the
 /// pole (docs/validation.md); without it a stiff plate meets 1.4 to 1.7 times that force. It vanishes with the
@@ -31,19 +29,20 @@ double plane_strain_modulus(const LatticeParameters& p) {
 /// Pressed flat against a plane: a doubly curved side makes a Hertz ellipse, p0 = 1.6 Y (Johnson 1985, 4.2), so
 /// p_mean = 1.07 Y, and its moments are a^2/5, b^2/5; a singly curved one a Hertz strip, p0 = 1.67 Y, p_mean
 /// = 1.31 Y, moments a^2/4 and L^2/12; a flat one a uniform pressure that yields at Y, moments L^2/12.
-PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice) {
+PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice, const FacePlane& plane) {
   PatchForm strip, flat;
   strip.area_factor = 4.0 * std::sqrt(12.0);
   strip.yield_factor = 1.31;
   flat.area_factor = 12.0;
   flat.yield_factor = 1.0;
   const TrueShape shape(parameters);
-  const int curvatures = shape.curvatures(kPadAxis);
+  const int curvatures = shape.curvatures(plane.axis);
   if (curvatures == 0) return flat;
   if (curvatures == 1) return strip;
-  PatchForm ellipse = hertz_patch({shape.pole_radius_m(kPadAxis, 1), shape.pole_radius_m(kPadAxis, 2)},
-                                  plane_strain_modulus(parameters));
-  ellipse.pole_m = {lattice.center_m[1], lattice.center_m[2]};
+  PatchForm ellipse = hertz_patch(
+      {shape.pole_radius_m(plane.axis, plane.tangent[0]), shape.pole_radius_m(plane.axis, plane.tangent[1])},
+      plane_strain_modulus(parameters));
+  for (std::size_t t = 0; t < 2; ++t) ellipse.pole_m[t] = lattice.center_m[plane.tangent[t]];
   return ellipse;
 }
 
@@ -227,8 +226,6 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
                              double pressure_patch_m) {
   ContactModel contact;
-  contact.patch_form.fill(patch_form(parameters, lattice));
-  contact.pad_extent_m = {lattice.cell_extent_m[1], lattice.cell_extent_m[2]};
   contact.patch_side_m = pressure_patch_m;
   std::vector<FacePlane> plane;
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
@@ -237,7 +234,10 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
     // Of the true shape: with an even number of particles across, none stands on it. The surface lies at the low
     // end where its force points up.
     const double pole = lattice.center_m[axis] - normal_sign(surface) * 0.5 * parameters.size_m[axis];
-    if (is_pad(surface)) contact.pole_m[static_cast<std::size_t>(surface)] = pole;
+    const auto at = static_cast<std::size_t>(surface);
+    if (is_pad(surface)) contact.pole_m[at] = pole;
+    contact.patch_form[at] = patch_form(parameters, lattice, plane.back());
+    contact.cell_extent_m[at] = plane.back().extent_m;
     add_candidates(parameters, lattice, surface, plane.back(), pole, contact);
   }
   number_nodes(contact);

@@ -42,7 +42,8 @@ inline double normal_stiffness_N_m(const ContactCandidate& candidate, double lay
   return candidate.area_m2 / (1.0 / layer_stiffness_N_m3 + candidate.cell_compliance_m_Pa);
 }
 
-/// How a patch pressed against a flat pad is shaped, and where it yields first (docs/theory.md, "First yield").
+/// How a patch pressed against a flat surface is shaped, and where it yields first (docs/theory.md, "First
+/// yield").
 struct PatchForm {
   /// Area of the patch = area_factor x sqrt(det of the second moments of its pressure).
   double area_factor = 5.0 * 3.14159265358979323846;
@@ -52,7 +53,7 @@ struct PatchForm {
   double hertz_area_m2_N23 = 0.0;
   /// What a layer of stiffness k per area adds to it: A^2 = A_Hertz^2 + layer_area x F / k.
   double layer_area_m = 0.0;
-  /// Semi-axes along y and z / sqrt(A), and the pole they are centred on.
+  /// Semi-axes along the tangents / sqrt(A), and the pole they are centred on.
   std::array<double, 2> semi_axis{0.0, 0.0};
   std::array<double, 2> pole_m{0.0, 0.0};
 };
@@ -70,8 +71,8 @@ struct ContactModel {
   std::vector<int> first_candidate;         ///< contact node -> its first candidate; size node.size() + 1
   std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
   std::vector<int> reach;                   ///< supernodes the contact freedoms touch
-  std::array<PatchForm, kFingerCount> patch_form;
-  std::array<double, 2> pad_extent_m{};       ///< tributary rectangle of a pad contact, y and z
+  std::array<PatchForm, kSurfaceCount> patch_form;
+  std::array<std::array<double, 2>, kSurfaceCount> cell_extent_m{};  ///< of a contact's cell, along the tangents
   std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
   std::array<FaceGrid, kSurfaceCount> face;   ///< of a lattice product
   double patch_side_m = 0;                    ///< of the square over which pressure is averaged
@@ -85,7 +86,7 @@ constexpr std::array<double, 2> relief_offset(int q) {
 }
 
 /// The patch of an elastic ellipsoid of the given principal radii pressed against a plane (Johnson 1985, 4.2).
-/// @param radius_m radii of curvature at the pole along y and z
+/// @param radius_m radii of curvature at the pole along the two tangents
 /// @param plane_strain_modulus_Pa E / (1 - nu^2)
 PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa);
 

@@ -21,29 +21,29 @@ Lane lattice_patch_area(const SurfaceTally& t, const PatchForm& form, const std:
   return Lane(form.area_factor) * sqrt(max(yy * zz - yz * yz, least_y * least_z));
 }
 
-/// Area that an elastic body makes at a pole, with the pad's layer.
-Lane elastic_patch_area(const Lane& force, const PatchForm& form, const SurfaceLane& pad) {
+/// Area that an elastic body makes at a pole, with the surface's layer.
+Lane elastic_patch_area(const Lane& force, const PatchForm& form, const SurfaceLane& surface) {
   Lane hertz(0.0);
   for (int lane = 0; lane < kLanes; ++lane) {
     const double root = std::cbrt(force[lane]);
     hertz.set(lane, form.hertz_area_m2_N23 * root * root);
   }
-  return sqrt(hertz * hertz + Lane(form.layer_area_m) * force / pad.stiffness_N_m3);
+  return sqrt(hertz * hertz + Lane(form.layer_area_m) * force / surface.stiffness_N_m3);
 }
 
 Lane patch_area(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,
-                const SurfaceLane& pad) {
+                const SurfaceLane& surface) {
   const Lane lattice = lattice_patch_area(tally, form, extent_m);
   if (form.hertz_area_m2_N23 == 0.0) return lattice;
   // A patch about as large as a cell is not resolved by the lattice: elasticity gives its area at the measured
-  // force. Where it reaches past the pad the lattice takes over, in proportion: by then it spans the pad's many
+  // force. Where it reaches past a pad the lattice takes over, in proportion: by then it spans the pad's many
   // cells.
-  const Lane elastic = elastic_patch_area(max(tally.normal, Lane(kLeastForce)), form, pad);
+  const Lane elastic = elastic_patch_area(max(tally.normal, Lane(kLeastForce)), form, surface);
   Lane under_pad(1.0);
   for (std::size_t i = 0; i < 2; ++i) {
     const Lane half = Lane(form.semi_axis[i]) * sqrt(elastic);
-    const Lane place = Lane(form.pole_m[i]) - pad.center_m[i];
-    under_pad *= overlap(place, half, Lane(0.5) * pad.size_m[i]) / (Lane(2.0) * half);
+    const Lane place = Lane(form.pole_m[i]) - surface.center_m[i];
+    under_pad *= overlap(place, half, Lane(0.5) * surface.size_m[i]) / (Lane(2.0) * half);
   }
   return under_pad * elastic + (Lane(1.0) - under_pad) * lattice;
 }
@@ -51,8 +51,8 @@ Lane patch_area(const SurfaceTally& tally, const PatchForm& form, const std::arr
 }  // namespace
 
 Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,
-                 const SurfaceLane& pad, const Lane& yield_stress) {
-  const Lane area = max(patch_area(tally, form, extent_m, pad), Lane(1e-30));
+                 const SurfaceLane& surface, const Lane& yield_stress) {
+  const Lane area = max(patch_area(tally, form, extent_m, surface), Lane(1e-30));
   const Lane strength = Lane(form.yield_factor) * yield_stress;
   return select(tally.normal > Lane(kLeastForce), tally.normal / (area * strength), Lane(0.0));
 }

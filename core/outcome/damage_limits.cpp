@@ -7,9 +7,15 @@ namespace unbruised {
 bool can_yield(const Scenario& scenario) { return can_yield(scenario.product); }
 
 bool can_act(const DamageLimit& limit, const Scenario& scenario) {
-  const bool needs_gripper = limit.needs != DamageNeeds::yield;
-  const bool needs_yield = limit.needs != DamageNeeds::gripper;
-  return (!needs_gripper || has_gripper(scenario)) && (!needs_yield || can_yield(scenario));
+  switch (limit.needs) {
+    case DamageNeeds::yield:
+      return can_yield(scenario);
+    case DamageNeeds::gripper:
+      return has_gripper(scenario);
+    case DamageNeeds::contact_and_yield:
+      return can_yield(scenario) && (has_gripper(scenario) || scenario.cell.support);
+  }
+  return false;
 }
 
 std::vector<const DamageLimit*> active_damage_limits(const Scenario& scenario) {

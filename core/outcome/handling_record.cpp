@@ -47,17 +47,18 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
           Metric::peak_acceleration_m_s2, Metric::grip_impulse_N_s}) {
       metrics[metric] = 0.0;
     }
-    if (has_product_yield_) metrics[Metric::contact_yield_ratio_max] = 0.0;
   }
+  const bool touches_something = has_gripper_ || scenario.cell.support;
+  if (has_product_yield_ && touches_something) metrics[Metric::contact_yield_ratio_max] = 0.0;
 }
 
 void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
 
-void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double time_s) {
+void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double time_s, std::string_view where) {
   for (const Metric metric : changed) {
     const auto limit = std::find_if(kDamageLimits.begin(), kDamageLimits.end(),
                                     [&](const DamageLimit& each) { return each.metric == metric; });
-    if (exceeds(metrics, *limit, limits_)) damaged_.at(time_s, limit->cause);
+    if (exceeds(metrics, *limit, limits_)) damaged_.at(time_s, std::string(limit->cause).append(where));
   }
 }
 
@@ -65,8 +66,12 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
   metrics[Metric::plastic_strain_max] = now.plastic_strain;
   metrics[Metric::absorbed_energy_J] = now.absorbed_energy_J;
   check_limits({Metric::plastic_strain_max, Metric::absorbed_energy_J}, now.time_s);
-  if (!has_gripper_) return true;
+  if (!has_gripper_) {
+    observe_support(now);
+    return true;
+  }
   observe_grip(now);
+  observe_support(now);
   observe_impulse(now, cycle);
   if (!cycle.has_contact()) {
     if (now.end_of_stroke)
@@ -105,6 +110,12 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
   raise(Metric::peak_sensor_torque_N_m, norm(now.torque_N_m));
   check_limits({Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::contact_yield_ratio_max},
                now.time_s);
+}
+
+void HandlingRecord::observe_support(const StepObservation& now) {
+  if (!has_product_yield_) return;
+  raise(Metric::contact_yield_ratio_max, now.support_yield_ratio);
+  check_limits({Metric::contact_yield_ratio_max}, now.time_s, " at the support");
 }
 
 /// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as

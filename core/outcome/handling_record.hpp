@@ -38,6 +38,7 @@ struct StepObservation {
   std::array<double, 3> palm_m{};
   double compression_m = 0;
   double patch_pressure_Pa = 0;
+  double support_yield_ratio = 0;
   double layer_strain = 0;  ///< largest compression of a pad or the support over its thickness
   double plastic_strain = 0;
   double absorbed_energy_J = 0;
@@ -74,7 +75,9 @@ class HandlingRecord {
   };
   void raise(Metric metric, double value);
   /// Notes the first limit that these metrics exceed, in the order given.
-  void check_limits(std::initializer_list<Metric> changed, double time_s);
+  /// @param where appended to the cause
+  void check_limits(std::initializer_list<Metric> changed, double time_s, std::string_view where = {});
+  void observe_support(const StepObservation& now);
   void observe_grip(const StepObservation& now);
   void observe_impulse(const StepObservation& now, const HandlingCycle& cycle);
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);

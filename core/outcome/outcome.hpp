@@ -85,7 +85,7 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "volume of the cells whose accumulated plastic strain exceeds limits.plastic_strain"},
     {Metric::absorbed_energy_J, "absorbed_energy_J", "J", "plastic work done in the product"},
     {Metric::contact_yield_ratio_max, "contact_yield_ratio_max", "1",
-     "largest mean pressure of a finger's contact patch over the one at first yield below it"},
+     "largest mean pressure of a contact patch, of a finger or the support, over the one at first yield"},
     {Metric::peak_finger_force_N, "peak_finger_force_N", "N",
      "largest normal force between one finger and the product"},
     {Metric::peak_pressure_Pa, "peak_pressure_Pa", "Pa",

@@ -62,7 +62,7 @@ struct LaneSimulation::Impl {
   CarrierMotion now, theta, next;
   DriveCommand command;
   Balances balances;
-  std::array<Lane, kFingerCount> yield_ratio;
+  std::array<Lane, kSurfaceCount> yield_ratio;  ///< of each surface
   LaneView view;
 
   LaneArray base;  ///< displacement without contact forces at the contact nodes
@@ -247,7 +247,7 @@ void LaneSimulation::Impl::advance_state() {
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  for (int f = 0; f < kFingerCount; ++f) yield_ratio[f] = contact.yield_ratio(f, yield_stress);
+  for (int s = 0; s < kSurfaceCount; ++s) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
   ++times.steps;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (run_of(lane).busy) observe_lane(lane);

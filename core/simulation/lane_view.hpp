@@ -22,7 +22,7 @@ struct LaneView {
   const FingerLanes& fingers;
   const CarrierMotion& carriers;  ///< at the present time
   /// Mean pressure below each pad / the one at first yield.
-  const std::array<Lane, kFingerCount>& yield_ratio;
+  const std::array<Lane, kSurfaceCount>& yield_ratio;
 
   /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
   /// strains [J].

@@ -29,6 +29,7 @@ void TraceRecorder::record(const LaneStep& step) {
     row.slip_rad[f] = finger.slip_rad;
   }
   row.phase = step.cycle.phase(row.time_s);
+  row.support_yield_ratio = step.seen.support_yield_ratio;
   row.patch_pressure_Pa = step.seen.patch_pressure_Pa;
   row.absorbed_energy_J = step.seen.absorbed_energy_J;
   const BodyLanes& body = step.view.body;

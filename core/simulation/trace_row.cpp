@@ -52,6 +52,10 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
           {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
+  if (can_yield(scenario)) {
+    declare(trace, "support_yield_ratio", "1",
+            "mean pressure of the support's contact patch over the one at first yield above it", {}, {});
+  }
   if (!has_gripper(scenario)) return;
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
           {kFingerCount, 3});
@@ -88,6 +92,7 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.absorbed_energy_J);
   signals.put(row.stored_energy_J);
   signals.put(row.contact_energy_J);
+  if (row.yields) signals.put(row.support_yield_ratio);
   if (!row.gripper) return;
   std::array<double, 3 * kFingerCount> fingers{};
   for (std::size_t f = 0; f < kFingerCount; ++f) {

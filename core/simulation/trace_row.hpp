@@ -26,6 +26,7 @@ struct TraceRow {
   std::array<double, 3> palm_m{};
   CyclePhase phase = CyclePhase::approach;
   std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{};
+  double support_yield_ratio = 0;
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;
   double absorbed_energy_J = 0;

@@ -33,6 +33,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   support.stiffness_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
   support.thickness_m.set(lane, cell.support_thickness_m);
   support.relaxation_s.set(lane, cell.support_relaxation_time_s);
+  for (Lane& size_m : support.size_m) size_m.set(lane, 2.0 * kFar_m);
 }
 
 AxisMotion SurfaceLanes::motion(int surface, const CarrierMotion& carriers, const AxisMotion& closing) const {

@@ -25,8 +25,8 @@ struct SurfaceLane {
   Lane thickness_m{1.0};     ///< of the layer
   Lane relaxation_s{0.0};    ///< of the layer
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
-  std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< of a pad, along its tangent axes
-  std::array<Lane, 2> size_m{Lane(1.0), Lane(1.0)};    ///< of a pad, along its tangent axes
+  std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< along the tangent axes
+  std::array<Lane, 2> size_m{Lane(1.0), Lane(1.0)};    ///< along the tangent axes
 };
 
 /// Where the product stands between the surfaces of one lane.

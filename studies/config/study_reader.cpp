@@ -2,6 +2,8 @@
 #include <set>
 #include <utility>
 
+#include "core/outcome/damage_limits.hpp"
+#include "core/scenario/product.hpp"
 #include "studies/config/assemble.hpp"
 #include "studies/config/box_rules.hpp"
 #include "studies/config/contact_steps.hpp"
@@ -120,6 +122,7 @@ class Reader {
         assembly.scenario.strategy.grip_force_N = data_.settings.window.from_N;
       }
       follow_grip_force(assembly, least_grip_force(assembly.scenario));
+      judge_first_yield(assembly);
       data_.bases.push_back(assembly.scenario);
     }
   }
@@ -145,6 +148,13 @@ class Reader {
     if (assembly.given.contains(kContact) || is_searched || !(least_N > 0.0)) return;
     double& contact_force_N = assembly.scenario.strategy.contact_force_N;
     contact_force_N = std::min(contact_force_N, least_N);
+  }
+
+  /// Where a yield stress is known, no contact may reach first yield, unless the study says what it may.
+  static void judge_first_yield(Assembly& assembly) {
+    LimitParameters& limits = assembly.scenario.limits;
+    if (limits.contact_yield_ratio || limits.damage == DamageJudging::not_considered) return;
+    if (yield_stress_Pa(assembly.scenario.product)) limits.contact_yield_ratio = kUsualContactYieldRatio;
   }
 
   /// Of a product or gripper that is varied no source is taken: there are several.
@@ -192,6 +202,7 @@ class Reader {
       input.entries = layers(product, gripper, own);
       Assembly assembly = assemble(input, problems_);
       follow_grip_force(assembly, assembly.scenario.strategy.grip_force_N);
+      judge_first_yield(assembly);
       data_.candidates.push_back({block.name, assembly.scenario});
     }
   }

@@ -1,0 +1,32 @@
+// A product that falls onto its support yields as it does under a finger: where the energy of the fall is the work
+// that brings it there.
+
+#include <gtest/gtest.h>
+
+#include "tests/core/contact/fall_scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+TEST(SupportYield, OfTheRipeKiwiComesAtTheFallOfIndependentFiniteElements) {
+  // 2.06 mJ, a fall of 2.2 mm (reference-data/fe_kiwi.csv has the grip of the same elements).
+  const auto kiwi = std::get<LatticeParameters>(kiwi_grip(0.005).product);
+  EXPECT_NEAR(yield_energy_J(kiwi, 2.06e-3), 2.06e-3, 0.1 * 2.06e-3);
+}
+
+TEST(SupportYield, DamagesAndSaysWhere) {
+  const auto kiwi = std::get<LatticeParameters>(kiwi_grip(0.00625).product);
+  Scenario scenario = falling(kiwi, 5e-3);
+  scenario.limits.contact_yield_ratio = 1.0;
+  const ScenarioResult hard = run(scenario);
+  EXPECT_EQ(hard.outcome, Outcome::damaged);
+  EXPECT_EQ(hard.cause, "contact_yield_ratio_max > limits.contact_yield_ratio at the support");
+  scenario.cell.support_modulus_Pa = 2e4;  // a mat of foam
+  const ScenarioResult soft = run(scenario);
+  EXPECT_LT(soft.metrics[Metric::contact_yield_ratio_max], hard.metrics[Metric::contact_yield_ratio_max]);
+}
+
+}  // namespace
+}  // namespace unbruised

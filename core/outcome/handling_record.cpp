@@ -103,7 +103,9 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
   for (const FingerObservation& finger : now.finger) {
     raise(Metric::peak_finger_force_N, finger.normal_N);
     if (has_product_yield_) raise(Metric::contact_yield_ratio_max, finger.yield_ratio);
+    finger_yield_ratio_ = std::max(finger_yield_ratio_, finger.yield_ratio);
   }
+  for (std::size_t f = 0; f < kFingerCount; ++f) finger_rise_[f].observe(now.finger[f].normal_N);
   raise(Metric::peak_pressure_Pa, now.patch_pressure_Pa);
   raise(Metric::compression_max_m, now.compression_m);
   raise(Metric::peak_sensor_force_N, norm(now.force_N));
@@ -113,9 +115,20 @@ void HandlingRecord::observe_grip(const StepObservation& now) {
 }
 
 void HandlingRecord::observe_support(const StepObservation& now) {
+  support_rise_.observe(now.support_N);
   if (!has_product_yield_) return;
+  support_yield_ratio_ = std::max(support_yield_ratio_, now.support_yield_ratio);
   raise(Metric::contact_yield_ratio_max, now.support_yield_ratio);
   check_limits({Metric::contact_yield_ratio_max}, now.time_s, " at the support");
+}
+
+/// Of the finger that presses hardest; of the support where it comes nearer to yield than they.
+double HandlingRecord::peak_rise_steps() const {
+  if (!has_gripper_ || support_yield_ratio_ > finger_yield_ratio_) return support_rise_.steps();
+  const auto hardest =
+      std::max_element(finger_rise_.begin(), finger_rise_.end(),
+                       [](const PeakRise& a, const PeakRise& b) { return a.peak_N() < b.peak_N(); });
+  return hardest->steps();
 }
 
 /// Trapezoid rule; the step in which the fingers open counts up to that moment, so that the integral is as
@@ -194,6 +207,7 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
     for (std::size_t i = 0; i < 3; ++i) way[i] = drift_to_m_[i] - drift_from_m_[i];
     result.metrics[Metric::hold_drift_m_s] = norm(way) / (drift_to_s_ - drift_from_s_);
   }
+  result.metrics[Metric::peak_rise_steps] = peak_rise_steps();
   if (cycle.has_contact()) result.metrics[Metric::first_contact_time_s] = cycle.first_contact_s();
   if (has_gripper_ && cycle.plan().lift_start_s() < kNever) {
     result.metrics[Metric::lift_time_s] = cycle.plan().lift_start_s();

@@ -10,6 +10,7 @@
 
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
+#include "core/outcome/peak_rise.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
@@ -38,6 +39,7 @@ struct StepObservation {
   std::array<double, 3> palm_m{};
   double compression_m = 0;
   double patch_pressure_Pa = 0;
+  double support_N = 0;  ///< normal force of the support
   double support_yield_ratio = 0;
   double layer_strain = 0;  ///< largest compression of a pad or the support over its thickness
   double plastic_strain = 0;
@@ -81,6 +83,7 @@ class HandlingRecord {
   void observe_grip(const StepObservation& now);
   void observe_impulse(const StepObservation& now, const HandlingCycle& cycle);
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
+  [[nodiscard]] double peak_rise_steps() const;
   void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
 
   LimitParameters limits_{};
@@ -96,7 +99,10 @@ class HandlingRecord {
   double drift_from_s_ = 0, drift_to_s_ = 0;
   std::array<double, 3> drift_from_m_{}, drift_to_m_{};
   bool drift_started_ = false;
-  double impulse_time_s_ = 0, impulse_normal_N_ = 0;  ///< end of the last step
+  std::array<PeakRise, kFingerCount> finger_rise_;
+  PeakRise support_rise_;
+  double finger_yield_ratio_ = 0, support_yield_ratio_ = 0;  ///< largest
+  double impulse_time_s_ = 0, impulse_normal_N_ = 0;         ///< end of the last step
 };
 
 }  // namespace unbruised

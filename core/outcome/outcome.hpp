@@ -61,6 +61,7 @@ enum class Metric : std::uint8_t {
   plasticity_iterations,
   grip_impulse_N_s,
   slip_max_rad,
+  peak_rise_steps,
   count_  // not a metric: the number of them
 };
 
@@ -121,6 +122,9 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "time integral of a finger's normal force, mean of both, up to the release; creep set x dashpot constant"},
     {Metric::slip_max_rad, "slip_max_rad", "rad",
      "largest angle over fingers that the product has turned against a pad since the end of grip"},
+    {Metric::peak_rise_steps, "peak_rise_steps", "1",
+     "fewest time steps in which the force that decides rose by half of its peak, 8 where they are as many or "
+     "more"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

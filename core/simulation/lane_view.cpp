@@ -45,6 +45,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   }
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
+  seen.support_N = contact.tally()[kSupport].normal[lane];
   seen.support_yield_ratio = yield_ratio[kSupport][lane];
   seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;

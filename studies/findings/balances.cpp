@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/outcome/peak_rise.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -63,6 +64,25 @@ std::string balance_doubt(const std::vector<ScenarioRow>& rows) {
        error_text(*worst, Metric::energy_balance_error),
        "), so forces and damage there are not to be trusted and the outcome is out_of_range; try a smaller "
        "simulation.time_step_s"});
+}
+
+std::string impact_doubt(const std::vector<ScenarioRow>& rows) {
+  std::size_t count = 0;
+  const ScenarioRow* fewest = nullptr;
+  for (const ScenarioRow& row : rows) {
+    const double steps = row.result.metrics[Metric::peak_rise_steps];
+    if (!(steps < kFewestRiseSteps) || row.result.outcome == Outcome::diverged) continue;
+    ++count;
+    if (fewest == nullptr || steps < fewest->result.metrics[Metric::peak_rise_steps]) fewest = &row;
+  }
+  if (count == 0) return {};
+  return joined(
+      {"in ", with_thousands(count), count == 1 ? " scenario" : " scenarios",
+       " the force rose by half of its peak within fewer than ", std::to_string(kFewestRiseSteps),
+       " time steps (fewest: ", short_number(fewest->result.metrics[Metric::peak_rise_steps]), ", scenario ",
+       std::to_string(fewest->id),
+       "): an impact that the step does not resolve, so the true peak, and the damage, are higher; use a "
+       "smaller simulation.time_step_s"});
 }
 
 }  // namespace unbruised::studies

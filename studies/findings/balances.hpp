@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// How well force and energy add up in the rows of a study, and which rows are not to be believed.
+/// How well force and energy add up in the rows of a study and whether steps resolve its impacts: which rows are
+/// not to be believed.
 
 #include <string>
 #include <vector>
@@ -16,5 +17,8 @@ std::string balance_line(const std::vector<ScenarioRow>& rows);
 /// Of held rows whose energy error exceeds the bound: how many, the worst, and what it means. Empty: there is
 /// none.
 std::string balance_doubt(const std::vector<ScenarioRow>& rows);
+/// Of rows whose deciding force rose by half of its peak within fewer than kFewestRiseSteps steps: how many, the
+/// fewest steps, and what it means. Empty: there is none.
+std::string impact_doubt(const std::vector<ScenarioRow>& rows);
 
 }  // namespace unbruised::studies

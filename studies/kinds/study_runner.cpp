@@ -79,8 +79,9 @@ class StudyRun {
 
   /// What the rows say against the answer.
   void doubt_rows() {
-    if (std::string doubt = balance_doubt(numbered_rows()); !doubt.empty()) {
-      report_.warnings.push_back(std::move(doubt));
+    const std::vector<ScenarioRow> rows = numbered_rows();
+    for (std::string doubt : {balance_doubt(rows), impact_doubt(rows)}) {
+      if (!doubt.empty()) report_.warnings.push_back(std::move(doubt));
     }
   }
 

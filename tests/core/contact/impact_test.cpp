@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outcome/peak_rise.hpp"
 #include "tests/core/contact/impact_scenes.hpp"
 
 namespace unbruised {
@@ -106,6 +107,21 @@ TEST(BallImpact, ChangesItsMomentumByTheImpulseOfTheSupport) {
   EXPECT_NEAR(result.metrics[Metric::energy_balance_error], 0.0, 1e-2);
   std::cout << "[ measured ] impulse error " << result.metrics[Metric::impulse_balance_error] << ", energy error "
             << result.metrics[Metric::energy_balance_error] << "\n";
+}
+
+TEST(Impact, OfAFlatFingerSaysWhetherTheStepResolvesIt) {
+  // Fingers of 0.1 kg meet a hard block through a layer of 3.3e5 N/m: half a period of 1.7 ms.
+  Scenario scenario = small_box();
+  make_product(scenario, {0.05, 0.05, 0.05}, 0.025, 1.0, 1e9);
+  jaw_of(scenario).pad_size_m = {0.05, 0.05};
+  jaw_of(scenario).finger_mass_kg = 0.1;
+  scenario.simulation.duration_s = 0.08;
+  const ScenarioResult coarse = run(scenario);
+  scenario.simulation.time_step_s = 5e-5;
+  const ScenarioResult fine = run(scenario);
+  EXPECT_LT(coarse.metrics[Metric::peak_rise_steps], kFewestRiseSteps);
+  EXPECT_GE(fine.metrics[Metric::peak_rise_steps], kFewestRiseSteps);
+  EXPECT_LT(coarse.metrics[Metric::peak_finger_force_N], 0.8 * fine.metrics[Metric::peak_finger_force_N]);
 }
 
 }  // namespace

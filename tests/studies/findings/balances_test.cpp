@@ -36,5 +36,20 @@ TEST(Balances, ARowWithEnergyFromNowhereIsAWarning) {
       "and the outcome is out_of_range; try a smaller simulation.time_step_s");
 }
 
+TEST(Balances, AnImpactThatTheStepDoesNotResolveIsAWarning) {
+  std::vector<ScenarioRow> rows = {row_of(0, Outcome::held, 0.0, 0.0), row_of(1, Outcome::held, 0.0, 0.0),
+                                   row_of(2, Outcome::damaged, 0.0, 0.0), row_of(3, Outcome::diverged, 0.0, 0.0)};
+  for (ScenarioRow& row : rows) row.result.metrics[Metric::peak_rise_steps] = 3.0;
+  EXPECT_EQ(impact_doubt(rows), "");
+  rows[1].result.metrics[Metric::peak_rise_steps] = 2.0;
+  rows[2].result.metrics[Metric::peak_rise_steps] = 1.0;
+  rows[3].result.metrics[Metric::peak_rise_steps] = 1.0;  // says nothing
+  EXPECT_EQ(impact_doubt(rows),
+            "in 2 scenarios the force rose by half of its peak within fewer than 3 time steps (fewest: 1, "
+            "scenario 2): an "
+            "impact that the step does not resolve, so the true peak, and the damage, are higher; use a smaller "
+            "simulation.time_step_s");
+}
+
 }  // namespace
 }  // namespace unbruised::studies

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -92,33 +93,70 @@ ResultTable morris_table(const Study& study, const std::vector<ScenarioRow>& row
   return effects.take();
 }
 
-/// Mean, spread and quantiles of every metric that exists.
-ResultTable statistics_table(const std::vector<ScenarioRow>& rows) {
-  std::vector<std::string> names;
-  std::vector<double> counts, means, deviations, lows, medians, highs;
-  for (const MetricInfo& info : kMetricTable) {
-    std::vector<double> values = answers_of(rows, info.metric);
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (values.size() < 2) continue;
-    const MeanAndSpread moments = mean_and_spread(values);
-    names.emplace_back(info.name);
-    counts.push_back(static_cast<double>(values.size()));
-    means.push_back(moments.mean);
-    deviations.push_back(moments.standard_deviation);
-    lows.push_back(sample_quantile(values, 0.05));
-    medians.push_back(sample_quantile(values, 0.5));
-    highs.push_back(sample_quantile(values, 0.95));
+/// The values of a metric that exist, and how they depend on each other.
+struct KnownValues {
+  std::vector<double> values;
+  std::vector<std::size_t> group, replicate;
+  [[nodiscard]] SampleStructure structure() const { return {group, replicate}; }
+};
+KnownValues known_values(const std::vector<ScenarioRow>& rows, const ProductSample& products, Metric metric) {
+  KnownValues known;
+  for (std::size_t product = 0; product < rows.size(); ++product) {
+    const double value = rows[product].result.metrics[metric];
+    if (std::isnan(value)) continue;
+    known.values.push_back(value);
+    known.group.push_back(products.group[product]);
+    if (!products.replicate.empty()) known.replicate.push_back(products.replicate[product]);
   }
-  return {.name = "statistics",
-          .row = "statistic",
-          .columns = {{"metric", "", "metric", std::move(names)},
-                      {"count", "1", "products that have it", std::move(counts)},
-                      {"mean", "", "in the metric's unit", std::move(means)},
-                      {"standard_deviation", "", "in the metric's unit", std::move(deviations)},
-                      {"quantile_05", "", "5 % of the products lie below", std::move(lows)},
-                      {"median", "", "half of the products lie below", std::move(medians)},
-                      {"quantile_95", "", "95 % of the products lie below", std::move(highs)}},
-          .attributes = {}};
+  return known;
+}
+
+/// A number of every metric, with its interval.
+struct Estimates {
+  std::vector<double> value, low, high;
+  void add(double estimate, const Interval& interval) {
+    value.push_back(estimate);
+    low.push_back(interval.low);
+    high.push_back(interval.high);
+  }
+  void put_into(ResultTable& table, const std::string& name, const std::string& meaning) && {
+    table.columns.push_back({name, "", meaning, std::move(value)});
+    table.columns.push_back({name + "_low", "", "lower end of its interval", std::move(low)});
+    table.columns.push_back({name + "_high", "", "upper end of its interval", std::move(high)});
+  }
+};
+
+/// Mean, spread and quantiles of every metric that exists.
+ResultTable statistics_table(const Study& study, const std::vector<ScenarioRow>& rows,
+                             const ProductSample& products) {
+  constexpr std::array kParts{0.05, 0.5, 0.95};
+  const double confidence = study.sampling().confidence;
+  std::vector<std::string> names;
+  std::vector<double> counts, deviations;
+  Estimates means;
+  std::array<Estimates, kParts.size()> quantiles;
+  for (const MetricInfo& info : kMetricTable) {
+    const KnownValues known = known_values(rows, products, info.metric);
+    if (known.values.size() < 2) continue;
+    names.emplace_back(info.name);
+    counts.push_back(static_cast<double>(known.values.size()));
+    const MeanAndSpread moments = mean_and_spread(known.values);
+    deviations.push_back(moments.standard_deviation);
+    means.add(moments.mean, sampled_mean(known.values, known.structure(), confidence).interval);
+    for (std::size_t q = 0; q < kParts.size(); ++q) {
+      quantiles[q].add(sample_quantile(known.values, kParts[q]),
+                       quantile_interval(known.values, kParts[q], known.structure(), confidence));
+    }
+  }
+  ResultTable table{.name = "statistics", .row = "statistic", .columns = {}, .attributes = {}};
+  table.columns.push_back({"metric", "", "metric", std::move(names)});
+  table.columns.push_back({"count", "1", "products that have it", std::move(counts)});
+  std::move(means).put_into(table, "mean", "in the metric's unit");
+  table.columns.push_back({"standard_deviation", "", "in the metric's unit", std::move(deviations)});
+  std::move(quantiles[0]).put_into(table, "quantile_05", "5 % of the products lie below");
+  std::move(quantiles[1]).put_into(table, "median", "half of the products lie below");
+  std::move(quantiles[2]).put_into(table, "quantile_95", "95 % of the products lie below");
+  return table;
 }
 
 }  // namespace
@@ -137,7 +175,7 @@ std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vecto
 
 std::vector<ResultTable> sample_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
   const ProductSample products = study_products(study);
-  ResultTable statistics = statistics_table(rows);
+  ResultTable statistics = statistics_table(study, rows, products);
   std::vector<const ScenarioRow*> all;
   for (const ScenarioRow& row : rows) all.push_back(&row);
   const Proportion estimate =

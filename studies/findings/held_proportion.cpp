@@ -12,7 +12,7 @@ Proportion held_proportion(const std::vector<const ScenarioRow*>& rows, const Pr
     held.push_back(event_happens(held_event(), row->result, limits));
     measure.push_back(event_measure(held_event(), row->result, limits));
   }
-  return proportion(held, products.group, confidence, measure);
+  return sampled_proportion(held, products.structure(), confidence, measure);
 }
 
 }  // namespace unbruised::studies

@@ -60,7 +60,7 @@ const std::string& CandidateComparison::name(std::size_t candidate) const {
 PairedComparison CandidateComparison::compare(std::size_t a, std::size_t b, Metric metric) const {
   PairedComparison pair;
   std::vector<double> held, differences;
-  std::vector<std::size_t> groups;
+  std::vector<std::size_t> groups, replicates;
   double sum_a = 0.0;
   const double tie = metric == study_.compare().metric ? study_.compare().tie : 0.0;
   for (std::size_t p = 0; p < products_.size(); ++p) {
@@ -75,6 +75,7 @@ PairedComparison CandidateComparison::compare(std::size_t a, std::size_t b, Metr
     if (both) {
       differences.push_back(difference);
       groups.push_back(products_.group[p]);
+      if (!products_.replicate.empty()) replicates.push_back(products_.replicate[p]);
       sum_a += value_a;
     }
     if (held_a != held_b) {
@@ -85,9 +86,9 @@ PairedComparison CandidateComparison::compare(std::size_t a, std::size_t b, Metr
       ++((difference > 0.0) != more_is_better(metric) ? pair.wins : pair.losses);
     }
   }
-  pair.held = mean_interval(held, products_.group, confidence_);
+  pair.held = sampled_mean(held, products_.structure(), confidence_);
   pair.difference = differences.empty() ? MeanInterval{kAbsent, {kAbsent, kAbsent}, 0}
-                                        : mean_interval(differences, groups, confidence_);
+                                        : sampled_mean(differences, {groups, replicates}, confidence_);
   const double mean_a = sum_a / static_cast<double>(differences.size());
   pair.relative = differences.empty() || mean_a == 0.0 ? kAbsent : pair.difference.mean / std::abs(mean_a);
   return pair;

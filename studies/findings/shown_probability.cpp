@@ -81,8 +81,9 @@ std::optional<NeededSample> needed_sample(double wanted, const Proportion& found
   if (shown(wanted, found) != Shown::met_by_the_estimate || found.estimate <= wanted) return std::nullopt;
   const double independent = independent_products(wanted, found.estimate, sampling.confidence);
   if (factor_groups == FactorGroups::own) {
-    if (independent > kProductsMost) return std::nullopt;
-    return NeededSample{static_cast<std::size_t>(std::ceil(independent)), 0};
+    const double own = independent * static_cast<double>(found.count) / found.effective_size;
+    if (own > kProductsMost) return std::nullopt;
+    return NeededSample{static_cast<std::size_t>(std::ceil(own)), 0};
   }
   // Groups of the same size, more of them: then products stay as alike as they were found to be.
   const double more = independent / found.effective_size;

@@ -62,7 +62,7 @@ std::size_t StrategyJudge::held_number() const {
 }
 
 Candidate StrategyJudge::judge(std::vector<double> values, std::span<const ScenarioResult> results,
-                               std::span<const std::size_t> group) const {
+                               const SampleStructure& sample) const {
   Candidate candidate;
   candidate.values = std::move(values);
   for (const Objective& objective : objectives_) {
@@ -85,12 +85,12 @@ Candidate StrategyJudge::judge(std::vector<double> values, std::span<const Scena
   }
   candidate.outcomes = outcomes_text(results);
   candidate.damage_margin = damage_margin(results);
-  if (sampled_) judge_events(candidate, results, group);
+  if (sampled_) judge_events(candidate, results, sample);
   return candidate;
 }
 
 void StrategyJudge::judge_events(Candidate& candidate, std::span<const ScenarioResult> results,
-                                 std::span<const std::size_t> group) const {
+                                 const SampleStructure& sample) const {
   for (const JudgedEvent& judged : events_) {
     std::vector<bool> happens;
     std::vector<double> measure;
@@ -98,7 +98,7 @@ void StrategyJudge::judge_events(Candidate& candidate, std::span<const ScenarioR
       happens.push_back(event_happens(judged.event, result, limits_));
       measure.push_back(event_measure(judged.event, result, limits_));
     }
-    candidate.probabilities.push_back(proportion(happens, group, study_.sampling().confidence, measure));
+    candidate.probabilities.push_back(sampled_proportion(happens, sample, study_.sampling().confidence, measure));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "studies/goals/goal.hpp"
 #include "studies/results/rows.hpp"
 #include "studies/statistics/intervals.hpp"
+#include "studies/statistics/replicates.hpp"
 
 namespace unbruised::studies {
 
@@ -53,9 +54,9 @@ class StrategyJudge {
   explicit StrategyJudge(const Study& study);
 
   /// @param results of the strategy's scenarios: one, or one per product of a robust study
-  /// @param group of each product (ProductSample::group); empty: one scenario
+  /// @param sample the structure of the products (ProductSample::structure); empty: one scenario
   [[nodiscard]] Candidate judge(std::vector<double> values, std::span<const ScenarioResult> results,
-                                std::span<const std::size_t> group) const;
+                                const SampleStructure& sample) const;
   /// The smallest 1 - metric / limit over these scenarios; NaN where no limit can act.
   [[nodiscard]] double damage_margin(std::span<const ScenarioResult> results) const;
 
@@ -71,7 +72,7 @@ class StrategyJudge {
  private:
   void add_event(const Constraint& constraint, std::size_t number);
   void judge_events(Candidate& candidate, std::span<const ScenarioResult> results,
-                    std::span<const std::size_t> group) const;
+                    const SampleStructure& sample) const;
 
   Study study_;
   bool sampled_;

@@ -25,13 +25,6 @@ constexpr std::size_t kCheckedProducts = 32;
 
 constexpr const char* kCellSizeKey = "product.cell_size_m";
 
-ProductSample first_products(const ProductSample& all, std::size_t count) {
-  ProductSample some = all;
-  some.group.resize(std::min(count, all.size()));
-  some.values.resize(some.group.size() * all.keys.size());
-  return some;
-}
-
 /// Keys of the checks that the study does not vary itself.
 std::vector<std::string> numeric_keys(const Study& study) {
   std::vector<std::string> keys;
@@ -204,7 +197,7 @@ class SearchStudy {
     std::vector<Candidate> candidates;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const std::span<const ScenarioResult> own(results->data() + p * each, each);
-      Candidate candidate = judge_.judge(points[p], own, products.group);
+      Candidate candidate = judge_.judge(points[p], own, products.structure());
       candidate.place = {place.search, place.generation, p};
       candidate.first_scenario = journal_id(questions[p * each].place);
       candidates.push_back(std::move(candidate));
@@ -255,7 +248,7 @@ class SearchStudy {
 
   void check_all(const std::vector<Point>& points) {
     ProductSample products;
-    if (found_.products) products = first_products(*found_.products, kCheckedProducts);
+    if (found_.products) products = found_.products->first(kCheckedProducts);
     const bool is_sample = found_.products.has_value();
     std::size_t generation = 0;
     bool going_on = check("as found", {}, points, products, generation++);
@@ -326,7 +319,7 @@ ScenarioSet search_probes(const Study& study, std::size_t count) {
   const std::vector<std::string> keys = numeric_keys(study);
   ProductSample products;
   if (is_sampled_search(study.kind())) {
-    products = first_products(study_products(study), count);
+    products = study_products(study).first(count);
   }
   ScenarioSet set;
   set.count = std::max<std::size_t>(1, products.size());

@@ -20,6 +20,8 @@ enum class DesignKind {
 struct UnitDesign {
   std::size_t dimensions = 0;
   std::vector<double> values;
+  /// Independent designs of which it is made, in turn: point (or base sample) i is of design i % replicates.
+  std::size_t replicates = 1;
 
   [[nodiscard]] std::size_t size() const { return dimensions == 0 ? 0 : values.size() / dimensions; }
   [[nodiscard]] double at(std::size_t point, std::size_t dimension) const {

@@ -7,35 +7,16 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
-
-#include "studies/statistics/boost_policy.hpp"
 #include "studies/statistics/design.hpp"
+#include "studies/statistics/scores.hpp"
 
 namespace unbruised::studies {
 namespace {
-
-namespace bm = boost::math;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// p n this close above a whole number is that number, but for the rounding of p.
 constexpr double kRankRounding = 1e-9;
-
-/// The z or t that a symmetric distribution exceeds on either side with (1 - confidence) / 2.
-template <class BoostDistribution>
-double two_sided(const BoostDistribution& distribution, double confidence) {
-  return bm::quantile(bm::complement(distribution, 0.5 * (1.0 - confidence)));
-}
-
-double normal_score(double confidence) {
-  return two_sided(bm::normal_distribution<double, QuietPolicy>(0.0, 1.0), confidence);
-}
-
-double student_score(double degrees_of_freedom, double confidence) {
-  return two_sided(bm::students_t_distribution<double, QuietPolicy>(degrees_of_freedom), confidence);
-}
 
 struct Cluster {
   double sum = 0.0;
@@ -152,6 +133,7 @@ Proportion proportion(const std::vector<bool>& successes, std::span<const std::s
   const std::vector<double> values(successes.begin(), successes.end());
   Proportion out;
   out.estimate = mean_of(values);
+  out.count = values.size();
   out.effective_size =
       cluster.empty() ? static_cast<double>(values.size()) : claimed_size(values, measure, cluster, confidence);
   out.interval = wilson_interval(out.estimate * out.effective_size, out.effective_size, confidence);

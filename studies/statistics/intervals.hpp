@@ -46,6 +46,7 @@ struct Proportion {
   double estimate = 0.0;
   Interval interval;
   double effective_size = 0.0;  ///< the size the interval is of
+  std::size_t count = 0;        ///< outcomes
 };
 /// @param cluster of each outcome; empty: none @param measure of each outcome, finite; empty: not known
 /// @throws std::invalid_argument when the lengths differ

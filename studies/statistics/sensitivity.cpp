@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "studies/statistics/distribution.hpp"
+#include "studies/statistics/replicates.hpp"
+#include "studies/statistics/scores.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -40,6 +42,12 @@ Blocks finite_blocks(const UnitDesign& design, std::span<const double> answers, 
   return blocks;
 }
 
+std::vector<std::size_t> all_rows(std::size_t count) {
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 // -- Morris. -----------------------------------------------------------------------------------------------
 
 /// One elementary effect per dimension, of the trajectory that begins at `first`.
@@ -63,9 +71,8 @@ double mean_absolute(const std::vector<double>& effects, std::span<const std::si
 MorrisEffect effect_of(const std::vector<double>& effects, double confidence, std::uint64_t seed) {
   if (effects.empty()) return {kNaN, kNaN, kNaN, {kNaN, kNaN}};
   const MeanAndSpread spread = mean_and_spread(effects);
-  std::vector<std::size_t> all(effects.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  MorrisEffect out{spread.mean, mean_absolute(effects, all), spread.standard_deviation, {0.0, kInfinity}};
+  MorrisEffect out{
+      spread.mean, mean_absolute(effects, all_rows(effects.size())), spread.standard_deviation, {0.0, kInfinity}};
   if (effects.size() < 2) return out;
   out.mean_absolute_interval =
       bootstrap_interval(effects.size(), kMorrisReplicates, seed, confidence,
@@ -107,6 +114,41 @@ Estimate estimate_of(const std::vector<Block>& blocks, std::span<const std::size
     out.total[i] = out.variance > 0.0 ? out.total[i] / (2.0 * n) / out.variance : 0.0;
   }
   return out;
+}
+
+/// The estimates of base samples drawn with replacement; none of one sample.
+std::vector<Estimate> bootstrapped(const std::vector<Block>& blocks, double center, std::size_t dimensions,
+                                   std::size_t times, std::uint64_t seed) {
+  std::vector<Estimate> drawn;
+  for (std::size_t b = 0; b < times && blocks.size() > 1; ++b) {
+    const std::vector<std::size_t> rows = bootstrap_rows(blocks.size(), derived_seed(seed, kBootstrap), b);
+    drawn.push_back(estimate_of(blocks, rows, center, dimensions));
+  }
+  return drawn;
+}
+
+/// The estimates without each replicate of the design in turn; none where only one has answers.
+std::vector<Estimate> without_each_replicate(const UnitDesign& design, const Blocks& blocks, double center) {
+  const std::size_t length = design.dimensions + 2;
+  std::vector<Estimate> others;
+  for (std::size_t r = 0; r < design.replicates; ++r) {
+    std::vector<std::size_t> rows;
+    for (std::size_t b = 0; b < blocks.answers.size(); ++b) {
+      if (blocks.first_point[b] / length % design.replicates != r) rows.push_back(b);
+    }
+    const bool has_own = rows.size() < blocks.answers.size();
+    if (has_own && !rows.empty()) others.push_back(estimate_of(blocks.answers, rows, center, design.dimensions));
+  }
+  return others;
+}
+
+/// Student's interval with Tukey's jackknife: error^2 = (R - 1) / R sum (without_r - mean of these)^2.
+Interval jackknife_interval(double found, const std::vector<double>& without, double confidence) {
+  const auto R = static_cast<double>(without.size());
+  const MeanAndSpread spread = mean_and_spread(without);  // of R - 1 degrees of freedom
+  const double error = spread.standard_deviation * (R - 1.0) / std::sqrt(R);
+  const double half = student_score(R - 1.0, confidence) * error;
+  return {found - half, found + half};
 }
 
 double mean_of_base(const std::vector<Block>& blocks) {
@@ -160,8 +202,9 @@ MorrisResult morris_effects(const UnitDesign& design, std::span<const double> an
 UnitDesign sobol_index_design(std::size_t base_samples, std::size_t dimensions, DesignKind kind,
                               std::uint64_t seed) {
   // A and B are the two halves of the columns of one design.
-  const UnitDesign base = unit_design(kind, base_samples, 2 * dimensions, derived_seed(seed, kBase));
-  UnitDesign design{dimensions, {}};
+  const UnitDesign base = replicated_design(
+      {kind, base_samples, 2 * dimensions, replicate_count(kind, base_samples)}, derived_seed(seed, kBase));
+  UnitDesign design{dimensions, {}, base.replicates};
   design.values.reserve(base_samples * (dimensions + 2) * dimensions);
   for (std::size_t sample = 0; sample < base_samples; ++sample) {
     const auto put = [&](auto is_from_B) {
@@ -176,10 +219,11 @@ UnitDesign sobol_index_design(std::size_t base_samples, std::size_t dimensions, 
   return design;
 }
 
-SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answers, std::size_t replicates,
+SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answers, std::size_t bootstrap,
                           double confidence, std::uint64_t seed) {
   const std::size_t dimensions = design.dimensions;
-  const std::vector<Block> blocks = finite_blocks(design, answers, dimensions + 2).answers;
+  const Blocks finite = finite_blocks(design, answers, dimensions + 2);
+  const std::vector<Block>& blocks = finite.answers;
   SobolResult out;
   out.used = blocks.size();
   if (blocks.empty()) {
@@ -189,26 +233,21 @@ SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answ
   }
   // f(B) (f(AB) - f(A)) loses its digits to a large mean.
   const double center = mean_of_base(blocks);
-  std::vector<std::size_t> all(blocks.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const Estimate found = estimate_of(blocks, all, center, dimensions);
-  std::vector<Estimate> drawn;
-  if (blocks.size() > 1) {
-    for (std::size_t b = 0; b < replicates; ++b) {
-      const std::vector<std::size_t> rows = bootstrap_rows(blocks.size(), derived_seed(seed, kBootstrap), b);
-      drawn.push_back(estimate_of(blocks, rows, center, dimensions));
-    }
-  }
-  const auto interval_of = [&](std::vector<double> Estimate::*index, std::size_t i) -> Interval {
-    if (drawn.empty()) return {-kInfinity, kInfinity};
-    std::vector<double> values;
-    for (const Estimate& estimate : drawn) values.push_back((estimate.*index)[i]);
-    return percentile_interval(std::move(values), confidence);
-  };
+  const Estimate found = estimate_of(blocks, all_rows(blocks.size()), center, dimensions);
+  const bool in_replicates = design.replicates > 1;
+  const std::vector<Estimate> others = in_replicates ? without_each_replicate(design, finite, center)
+                                                     : bootstrapped(blocks, center, dimensions, bootstrap, seed);
   out.variance = found.variance;
   for (std::size_t i = 0; i < dimensions; ++i) {
+    const auto interval_of = [&](std::vector<double> Estimate::*index) -> Interval {
+      if (others.empty()) return {-kInfinity, kInfinity};
+      std::vector<double> values;
+      for (const Estimate& estimate : others) values.push_back((estimate.*index)[i]);
+      return in_replicates ? jackknife_interval((found.*index)[i], values, confidence)
+                           : percentile_interval(std::move(values), confidence);
+    };
     out.indices.push_back(
-        {found.first[i], found.total[i], interval_of(&Estimate::first, i), interval_of(&Estimate::total, i)});
+        {found.first[i], found.total[i], interval_of(&Estimate::first), interval_of(&Estimate::total)});
   }
   return out;
 }

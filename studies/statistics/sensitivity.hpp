@@ -39,16 +39,16 @@ struct MorrisResult {
 MorrisResult morris_effects(const UnitDesign& design, std::span<const double> answers, double confidence,
                             std::uint64_t seed);
 
-/// Saltelli (2010): the base matrices A and B and, per dimension, A with that column from B; blocks of
-/// dimensions + 2 points per base sample, in the order A, B, AB_1 ... AB_k.
+/// Saltelli (2010), in replicates (replicated_design): the base matrices A and B and, per dimension, A with that
+/// column from B; blocks of dimensions + 2 points per base sample, in the order A, B, AB_1 ... AB_k.
 UnitDesign sobol_index_design(std::size_t base_samples, std::size_t dimensions, DesignKind kind,
                               std::uint64_t seed);
 
 /// Parts of the answers' variance: of variable i alone, and of all in which it takes part.
 struct SobolIndex {
-  double first = 0.0;       ///< Saltelli 2010: mean of f(B) (f(AB_i) - f(A)) / variance, f less its mean
-  double total = 0.0;       ///< Jansen 1999: mean of (f(A) - f(AB_i))^2 / (2 variance)
-  Interval first_interval;  ///< bootstrap over base samples
+  double first = 0.0;  ///< Saltelli 2010: mean of f(B) (f(AB_i) - f(A)) / variance, f less its mean
+  double total = 0.0;  ///< Jansen 1999: mean of (f(A) - f(AB_i))^2 / (2 variance)
+  Interval first_interval;
   Interval total_interval;
 };
 struct SobolResult {
@@ -56,11 +56,11 @@ struct SobolResult {
   double variance = 0.0;            ///< of f(A) and f(B) together
   std::size_t used = 0;             ///< base samples all of whose answers are finite
 };
-/// Indices are 0 where the answers do not vary. The bootstrap takes the base samples as independent: of a Sobol'
-/// design the intervals are wider than they need to be.
+/// Indices are 0 where the answers do not vary. Intervals: bootstrap over the base samples of a random design;
+/// of a design in replicates Student's with the jackknife over these.
 /// @param answers one per point of the design; a base sample with one in it that is no finite number is left out.
 /// None left: NaN. One left: intervals [-inf, inf]. @throws std::invalid_argument when the lengths differ
-SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answers, std::size_t replicates,
+SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answers, std::size_t bootstrap,
                           double confidence, std::uint64_t seed);
 
 }  // namespace unbruised::studies

@@ -12,7 +12,8 @@ Table sampling_keys() {
   return {
       {.path = "sampling.design",
        .type = choice,
-       .meaning = "How products are drawn.",
+       .meaning =
+           "How products are drawn. The first two in eight independent designs, whose spread gives the intervals.",
        .choices = {"sobol", "latin_hypercube", "random"},
        .use = Use::random,
        .study_field = study_table<at, &S::design>},
@@ -100,7 +101,7 @@ Table sensitivity_keys() {
        .study_field = study_table<at, &S::levels>},
       {.path = "sensitivity.bootstrap",
        .type = integer,
-       .meaning = "Replicates of the bootstrap intervals.",
+       .meaning = "Replicates of the bootstrap intervals of a random design.",
        .range = {10.0, false, 100'000.0, false},
        .use = use,
        .study_field = study_table<at, &S::bootstrap>},

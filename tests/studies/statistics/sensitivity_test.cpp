@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
+/// Of intervals none of which may miss.
+constexpr double kSurely = 0.9999;
 constexpr double kPi = std::numbers::pi;
 
 using Point = std::span<const double>;
@@ -101,14 +103,14 @@ TEST(SobolIndices, OfTheIshigamiFunctionAreThePublishedOnes) {
   EXPECT_NEAR(exact.first[1], 0.4424, 0.5e-4);
   EXPECT_NEAR(exact.total[0], 0.5576, 0.5e-4);
   EXPECT_NEAR(exact.total[2], 0.2437, 0.5e-4);
-  const SobolResult found = indices_of(ishigami, 3, 4096, DesignKind::sobol, 1);
+  const SobolResult found = indices_of(ishigami, 3, 4096, DesignKind::sobol, 1, kSurely);
   EXPECT_EQ(found.used, 4096U);
-  // 4096 scrambled base samples: root mean square error up to 0.005 over 40 seeds (0.023 of random ones); three of
-  // it.
-  EXPECT_NEAR(found.variance, exact.variance, 0.01 * exact.variance);
+  // 4096 base samples in eight scrambled designs: root mean square error up to 0.017 over 40 seeds (0.005 of one
+  // design, whose spread nobody knows, 0.023 of random points); three of it.
+  EXPECT_NEAR(found.variance, exact.variance, 0.015 * exact.variance);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.015) << i;
-    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.015) << i;
+    EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.05) << i;
     EXPECT_TRUE(contains(found.indices[i].first_interval, exact.first[i])) << i;
     EXPECT_TRUE(contains(found.indices[i].total_interval, exact.total[i])) << i;
   }
@@ -116,7 +118,7 @@ TEST(SobolIndices, OfTheIshigamiFunctionAreThePublishedOnes) {
 
 TEST(SobolIndices, OfTheGFunctionAreTheExactOnes) {
   const Exact exact = exact_g();
-  const SobolResult found = indices_of(g_function, 5, 4096, DesignKind::sobol, 2);
+  const SobolResult found = indices_of(g_function, 5, 4096, DesignKind::sobol, 2, kSurely);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_NEAR(found.indices[i].first, exact.first[i], 0.015) << i;
     EXPECT_NEAR(found.indices[i].total, exact.total[i], 0.015) << i;
@@ -145,11 +147,12 @@ TEST(SobolIndices, HaveIntervalsThatCoverAsOftenAsTheySayOnRandomPoints) {
 TEST(SobolIndices, OfASumAreItsSharesAndAddUpToOne) {
   // f = 1 u1 + 2 u2 + 0 u3: shares 1 / 5, 4 / 5, 0, and no interaction.
   const SobolResult found = indices_of([](Point u) { return u[0] + 2.0 * u[1]; }, 3, 1024, DesignKind::sobol, 3);
-  EXPECT_NEAR(found.indices[0].first, 0.2, 2e-3);
-  EXPECT_NEAR(found.indices[1].first, 0.8, 2e-3);
+  // Root mean square error of the larger share 0.0024 over 40 seeds; three of it.
+  EXPECT_NEAR(found.indices[0].first, 0.2, 0.0075);
+  EXPECT_NEAR(found.indices[1].first, 0.8, 0.0075);
   EXPECT_EQ(found.indices[2].first, 0.0);  // AB_3 answers as A does
   EXPECT_EQ(found.indices[2].total, 0.0);
-  EXPECT_NEAR(found.indices[0].total, 0.2, 2e-3);
+  EXPECT_NEAR(found.indices[0].total, 0.2, 0.0075);
 }
 
 TEST(SobolIndices, DoNotHangOnTheMeanOrScaleOfTheAnswers) {

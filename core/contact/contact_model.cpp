@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/algebra/lane_solve.hpp"
+#include "core/contact/half_space.hpp"
 #include "core/contact/tributary_face.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/true_shape.hpp"
@@ -22,19 +23,24 @@ constexpr std::array<std::size_t, kSurfaceCount> kFacingSide = {0, 1, 4};
 /// cell size.
 constexpr double kCellCompliance = 0.4;
 
+/// Of the pressure of Hertz's patch.
+constexpr double kHertzPeakOverMean = 1.5;
+
 double plane_strain_modulus(const LatticeParameters& p) {
   return p.youngs_modulus_Pa / (1.0 - p.poisson_ratio * p.poisson_ratio);
 }
 
-/// Pressed flat against a plane: a doubly curved side makes a Hertz ellipse, p0 = 1.6 Y (Johnson 1985, 4.2), so
-/// p_mean = 1.07 Y, and its moments are a^2/5, b^2/5; a singly curved one a Hertz strip, p0 = 1.67 Y, p_mean
-/// = 1.31 Y, moments a^2/4 and L^2/12; a flat one a uniform pressure that yields at Y, moments L^2/12.
+/// Pressed flat against a plane: a doubly curved side makes a Hertz ellipse that yields first where its peak
+/// stress of about 0.62 p0 is Y (Johnson 1985, 4.2), at p_mean = 1.07 Y for a Poisson ratio of 0.3, and its
+/// moments are a^2/5, b^2/5; a singly curved one a Hertz strip, p0 = 1.67 Y, p_mean = 1.31 Y, moments a^2/4 and
+/// L^2/12; a flat one a uniform pressure that yields at Y, moments L^2/12.
 PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice, const FacePlane& plane) {
   PatchForm strip, flat;
   strip.area_factor = 4.0 * std::sqrt(12.0);
   strip.yield_factor = 1.31;
   flat.area_factor = 12.0;
   flat.yield_factor = 1.0;
+  strip.traction = TractionFactor::of_curved(parameters.poisson_ratio);
   const TrueShape shape(parameters);
   const int curvatures = shape.curvatures(plane.axis);
   if (curvatures == 0) return flat;
@@ -42,6 +48,12 @@ PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice
   PatchForm ellipse = hertz_patch(
       {shape.pole_radius_m(plane.axis, plane.tangent[0]), shape.pole_radius_m(plane.axis, plane.tangent[1])},
       plane_strain_modulus(parameters));
+  const EllipticPatch patch{ellipse.semi_axis[0], ellipse.semi_axis[1], parameters.poisson_ratio};
+  ellipse.yield_factor = 1.0 / (kHertzPeakOverMean * peak_stress_below(patch));
+  ellipse.traction = TractionFactor::of_curved(parameters.poisson_ratio);
+  ellipse.field = PatchField(parameters.poisson_ratio);
+  const std::array<double, 3>& size_m = parameters.size_m;
+  ellipse.cross_section_m2 = 0.25 * std::numbers::pi * size_m[plane.tangent[0]] * size_m[plane.tangent[1]];
   for (std::size_t t = 0; t < 2; ++t) ellipse.pole_m[t] = lattice.center_m[plane.tangent[t]];
   return ellipse;
 }

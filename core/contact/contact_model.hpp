@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/contact/patch_field.hpp"
+#include "core/contact/patch_traction.hpp"
 #include "core/contact/tributary.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
@@ -47,8 +49,9 @@ inline double normal_stiffness_N_m(const ContactCandidate& candidate, double lay
 struct PatchForm {
   /// Area of the patch = area_factor x sqrt(det of the second moments of its pressure).
   double area_factor = 5.0 * 3.14159265358979323846;
-  /// Mean pressure at first yield / yield stress.
+  /// Mean pressure at first yield / yield stress, of a patch that carries no traction.
   double yield_factor = 1.07;
+  TractionFactor traction = TractionFactor::of_flat();
   /// Area a doubly curved elastic body makes on a rigid plane, A = hertz_area x F^(2/3); 0: no such pole.
   double hertz_area_m2_N23 = 0.0;
   /// What a layer of stiffness k per area adds to it: A^2 = A_Hertz^2 + layer_area x F / k.
@@ -56,6 +59,9 @@ struct PatchForm {
   /// Semi-axes along the tangents / sqrt(A), and the pole they are centred on.
   std::array<double, 2> semi_axis{0.0, 0.0};
   std::array<double, 2> pole_m{0.0, 0.0};
+  /// Stress around such a pole, and the body's cross-section in the middle between the pads [m2]; 0: no such pole.
+  PatchField field{0.3};
+  double cross_section_m2 = 0.0;
 };
 
 /// The candidates of one surface as a grid over the face.

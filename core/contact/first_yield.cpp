@@ -54,7 +54,9 @@ Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::ar
                  const SurfaceLane& surface, const Lane& yield_stress) {
   const Lane area = max(patch_area(tally, form, extent_m, surface), Lane(1e-30));
   const Lane strength = Lane(form.yield_factor) * yield_stress;
-  return select(tally.normal > Lane(kLeastForce), tally.normal / (area * strength), Lane(0.0));
+  const Lane traction = sqrt(tally.tangent[0] * tally.tangent[0] + tally.tangent[1] * tally.tangent[1]);
+  const Lane factor = form.traction.at(traction / max(tally.normal, Lane(kLeastForce)));
+  return select(tally.normal > Lane(kLeastForce), factor * tally.normal / (area * strength), Lane(0.0));
 }
 
 }  // namespace unbruised

@@ -9,7 +9,8 @@
 
 namespace unbruised {
 
-/// Mean pressure of a surface's patch / mean pressure at first yield; 0 where it carries nothing.
+/// Mean pressure of a surface's patch / mean pressure at first yield, times what the traction of its resultants
+/// adds to the stress below (patch_traction.hpp); 0 where it carries nothing.
 /// @param extent_m of a contact's cell, along the tangents
 /// @param yield_stress of the product [Pa]
 Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,

@@ -63,8 +63,10 @@ void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double 
 }
 
 bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cycle) {
-  metrics[Metric::plastic_strain_max] = now.plastic_strain;
-  metrics[Metric::absorbed_energy_J] = now.absorbed_energy_J;
+  for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, now.patch[s]);
+  const PatchDamage patches = patches_.together();
+  metrics[Metric::plastic_strain_max] = std::max(now.plastic_strain, patches.plastic_strain);
+  metrics[Metric::absorbed_energy_J] = std::max(now.absorbed_energy_J, patches.absorbed_energy_J);
   check_limits({Metric::plastic_strain_max, Metric::absorbed_energy_J}, now.time_s);
   if (!has_gripper_) {
     observe_support(now);
@@ -199,6 +201,9 @@ void HandlingRecord::abort(Outcome outcome, std::string cause, double time_s) {
 
 ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_time_s) const {
   HandlingRecord record = *this;
+  const PatchDamage patches = patches_.together();
+  record.raise(Metric::permanent_set_max_m, patches.set_m);
+  record.raise(Metric::bruised_volume_m3, patches.bruised_volume_m3);
   record.check_limits({Metric::permanent_set_max_m, Metric::bruised_volume_m3}, end_time_s);
   ScenarioResult result;
   result.metrics = record.metrics;

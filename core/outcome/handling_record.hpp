@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/contact/patch_damage.hpp"
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/peak_rise.hpp"
@@ -41,9 +42,10 @@ struct StepObservation {
   double patch_pressure_Pa = 0;
   double support_N = 0;  ///< normal force of the support
   double support_yield_ratio = 0;
-  double layer_strain = 0;  ///< largest compression of a pad or the support over its thickness
-  double plastic_strain = 0;
-  double absorbed_energy_J = 0;
+  std::array<PatchDamage, kSurfaceCount> patch;  ///< that the present load alone of each surface leaves
+  double layer_strain = 0;       ///< largest compression of a pad or the support over its thickness
+  double plastic_strain = 0;     ///< of the cells
+  double absorbed_energy_J = 0;  ///< by the cells
   bool end_of_stroke = false;
 };
 
@@ -91,6 +93,7 @@ class HandlingRecord {
   double hold_s_ = 0;
   bool has_gripper_ = false;
   bool has_product_yield_ = false;
+  WorstPatches patches_;
   bool both_touched_ = false;  ///< at the last contacts within the grip phase
   bool grasp_checked_ = false;
   bool aborted_ = false;

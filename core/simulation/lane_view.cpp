@@ -33,6 +33,16 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
   return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? fingers.energy()[lane] : 0.0);
 }
 
+PatchDamage LaneView::patch_damage_at(std::size_t surface, int lane, const Scenario& scenario) const {
+  const std::optional<FlowLaw> law = flow_law(scenario.product);
+  if (!law) return {};
+  const PatchForm& form = model.contact.patch_form[surface];
+  const SurfaceTally& tally = contact.tally()[surface];
+  const double traction_N = std::hypot(tally.tangent[0][lane], tally.tangent[1][lane]);
+  const PatchLoad load = patch_load(form, *law, yield_ratio[surface][lane], tally.normal[lane], traction_N);
+  return patch_damage(load, form, *law, scenario.limits.plastic_strain.value_or(kBruisedStrain));
+}
+
 StepObservation LaneView::observe(int lane, const Scenario& scenario, double time_s) const {
   const WilsonTheta& w = *model.wilson;
   StepObservation seen;
@@ -47,6 +57,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   seen.absorbed_energy_J = material.plastic_work()[lane];
   seen.support_N = contact.tally()[kSupport].normal[lane];
   seen.support_yield_ratio = yield_ratio[kSupport][lane];
+  for (std::size_t s = 0; s < kSurfaceCount; ++s) seen.patch[s] = patch_damage_at(s, lane, scenario);
   seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;
   for (std::size_t f = 0; f < kFingerCount; ++f) {

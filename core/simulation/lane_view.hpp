@@ -31,6 +31,8 @@ struct LaneView {
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// The signals of a trace that are read from the state.
   [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;
+  /// What the present load of a surface leaves below its patch.
+  [[nodiscard]] PatchDamage patch_damage_at(std::size_t surface, int lane, const Scenario& scenario) const;
   /// Fills the metrics of the shape that the plastic strain leaves.
   void measure_permanent_set(int lane, const LimitParameters& limits, Metrics& metrics) const;
 };

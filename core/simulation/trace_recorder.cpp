@@ -15,6 +15,7 @@ void TraceRecorder::start(const LaneStep& loaded) {
 
 bool TraceRecorder::observe(const LaneStep& step) {
   step.view.contact.record_events(step.lane, step.start_s, trace_.events);
+  for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, step.seen.patch[s]);
   if (step.count % stride_ == 0) record(step);
   return true;
 }
@@ -31,7 +32,9 @@ void TraceRecorder::record(const LaneStep& step) {
   row.phase = step.cycle.phase(row.time_s);
   row.support_yield_ratio = step.seen.support_yield_ratio;
   row.patch_pressure_Pa = step.seen.patch_pressure_Pa;
-  row.absorbed_energy_J = step.seen.absorbed_energy_J;
+  const PatchDamage patches = patches_.together();
+  row.plastic_strain = std::max(row.plastic_strain, patches.plastic_strain);
+  row.absorbed_energy_J = std::max(step.seen.absorbed_energy_J, patches.absorbed_energy_J);
   const BodyLanes& body = step.view.body;
   append_row(row, body.u(), body.v(), body.a(), trace_);
 }

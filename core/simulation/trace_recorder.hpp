@@ -20,6 +20,7 @@ class TraceRecorder final : public LaneObserver {
   void record(const LaneStep& step);
 
   Trace& trace_;
+  WorstPatches patches_;     ///< up to the present step
   std::int64_t stride_ = 1;  ///< steps from row to row
 };
 

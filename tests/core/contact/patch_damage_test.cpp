@@ -1,0 +1,194 @@
+// Damage below a patch against independent finite elements of a ripe kiwi (tests/reference-data/fe_kiwi.csv), and
+// the field it is made from against quadrature.
+
+#include "core/contact/patch_damage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/body/lattice.hpp"
+#include "core/contact/first_yield.hpp"
+#include "core/contact/half_space.hpp"
+#include "tests/core/contact/kiwi_scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+constexpr double kBruised = 0.01;
+constexpr double kSpringLayer_Pa_m = 1.333e8;
+
+/// The ripe kiwi below one pad of springs, wide enough for every patch.
+struct Pressed {
+  LatticeParameters product = lattice_of(kiwi_grip(0.005));
+  PatchForm form = lattice_contact(product, build_lattice(product), 0.005).patch_form[0];
+  FlowLaw law = flow_law(ProductParameters(product)).value();
+
+  [[nodiscard]] double ratio(double force_N) const {
+    SurfaceTally tally;
+    tally.normal = Lane(force_N);
+    SurfaceLane pad;
+    pad.stiffness_N_m3 = Lane(kSpringLayer_Pa_m);
+    pad.center_m = {Lane(form.pole_m[0]), Lane(form.pole_m[1])};
+    return yield_ratio(tally, form, {0.005, 0.005}, pad, Lane(law.yield.yield_stress_Pa))[0];
+  }
+  [[nodiscard]] PatchDamage damage(double force_N) const {
+    return patch_damage(patch_load(form, law, ratio(force_N), force_N, 0.0), form, law, kBruised);
+  }
+  /// The force at which something passes a level.
+  template <class Measure>
+  [[nodiscard]] double force_at(double level, const Measure& measure) const {
+    double low = 1.0, high = 40.0;
+    for (int i = 0; i < 60; ++i) (measure(0.5 * (low + high)) < level ? low : high) = 0.5 * (low + high);
+    return low;
+  }
+};
+
+// -- The law. ------------------------------------------------------------------------------------------------
+
+TEST(FlowLaw, FollowsNeubersRule) {
+  const FlowLaw law = Pressed{}.law;
+  const double Y = law.yield.yield_stress_Pa, H = law.yield.hardening_modulus_Pa, G = law.shear_modulus_Pa;
+  EXPECT_EQ(law.strain_at(1.0), 0.0);
+  for (const double ratio : {1.0001, 1.1, 2.0, 5.0}) {
+    const double p = law.strain_at(ratio);
+    EXPECT_NEAR((Y + H * p) * (Y + (H + 3.0 * G) * p), ratio * ratio * Y * Y, 1e-12 * ratio * ratio * Y * Y);
+    EXPECT_NEAR(law.ratio_at(p), ratio, 1e-12);
+  }
+}
+
+TEST(FlowLaw, IsThatOfALatticeThatYields) {
+  EXPECT_FALSE(flow_law(ProductParameters(LatticeParameters{})));
+  EXPECT_FALSE(flow_law(ProductParameters(NetworkParameters{})));
+}
+
+// -- The field. ----------------------------------------------------------------------------------------------
+
+struct FieldSums {
+  double volume = 0.0, dent = 0.0;
+};
+/// Above parts of the peak, by rings around the axis of a circle with a = 1.
+std::vector<FieldSums> sums_above(double poisson_ratio, const std::vector<double>& parts) {
+  const EllipticPatch circle{1.0, 1.0, poisson_ratio};
+  const double peak = peak_stress_below(circle);
+  std::vector<FieldSums> sums(parts.size());
+  constexpr int kRings = 40, kLayers = 50;
+  for (int k = 0; k < kLayers; ++k) {
+    const double u = (k + 0.5) / kLayers, z = 2.5 * u * u, dz = 5.0 * u / kLayers;
+    for (int i = 0; i < kRings; ++i) {
+      const double r = 2.0 * (i + 0.5) / kRings, volume = 2.0 * std::numbers::pi * r * 2.0 / kRings * dz;
+      Stress s = patch_stress({r, 0.0, z}, circle, {10, 16}).normal;
+      const double size = von_mises(s), mean = (s[0] + s[1] + s[2]) / 3.0;
+      for (std::size_t n = 0; n < 3; ++n) s[n] -= mean;
+      const Stress pole = normal_point_load({r, 0.0, z}, poisson_ratio);
+      const double dent = 1.5 / size * (s[0] * pole[0] + s[1] * pole[1] + s[2] * pole[2] + 2.0 * s[4] * pole[4]);
+      for (std::size_t n = 0; n < parts.size(); ++n) {
+        if (size > parts[n] * peak) sums[n] = {sums[n].volume + volume, sums[n].dent + dent * volume};
+      }
+    }
+  }
+  const double root = std::sqrt(std::numbers::pi);
+  for (FieldSums& sum : sums) sum = {sum.volume / (root * root * root), sum.dent / root};
+  return sums;
+}
+
+TEST(PatchField, IsWhatTheStressOfThePatchSays) {
+  const std::vector<double> parts = {0.5, 0.7, 0.8, 0.9};
+  for (const double nu : {0.0, 0.35, 0.5}) {
+    const std::vector<FieldSums> sums = sums_above(nu, parts);
+    const PatchField field(nu);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      // Rings a twentieth of a radius wide: 2 %, and near the peak more of less.
+      EXPECT_NEAR(field.volume_above(parts[i]), sums[i].volume, 0.02 * sums[i].volume + 0.002)
+          << nu << ' ' << parts[i];
+      EXPECT_NEAR(field.dent_above(parts[i]), sums[i].dent, 0.02 * sums[i].dent + 0.005) << nu << ' ' << parts[i];
+    }
+  }
+}
+
+TEST(PatchField, VanishesAtThePeakAndGrowsTowardsLessStress) {
+  const PatchField field(0.35);
+  EXPECT_EQ(field.volume_above(1.0), 0.0);
+  EXPECT_EQ(field.dent_above(1.0), 0.0);
+  for (double v = 0.31; v < 1.0; v += 0.005) {
+    EXPECT_GT(field.volume_above(v - 0.005), field.volume_above(v));
+    EXPECT_GT(field.dent_above(v - 0.005), field.dent_above(v));
+  }
+}
+
+// -- The kiwi. -----------------------------------------------------------------------------------------------
+
+/// tests/reference-data/fe_kiwi.csv, springs.
+struct Reference {
+  double force_N, set_m, strain, volume_m3;
+};
+constexpr std::array<Reference, 4> kFiniteElements = {{{8.0, 0.0208e-3, 0.0107, 16e-9},
+                                                       {12.0, 0.1397e-3, 0.0297, 2185e-9},
+                                                       {16.0, 0.313e-3, 0.0454, 5759e-9},
+                                                       {20.0, 0.530e-3, 0.0596, 10581e-9}}};
+
+TEST(PatchDamage, OfARipeKiwiIsThatOfFiniteElements) {
+  const Pressed kiwi;
+  for (const Reference& wanted : kFiniteElements) {
+    const PatchDamage found = kiwi.damage(wanted.force_N);
+    std::printf("%4.0f N: strain %.4f (%.2f), set %.4f mm (%.2f), volume %.0f mm3 (%.2f)\n", wanted.force_N,
+                found.plastic_strain, found.plastic_strain / wanted.strain, 1e3 * found.set_m,
+                found.set_m / wanted.set_m, 2e9 * found.bruised_volume_m3,
+                2.0 * found.bruised_volume_m3 / wanted.volume_m3);
+    const bool begins = wanted.force_N < 10.0;  // a strain of 1 % there hangs on 1 % of stress
+    EXPECT_NEAR(found.plastic_strain, wanted.strain, (begins ? 0.35 : 0.1) * wanted.strain);
+    if (begins) continue;
+    EXPECT_NEAR(found.set_m, wanted.set_m, 0.1 * wanted.set_m);
+    EXPECT_NEAR(2.0 * found.bruised_volume_m3, wanted.volume_m3, 0.1 * wanted.volume_m3);  // of both poles
+  }
+}
+
+TEST(PatchDamage, OfARipeKiwiPassesItsLimitsAtTheForcesOfFiniteElements) {
+  const Pressed kiwi;
+  const double yield_N = kiwi.force_at(1.0, [&](double force) { return kiwi.ratio(force); });
+  const double strain_N = kiwi.force_at(0.01, [&](double force) { return kiwi.damage(force).plastic_strain; });
+  const double set_N = kiwi.force_at(1e-4, [&](double force) { return kiwi.damage(force).set_m; });
+  std::printf("first yield %.2f N (6.25), 1 %% of strain %.2f N (7.9), 0.1 mm of set %.2f N (10.8)\n", yield_N,
+              strain_N, set_N);
+  EXPECT_NEAR(yield_N, 6.25, 0.05 * 6.25);
+  EXPECT_NEAR(strain_N, 7.9, 0.05 * 7.9);
+  EXPECT_NEAR(set_N, 10.8, 0.05 * 10.8);
+}
+
+TEST(PatchDamage, GrowsWithTheForceWithoutAJump) {
+  const Pressed kiwi;
+  PatchDamage last = kiwi.damage(5.0);
+  EXPECT_EQ(last.plastic_strain, 0.0);
+  constexpr double kStep = 0.01;
+  for (double force = 5.0 + kStep; force < 25.0; force += kStep) {
+    const PatchDamage now = kiwi.damage(force);
+    EXPECT_GE(now.plastic_strain, last.plastic_strain);
+    EXPECT_GE(now.set_m, last.set_m);
+    EXPECT_GE(now.bruised_volume_m3, last.bruised_volume_m3);
+    EXPECT_GE(now.absorbed_energy_J, last.absorbed_energy_J);
+    // Over 1 N finite elements add 1,200 mm3 of both poles at most; a step that is 25 times too large is a jump.
+    EXPECT_LT(now.bruised_volume_m3 - last.bruised_volume_m3, 25.0 * kStep * 600e-9) << force;
+    EXPECT_LT(now.set_m - last.set_m, 25.0 * kStep * 0.05e-3) << force;
+    last = now;
+  }
+}
+
+TEST(PatchDamage, AddsUpOverPadsWhereItIsAnAmount) {
+  WorstPatches worst;
+  worst.raise(0, {0.02, 1e-4, 2e-6, 3e-3});
+  worst.raise(0, {0.01, 2e-4, 1e-6, 1e-3});
+  worst.raise(1, {0.03, 1e-5, 1e-6, 1e-3});
+  const PatchDamage all = worst.together();
+  EXPECT_EQ(all.plastic_strain, 0.03);
+  EXPECT_EQ(all.set_m, 2e-4);
+  EXPECT_EQ(all.bruised_volume_m3, 3e-6);
+  EXPECT_EQ(all.absorbed_energy_J, 4e-3);
+}
+
+}  // namespace
+}  // namespace unbruised

@@ -39,8 +39,12 @@ TEST(FirstYield, OfASphereBetweenStiffPlatesIsThatOfHertz) {
   // Shipped resolution, and one cell fewer across: a particle and a cell under the pole.
   for (const int cells : {10, 9}) {
     const double force = yield_force_N(sphere_between_plates(0.05 / cells), 0.8, 4.0);
+    // Johnson (1985), 4.2: F = pi^3 R^2 p0^3 / (6 E*^2), with p0 = Y / 0.597, the peak stress on the axis for nu =
+    // 0.35.
+    const double p0 = 0.024e6 / 0.5973;
+    const double hertz = std::pow(std::numbers::pi * p0, 3) * 0.025 * 0.025 / (6.0 * kPlane_Pa * kPlane_Pa);
     // Tolerance: that of the shipped window; the plates' layer itself raises the force by 8 %.
-    EXPECT_NEAR(force, 1.698, 0.15 * 1.698) << cells << " cells, reference-data/hertz_first_yield.csv";
+    EXPECT_NEAR(force, hertz, 0.15 * hertz) << cells << " cells";
   }
 }
 
@@ -68,8 +72,9 @@ TEST(FirstYield, ComesLaterUnderASofterPad) {
   jaw_of(scenario).pad_modulus_Pa *= 10.0;
   const double firm = yield_force_N(scenario, 2.0, 10.0);
   EXPECT_LT(firm, 0.8 * soft);
-  // Between the rigid plate's 3.32 N (elliptic Hertz, radii of 50.4 and 25 mm) and the soft pad's.
-  EXPECT_GT(firm, 3.32);
+  // Between the rigid plate's 3.84 N (boundary elements; elliptic Hertz with radii of 50.4 and 25 mm says 3.85 N)
+  // and the soft pad's.
+  EXPECT_GT(firm, 3.84);
 }
 
 }  // namespace

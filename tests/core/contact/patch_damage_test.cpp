@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,16 +25,27 @@ constexpr double kBruised = 0.01;
 constexpr double kSpringLayer_Pa_m = 1.333e8;
 
 /// The ripe kiwi below one pad of springs, wide enough for every patch.
-struct Pressed {
-  LatticeParameters product = lattice_of(kiwi_grip(0.005));
-  PatchForm form = lattice_contact(product, build_lattice(product), 0.005).patch_form[0];
-  FlowLaw law = flow_law(ProductParameters(product)).value();
+class Pressed {
+ public:
+  explicit Pressed(double springs_Pa_m = kSpringLayer_Pa_m) : springs_Pa_m_(springs_Pa_m) {
+    press(lattice_of(kiwi_grip(0.005)).size_m);
+  }
+  /// The same flesh as an ellipsoid of other extents.
+  void press(const std::array<double, 3>& size_m) {
+    LatticeParameters product = lattice_of(kiwi_grip(0.005));
+    product.size_m = size_m;
+    form = lattice_contact(product, build_lattice(product), 0.005).patch_form[0];
+    law = flow_law(ProductParameters(product)).value();
+  }
+
+  PatchForm form;
+  FlowLaw law;
 
   [[nodiscard]] double ratio(double force_N) const {
     SurfaceTally tally;
     tally.normal = Lane(force_N);
     SurfaceLane pad;
-    pad.stiffness_N_m3 = Lane(kSpringLayer_Pa_m);
+    pad.stiffness_N_m3 = Lane(springs_Pa_m_);
     pad.center_m = {Lane(form.pole_m[0]), Lane(form.pole_m[1])};
     return yield_ratio(tally, form, {0.005, 0.005}, pad, Lane(law.yield.yield_stress_Pa))[0];
   }
@@ -47,6 +59,9 @@ struct Pressed {
     for (int i = 0; i < 60; ++i) (measure(0.5 * (low + high)) < level ? low : high) = 0.5 * (low + high);
     return low;
   }
+
+ private:
+  double springs_Pa_m_;
 };
 
 // -- The law. ------------------------------------------------------------------------------------------------
@@ -158,6 +173,27 @@ TEST(PatchDamage, OfARipeKiwiPassesItsLimitsAtTheForcesOfFiniteElements) {
   EXPECT_NEAR(yield_N, 6.25, 0.05 * 6.25);
   EXPECT_NEAR(strain_N, 7.9, 0.05 * 7.9);
   EXPECT_NEAR(set_N, 10.8, 0.05 * 10.8);
+}
+
+TEST(PatchDamage, OfSpheresLiesOnTheSafeSideOfFiniteElements) {
+  // tests/reference-data/fe_spheres.csv. The elastic peak of spheres is 3 to 4 % too high (docs/validation.md).
+  struct Case {
+    double radius_m, springs_Pa_m;
+    Reference wanted;
+  };
+  for (const Case& each : {Case{0.035, 1.333e8, {13.831, 0.0, 0.0301, 1366e-9}},
+                           Case{0.035, 1.333e8, {18.277, 0.3305e-3, 0.0443, 3326e-9}},
+                           Case{0.025, 4e9, {4.088, 0.0539e-3, 0.0204, 121e-9}}}) {
+    Pressed sphere(each.springs_Pa_m);
+    sphere.press({2.0 * each.radius_m, 2.0 * each.radius_m, 2.0 * each.radius_m});
+    const PatchDamage found = sphere.damage(each.wanted.force_N);
+    const auto safe = [](double value, double reference) {
+      return value > 0.95 * reference && value < 1.35 * reference;
+    };
+    EXPECT_TRUE(safe(found.plastic_strain, each.wanted.strain)) << found.plastic_strain;
+    EXPECT_TRUE(safe(found.bruised_volume_m3, each.wanted.volume_m3)) << found.bruised_volume_m3;
+    if (each.wanted.set_m > 0.0) EXPECT_TRUE(safe(found.set_m, each.wanted.set_m)) << found.set_m;
+  }
 }
 
 TEST(PatchDamage, GrowsWithTheForceWithoutAJump) {

@@ -24,15 +24,15 @@ using namespace testing;
 constexpr double kBruised = 0.01;
 constexpr double kSpringLayer_Pa_m = 1.333e8;
 
+LatticeParameters kiwi() { return std::get<LatticeParameters>(kiwi_grip(0.005).product); }
+
 /// The ripe kiwi below one pad of springs, wide enough for every patch.
 class Pressed {
  public:
-  explicit Pressed(double springs_Pa_m = kSpringLayer_Pa_m) : springs_Pa_m_(springs_Pa_m) {
-    press(lattice_of(kiwi_grip(0.005)).size_m);
-  }
+  explicit Pressed(double springs_Pa_m = kSpringLayer_Pa_m) : springs_Pa_m_(springs_Pa_m) { press(kiwi().size_m); }
   /// The same flesh as an ellipsoid of other extents.
   void press(const std::array<double, 3>& size_m) {
-    LatticeParameters product = lattice_of(kiwi_grip(0.005));
+    LatticeParameters product = kiwi();
     product.size_m = size_m;
     form = lattice_contact(product, build_lattice(product), 0.005).patch_form[0];
     law = flow_law(ProductParameters(product)).value();
@@ -128,8 +128,8 @@ TEST(PatchField, IsWhatTheStressOfThePatchSays) {
 
 TEST(PatchField, VanishesAtThePeakAndGrowsTowardsLessStress) {
   const PatchField field(0.35);
-  EXPECT_EQ(field.volume_above(1.0), 0.0);
-  EXPECT_EQ(field.dent_above(1.0), 0.0);
+  EXPECT_NEAR(field.volume_above(1.0), 0.0, 1e-12);  // round-off of the last step of the table
+  EXPECT_NEAR(field.dent_above(1.0), 0.0, 1e-12);
   for (double v = 0.31; v < 1.0; v += 0.005) {
     EXPECT_GT(field.volume_above(v - 0.005), field.volume_above(v));
     EXPECT_GT(field.dent_above(v - 0.005), field.dent_above(v));
@@ -148,9 +148,9 @@ constexpr std::array<Reference, 4> kFiniteElements = {{{8.0, 0.0208e-3, 0.0107, 
                                                        {20.0, 0.530e-3, 0.0596, 10581e-9}}};
 
 TEST(PatchDamage, OfARipeKiwiIsThatOfFiniteElements) {
-  const Pressed kiwi;
+  const Pressed pressed;
   for (const Reference& wanted : kFiniteElements) {
-    const PatchDamage found = kiwi.damage(wanted.force_N);
+    const PatchDamage found = pressed.damage(wanted.force_N);
     std::printf("%4.0f N: strain %.4f (%.2f), set %.4f mm (%.2f), volume %.0f mm3 (%.2f)\n", wanted.force_N,
                 found.plastic_strain, found.plastic_strain / wanted.strain, 1e3 * found.set_m,
                 found.set_m / wanted.set_m, 2e9 * found.bruised_volume_m3,
@@ -164,10 +164,11 @@ TEST(PatchDamage, OfARipeKiwiIsThatOfFiniteElements) {
 }
 
 TEST(PatchDamage, OfARipeKiwiPassesItsLimitsAtTheForcesOfFiniteElements) {
-  const Pressed kiwi;
-  const double yield_N = kiwi.force_at(1.0, [&](double force) { return kiwi.ratio(force); });
-  const double strain_N = kiwi.force_at(0.01, [&](double force) { return kiwi.damage(force).plastic_strain; });
-  const double set_N = kiwi.force_at(1e-4, [&](double force) { return kiwi.damage(force).set_m; });
+  const Pressed pressed;
+  const double yield_N = pressed.force_at(1.0, [&](double force) { return pressed.ratio(force); });
+  const double strain_N =
+      pressed.force_at(0.01, [&](double force) { return pressed.damage(force).plastic_strain; });
+  const double set_N = pressed.force_at(1e-4, [&](double force) { return pressed.damage(force).set_m; });
   std::printf("first yield %.2f N (6.25), 1 %% of strain %.2f N (7.9), 0.1 mm of set %.2f N (10.8)\n", yield_N,
               strain_N, set_N);
   EXPECT_NEAR(yield_N, 6.25, 0.05 * 6.25);
@@ -192,17 +193,18 @@ TEST(PatchDamage, OfSpheresLiesOnTheSafeSideOfFiniteElements) {
     };
     EXPECT_TRUE(safe(found.plastic_strain, each.wanted.strain)) << found.plastic_strain;
     EXPECT_TRUE(safe(found.bruised_volume_m3, each.wanted.volume_m3)) << found.bruised_volume_m3;
-    if (each.wanted.set_m > 0.0) EXPECT_TRUE(safe(found.set_m, each.wanted.set_m)) << found.set_m;
+    if (each.wanted.set_m == 0.0) continue;  // not the largest force of its sphere
+    EXPECT_TRUE(safe(found.set_m, each.wanted.set_m)) << found.set_m;
   }
 }
 
 TEST(PatchDamage, GrowsWithTheForceWithoutAJump) {
-  const Pressed kiwi;
-  PatchDamage last = kiwi.damage(5.0);
+  const Pressed pressed;
+  PatchDamage last = pressed.damage(5.0);
   EXPECT_EQ(last.plastic_strain, 0.0);
   constexpr double kStep = 0.01;
   for (double force = 5.0 + kStep; force < 25.0; force += kStep) {
-    const PatchDamage now = kiwi.damage(force);
+    const PatchDamage now = pressed.damage(force);
     EXPECT_GE(now.plastic_strain, last.plastic_strain);
     EXPECT_GE(now.set_m, last.set_m);
     EXPECT_GE(now.bruised_volume_m3, last.bruised_volume_m3);

@@ -59,7 +59,7 @@ struct PatchForm {
   /// Semi-axes along the tangents / sqrt(A), and the pole they are centred on.
   std::array<double, 2> semi_axis{0.0, 0.0};
   std::array<double, 2> pole_m{0.0, 0.0};
-  /// Stress around such a pole, and the body's cross-section in the middle between the pads [m2]; 0: no such pole.
+  /// Stress around such a pole, and the body's cross-section in its middle, along the face [m2]; 0: no such pole.
   PatchField field{0.3};
   double cross_section_m2 = 0.0;
 };

@@ -13,7 +13,10 @@ using namespace testing;
 TEST(SupportYield, OfTheRipeKiwiComesAtTheFallOfIndependentFiniteElements) {
   // 2.06 mJ, a fall of 2.2 mm (reference-data/fe_kiwi.csv has the grip of the same elements).
   const auto kiwi = std::get<LatticeParameters>(kiwi_grip(0.005).product);
-  EXPECT_NEAR(yield_energy_J(kiwi, 2.06e-3), 2.06e-3, 0.1 * 2.06e-3);
+  // They fall onto a rigid plate; the layer of the shipped support would take the product to 1.4 times that
+  // energy.
+  constexpr double kStiff_Pa = 2e7;
+  EXPECT_NEAR(yield_energy_J(kiwi, 2.06e-3, kStiff_Pa), 2.06e-3, 0.1 * 2.06e-3);
 }
 
 TEST(SupportYield, DamagesAndSaysWhere) {

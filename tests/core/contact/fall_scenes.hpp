@@ -28,11 +28,8 @@ inline Scenario falling(const LatticeParameters& product, double energy_J) {
 
 /// Energy of the fall at which the ratio passes 1, from one that is near: the force grows with its 3/5 power, the
 /// ratio with the cube root of the force (Hertz).
-inline double yield_energy_J(const LatticeParameters& product, double near_J,
-                             double support_modulus_Pa = CellParameters{}.support_modulus_Pa) {
-  Scenario scenario = falling(product, near_J);
-  scenario.cell.support_modulus_Pa = support_modulus_Pa;
-  const ScenarioResult result = run(scenario);
+inline double yield_energy_J(const LatticeParameters& product, double near_J) {
+  const ScenarioResult result = run(falling(product, near_J));
   EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
   const double ratio = result.metrics[Metric::contact_yield_ratio_max];
   EXPECT_NEAR(ratio, 1.0, 0.1) << "too far for the power law";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 namespace unbruised {
 namespace {
@@ -38,7 +37,7 @@ Flow flow_through(const PatchField& field, const FlowLaw& law, double ratio) {
 
 double FlowLaw::strain_at(double ratio) const {
   if (!(ratio > 1.0)) return 0.0;
-  const double Y = yield.yield_stress_Pa, H = yield.hardening_modulus_Pa, S = H + 3.0 * shear_modulus_Pa;
+  const double Y = yield.yield_stress_Pa, H = yield.hardening_modulus_Pa, S = H + 3.0 * yield.shear_modulus_Pa;
   // H S p^2 + Y (H + S) p = Y^2 (r^2 - 1), in the form that keeps its digits with H = 0.
   const double right = Y * Y * (ratio * ratio - 1.0), linear = Y * (H + S);
   return 2.0 * right / (linear + std::sqrt(linear * linear + 4.0 * H * S * right));
@@ -46,7 +45,7 @@ double FlowLaw::strain_at(double ratio) const {
 
 double FlowLaw::ratio_at(double strain) const {
   const double Y = yield.yield_stress_Pa, H = yield.hardening_modulus_Pa;
-  return std::sqrt((Y + H * strain) * (Y + (H + 3.0 * shear_modulus_Pa) * strain)) / Y;
+  return std::sqrt((Y + H * strain) * (Y + (H + 3.0 * yield.shear_modulus_Pa) * strain)) / Y;
 }
 
 double FlowLaw::work_at(double strain) const {
@@ -54,10 +53,8 @@ double FlowLaw::work_at(double strain) const {
 }
 
 std::optional<FlowLaw> flow_law(const ProductParameters& product) {
-  const auto* lattice = std::get_if<LatticeParameters>(&product);
   const std::optional<YieldLaw> yield = yield_law(product);
-  if (lattice == nullptr || !yield) return std::nullopt;
-  return FlowLaw{*yield, 0.5 * lattice->youngs_modulus_Pa / (1.0 + lattice->poisson_ratio)};
+  return yield ? std::optional<FlowLaw>(FlowLaw{*yield}) : std::nullopt;
 }
 
 void WorstPatches::raise(std::size_t surface, const PatchDamage& damage) {

@@ -24,7 +24,6 @@ namespace unbruised {
 /// How flesh flows: q = Y + H p.
 struct FlowLaw {
   YieldLaw yield;
-  double shear_modulus_Pa = 0.0;  ///< G
 
   /// Plastic strain at `ratio` times the yield stress of elastic stress, by Neuber's rule; 0 up to 1.
   [[nodiscard]] double strain_at(double ratio) const;

@@ -30,7 +30,7 @@ CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell
 
 void CellPlasticity::load(int lane, const Scenario& scenario) {
   require(is_lane(lane), "CellPlasticity::load: there is no such lane");
-  constexpr YieldLaw kElastic{std::numeric_limits<double>::infinity(), 0.0};
+  constexpr YieldLaw kElastic{std::numeric_limits<double>::infinity(), 0.0, 0.0};
   const YieldLaw law = yield_law(scenario.product).value_or(kElastic);
   yield_stress_.set(lane, law.yield_stress_Pa);
   hardening_.set(lane, law.hardening_modulus_Pa);

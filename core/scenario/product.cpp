@@ -14,7 +14,7 @@ std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nu
 std::optional<YieldLaw> law_of(const LatticeParameters& p) {
   if (!p.yield_stress_Pa || !p.tangent_modulus_Pa) return std::nullopt;
   const double E = p.youngs_modulus_Pa, E_t = *p.tangent_modulus_Pa;
-  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t)};
+  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t), 0.5 * E / (1.0 + p.poisson_ratio)};
 }
 std::optional<YieldLaw> law_of(const NetworkParameters&) { return std::nullopt; }
 

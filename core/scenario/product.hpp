@@ -24,6 +24,7 @@ std::optional<double> yield_stress_Pa(const ProductParameters& product);
 struct YieldLaw {
   double yield_stress_Pa;
   double hardening_modulus_Pa;  ///< yield stress gained per accumulated plastic strain, E E_t / (E - E_t)
+  double shear_modulus_Pa;      ///< E / (2 (1 + nu))
 };
 /// None: it stays elastic, or has springs for a material.
 std::optional<YieldLaw> yield_law(const ProductParameters& product);

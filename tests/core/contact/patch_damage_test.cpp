@@ -68,7 +68,7 @@ class Pressed {
 
 TEST(FlowLaw, FollowsNeubersRule) {
   const FlowLaw law = Pressed{}.law;
-  const double Y = law.yield.yield_stress_Pa, H = law.yield.hardening_modulus_Pa, G = law.shear_modulus_Pa;
+  const double Y = law.yield.yield_stress_Pa, H = law.yield.hardening_modulus_Pa, G = law.yield.shear_modulus_Pa;
   EXPECT_EQ(law.strain_at(1.0), 0.0);
   for (const double ratio : {1.0001, 1.1, 2.0, 5.0}) {
     const double p = law.strain_at(ratio);

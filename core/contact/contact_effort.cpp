@@ -25,19 +25,17 @@ CouplingLaw law_of(double stiffness_N_m, double relaxation_s, double mass_kg, do
 
 double coupling_at(const CouplingLaw& law, double dt) { return (law.quadratic_1_s2 * dt + law.linear_1_s) * dt; }
 
-CouplingLaw coupling_law(const Scenario& scenario) {
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+CouplingLaw coupling_law(const LatticeParameters& product, const Scenario& scenario) {
   const auto* jaw = parallel_jaw(scenario);
-  if (product == nullptr) return {};
-  const double mass_kg = lattice_mass_kg(*product), theta = scenario.simulation.theta;
+  const double mass_kg = lattice_mass_kg(product), theta = scenario.simulation.theta;
   CouplingLaw largest;
   if (jaw != nullptr) {
-    const LayeredFace side = side_at_pad(*product, *jaw, scenario.cell);
+    const LayeredFace side = side_at_pad(product, *jaw, scenario.cell);
     const double both = 2.0 * side.layer_per_area_Pa_m * side.patch_m2(scenario.strategy.grip_force_N);
     largest = law_of(both, jaw->pad_relaxation_time_s, mass_kg, theta);
   }
   if (scenario.cell.support) {
-    const LayeredFace base = side_at_support(*product, scenario.cell);
+    const LayeredFace base = side_at_support(product, scenario.cell);
     const double weight_N = mass_kg * std::abs(scenario.cell.gravity_m_s2[2]);
     const double layer = base.layer_per_area_Pa_m * base.patch_m2(weight_N);
     const CouplingLaw law = law_of(layer, scenario.cell.support_relaxation_time_s, mass_kg, theta);
@@ -46,12 +44,28 @@ CouplingLaw coupling_law(const Scenario& scenario) {
   }
   return largest;
 }
+/// Its few contacts converge in a handful of sweeps whatever they are.
+CouplingLaw coupling_law(const NetworkParameters&, const Scenario&) { return {}; }
+
+CouplingLaw coupling_law(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return coupling_law(kind, scenario); }, scenario.product);
+}
 
 /// Particles under a patch of a face of this cell, at least four.
 double particles_under(double patch_m2, double cell_area_m2) {
   const double side = std::sqrt(patch_m2 / cell_area_m2) + 1.0;
   return std::max(4.0, side * side);
 }
+
+double contact_freedoms(const LatticeParameters& product, const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr) return 0.0;
+  const LayeredFace side = side_at_pad(product, *jaw, scenario.cell);
+  const std::array<double, 3> cell = lattice_cell_extent_m(product);
+  const double nodes = 2.0 * particles_under(side.patch_m2(scenario.strategy.grip_force_N), cell[1] * cell[2]);
+  return 3.0 * nodes;
+}
+double contact_freedoms(const NetworkParameters&, const Scenario&) { return 0.0; }
 
 }  // namespace
 
@@ -74,13 +88,7 @@ double estimated_sweeps(const Scenario& scenario) {
 }
 
 double estimated_contact_freedoms(const Scenario& scenario) {
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  const auto* jaw = parallel_jaw(scenario);
-  if (product == nullptr || jaw == nullptr) return 0.0;
-  const LayeredFace side = side_at_pad(*product, *jaw, scenario.cell);
-  const std::array<double, 3> cell = lattice_cell_extent_m(*product);
-  const double nodes = 2.0 * particles_under(side.patch_m2(scenario.strategy.grip_force_N), cell[1] * cell[2]);
-  return 3.0 * nodes;
+  return std::visit([&](const auto& kind) { return contact_freedoms(kind, scenario); }, scenario.product);
 }
 
 }  // namespace unbruised

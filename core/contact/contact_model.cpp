@@ -9,6 +9,7 @@
 #include "core/contact/half_space.hpp"
 #include "core/contact/tributary_face.hpp"
 #include "core/scenario/pad_meeting.hpp"
+#include "core/door/require.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -277,10 +278,22 @@ ContactModel network_contact(const NetworkParameters& parameters) {
   return contact;
 }
 
+namespace {
+
+ContactModel candidates_of(const LatticeParameters& parameters, const BodyModel& body, double pressure_patch_m) {
+  require(body.lattice.has_value(), "product_contact: the body of another product");
+  return lattice_contact(parameters, *body.lattice, pressure_patch_m);
+}
+ContactModel candidates_of(const NetworkParameters& parameters, const BodyModel& body, double) {
+  require(parameters.particle.size() == body.particle_count, "product_contact: the body of another product");
+  return network_contact(parameters);
+}
+
+}  // namespace
+
 ContactModel product_contact(const ProductParameters& product, const BodyModel& body, double pressure_patch_m) {
   ContactModel contact =
-      body.lattice ? lattice_contact(std::get<LatticeParameters>(product), *body.lattice, pressure_patch_m)
-                   : network_contact(std::get<NetworkParameters>(product));
+      std::visit([&](const auto& kind) { return candidates_of(kind, body, pressure_patch_m); }, product);
   fill_compliance(body.factor, body.slot, contact);
   return contact;
 }

@@ -32,7 +32,22 @@ double landing_speed_m_s(const Scenario& scenario, const LatticeParameters& prod
   return std::abs(product.initial_velocity_m_s[2]);
 }
 
-double network_contact_time_s(const NetworkParameters& network) {
+double pad_time_s(const LatticeParameters& product, const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr) return kNever;
+  return half_period_s(side_at_pad(product, *jaw, scenario.cell), jaw->finger_mass_kg,
+                       scenario.strategy.approach_speed_m_s, scenario.strategy.grip_force_N);
+}
+double pad_time_s(const NetworkParameters&, const Scenario&) { return kNever; }
+
+double landing_time_s(const LatticeParameters& product, const Scenario& scenario) {
+  const double speed_m_s = landing_speed_m_s(scenario, product);
+  if (!(speed_m_s > 0.0)) return kNever;
+  const double mass_kg = lattice_mass_kg(product);
+  return half_period_s(side_at_support(product, scenario.cell), mass_kg, speed_m_s,
+                       mass_kg * std::abs(scenario.cell.gravity_m_s2[2]));
+}
+double landing_time_s(const NetworkParameters& network, const Scenario&) {
   double mass_kg = 0.0;
   double stiffness_N_m = 0.0;
   for (const NetworkParticle& particle : network.particle) {
@@ -45,22 +60,12 @@ double network_contact_time_s(const NetworkParameters& network) {
 }  // namespace
 
 double finger_contact_time_s(const Scenario& scenario) {
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  const auto* jaw = parallel_jaw(scenario);
-  if (jaw == nullptr || product == nullptr) return kNever;
-  return half_period_s(side_at_pad(*product, *jaw, scenario.cell), jaw->finger_mass_kg,
-                       scenario.strategy.approach_speed_m_s, scenario.strategy.grip_force_N);
+  return std::visit([&](const auto& kind) { return pad_time_s(kind, scenario); }, scenario.product);
 }
 
 double support_contact_time_s(const Scenario& scenario) {
   if (!scenario.cell.support) return kNever;
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  if (product == nullptr) return network_contact_time_s(std::get<NetworkParameters>(scenario.product));
-  const double speed_m_s = landing_speed_m_s(scenario, *product);
-  if (!(speed_m_s > 0.0)) return kNever;
-  const double mass_kg = lattice_mass_kg(*product);
-  return half_period_s(side_at_support(*product, scenario.cell), mass_kg, speed_m_s,
-                       mass_kg * std::abs(scenario.cell.gravity_m_s2[2]));
+  return std::visit([&](const auto& kind) { return landing_time_s(kind, scenario); }, scenario.product);
 }
 
 double contact_time_s(const Scenario& scenario) {

@@ -33,7 +33,7 @@ class ElasticMaterial final : public Material {
 
 std::unique_ptr<Material> make_material(const BodyModel& body) {
   if (body.cell) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell);
-  if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body.springs, body.particle_count);
+  if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body);
   return std::make_unique<ElasticMaterial>(body.particle_count);
 }
 

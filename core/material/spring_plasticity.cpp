@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
+#include "core/body/body_state.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -22,31 +22,27 @@ T flow_of(const SpringGeometry& spring, const T& trial, const T& accumulated) {
   return max(excess, T(0.0)) / (k * T(1.0 + spring.hardening_ratio));
 }
 
-/// Elongation of a spring since it was mounted, at the initial displacements.
-double initial_strain_m(const SpringGeometry& spring, const NetworkParameters& network) {
-  const auto displacement = [&](int particle, std::size_t axis) {
-    const NetworkParticle& p = network.particle[static_cast<std::size_t>(particle)];
-    return p.fixed[axis] ? 0.0 : p.initial_displacement_m[axis];
-  };
+/// Elongation of a spring since it was mounted. @param u_m displacements, [3n]
+double elongation_m(const SpringGeometry& spring, const std::vector<double>& u_m) {
+  const auto a = 3 * static_cast<std::size_t>(spring.a), b = 3 * static_cast<std::size_t>(spring.b);
   double elongation = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    elongation += spring.direction[axis] * (displacement(spring.b, axis) - displacement(spring.a, axis));
+    elongation += spring.direction[axis] * (u_m[b + axis] - u_m[a + axis]);
   }
   return elongation;
 }
 
 }  // namespace
 
-SpringPlasticity::SpringPlasticity(const std::vector<SpringGeometry>& springs, std::size_t particle_count)
-    : springs_(springs) {
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    if (std::isfinite(springs[s].yield_force)) yielding_spring_.push_back(static_cast<int>(s));
+SpringPlasticity::SpringPlasticity(const BodyModel& body) : body_(body), springs_(body.springs) {
+  for (std::size_t s = 0; s < springs_.size(); ++s) {
+    if (std::isfinite(springs_[s].yield_force)) yielding_spring_.push_back(static_cast<int>(s));
   }
   for (LaneArray* rows : {&elongation_, &elongation_theta_, &accumulated_, &accumulated_theta_}) {
     *rows = LaneArray(yielding_spring_.size());
   }
-  load_ = LaneArray(3 * particle_count);
-  load_theta_ = LaneArray(3 * particle_count);
+  load_ = LaneArray(3 * body.particle_count);
+  load_theta_ = LaneArray(3 * body.particle_count);
 }
 
 void SpringPlasticity::load(int lane, const Scenario& scenario) {
@@ -56,15 +52,14 @@ void SpringPlasticity::load(int lane, const Scenario& scenario) {
     rows->clear_lane(lane);
   }
   clear_account(lane);
-  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) {
-    yield_as_mounted(lane, i, std::get<NetworkParameters>(scenario.product));
-  }
+  const BodyState begin = written_state(scenario.product, body_);
+  for (std::size_t i = 0; i < yielding_spring_.size(); ++i) yield_as_mounted(lane, i, begin.displacement_m);
 }
 
 /// What is mounted beyond its yield force has flowed before the clock starts: nothing of it is booked.
-void SpringPlasticity::yield_as_mounted(int lane, std::size_t i, const NetworkParameters& network) {
+void SpringPlasticity::yield_as_mounted(int lane, std::size_t i, const std::vector<double>& begin_m) {
   const SpringGeometry& spring = springs_[yielding_spring_[i]];
-  const double trial = spring.stiffness * (spring.initial_elongation + initial_strain_m(spring, network));
+  const double trial = spring.stiffness * (spring.initial_elongation + elongation_m(spring, begin_m));
   const double flow = flow_of(spring, trial, 0.0);
   if (flow == 0.0) return;
   const double signed_flow = trial < 0.0 ? -flow : flow;

@@ -7,14 +7,15 @@
 
 #include <vector>
 
-#include "core/body/network.hpp"
+#include "core/body/body_model.hpp"
 #include "core/material/material.hpp"
 
 namespace unbruised {
 
 class SpringPlasticity final : public Material {
  public:
-  SpringPlasticity(const std::vector<SpringGeometry>& springs, std::size_t particle_count);
+  /// @param body outlives it
+  explicit SpringPlasticity(const BodyModel& body);
 
   void load(int lane, const Scenario& scenario) override;
   [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
@@ -29,8 +30,10 @@ class SpringPlasticity final : public Material {
   [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override { return std::nullopt; }
 
  private:
-  void yield_as_mounted(int lane, std::size_t i, const NetworkParameters& network);
+  /// @param begin_m displacements at which the clock starts, [3n]
+  void yield_as_mounted(int lane, std::size_t i, const std::vector<double>& begin_m);
 
+  const BodyModel& body_;
   const std::vector<SpringGeometry>& springs_;
   std::vector<int> yielding_spring_;  ///< springs with a finite yield force
   LaneArray elongation_, elongation_theta_, accumulated_, accumulated_theta_;

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "core/contact/contact_time.hpp"
 #include "studies/config/execution_error.hpp"
+#include "studies/text/joined.hpp"
 #include "studies/text/key_names.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -22,14 +23,8 @@ double steps_of(const Scenario& scenario) { return contact_time_s(scenario) / sc
 
 std::string leaf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-std::string three_digits(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
-  return {text.data(), end.ptr};
-}
-
 void add_place(std::string& where, const std::string& key, const std::string& value) {
-  where += (where.empty() ? "" : ", ") + leaf(key) + " = " + value;
+  add_part(where, ", ", joined({leaf(key), " = ", value}));
 }
 
 /// A key that takes any value between two ends in every scenario: the ends and the middle.
@@ -163,8 +158,9 @@ ContactSteps fewest_contact_steps(const StudyData& data) {
     if (look(data.scenario(id))) best = id;
   }
   if (best) {
-    const std::string grid = place_on_grid(data, *best);
-    fewest.where = grid + (grid.empty() || fewest.where.empty() ? "" : ", ") + fewest.where;
+    std::string where = place_on_grid(data, *best);
+    add_part(where, ", ", fewest.where);
+    fewest.where = std::move(where);
   }
   for (const StrategyCandidate& candidate : data.candidates) {
     if (look(candidate.scenario)) add_place(fewest.where, "candidate", candidate.name);

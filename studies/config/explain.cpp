@@ -88,8 +88,9 @@ std::string unit_words(const KeySpec& spec) {
 }
 
 std::string rule_words(const KeySpec& spec) {
-  const std::string range = spec.range.text();
-  return range + (range.empty() || spec.note.empty() ? "" : "; ") + spec.note;
+  std::string rule = spec.range.text();
+  add_part(rule, "; ", spec.note);
+  return rule;
 }
 
 std::string where_used(Use use) {

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "studies/config/schema.hpp"
+#include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -116,7 +117,7 @@ std::optional<Library::Text> Library::open(const Entry& named, Problems& problem
   const std::filesystem::path wanted = name;
   const std::size_t most = named.path.ends_with("_csv") ? kMaxCsvBytes : kMaxBytes;
   std::string why;
-  std::string places;
+  std::vector<std::string> places;
   for (const auto& folder : {folder_, config_root_}) {
     if (folder.empty() && !wanted.is_absolute()) continue;
     const std::filesystem::path path = folder / wanted;
@@ -128,11 +129,11 @@ std::optional<Library::Text> Library::open(const Entry& named, Problems& problem
       }
       return Text{std::move(*content), file, next_rank_++};
     }
-    places += (places.empty() ? "" : " or ") + folder.lexically_normal().string();
+    places.push_back(folder.lexically_normal().string());
     if (why != "no such file") break;
   }
   problems.add(named.origin, named.path, toml_string(named.value.text),
-               why + (places.empty() ? "" : " (looked in " + places + ")"));
+               places.empty() ? why : joined({why, " (looked in ", listed(places, "or"), ")"}));
   return std::nullopt;
 }
 

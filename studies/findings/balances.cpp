@@ -44,10 +44,9 @@ std::string worst_text(const std::vector<ScenarioRow>& rows, Metric metric) {
 }  // namespace
 
 std::string balance_line(const std::vector<ScenarioRow>& rows) {
-  const std::string impulse = worst_text(rows, Metric::impulse_balance_error);
-  const std::string energy = worst_text(rows, Metric::energy_balance_error);
-  if (impulse.empty() && energy.empty()) return {};
-  return joined({"worst balances: ", impulse, impulse.empty() || energy.empty() ? "" : "; ", energy});
+  std::string worst = worst_text(rows, Metric::impulse_balance_error);
+  add_part(worst, "; ", worst_text(rows, Metric::energy_balance_error));
+  return worst.empty() ? worst : joined({"worst balances: ", worst});
 }
 
 std::string balance_doubt(const std::vector<ScenarioRow>& rows) {

@@ -137,7 +137,7 @@ struct DifferenceRows {
 
 ResultTable CompareTables::differences() const {
   DifferenceRows rows;
-  std::string all;
+  std::vector<std::string> all;
   for (std::size_t a = 0; a < count(); ++a) {
     for (std::size_t b = a + 1; b < count(); ++b) {
       for (const Metric metric : study_.compare().metrics) {
@@ -148,7 +148,7 @@ ResultTable CompareTables::differences() const {
         rows.bs.push_back(comparison_.name(b));
         rows.winners.push_back(winner == Winner::none ? "" : comparison_.name(winner == Winner::a ? a : b));
         rows.verdicts.push_back(comparison_.verdict(a, b, metric, pair));
-        if (metric == study_.compare().metric) all += joined({all.empty() ? "" : "; ", rows.verdicts.back()});
+        if (metric == study_.compare().metric) all.push_back(rows.verdicts.back());
       }
     }
   }
@@ -158,7 +158,7 @@ ResultTable CompareTables::differences() const {
           .columns = rows.take(),
           .attributes = {{"headline", comparison_.headline()},
                          {"winner", best == count() ? std::string() : comparison_.name(best)},
-                         {"verdict", all},
+                         {"verdict", separated(all, "; ")},
                          {"confidence", study_.sampling().confidence}}};
 }
 

@@ -119,15 +119,12 @@ class WindowInWords {
     for (const SafeInterval& each : samples_.intervals()) {
       const std::string ends = joined(
           {"[", short_number(samples_.force(each.first)), ", ", short_number(samples_.force(each.last)), "]"});
-      row_.intervals += joined({row_.intervals.empty() ? "" : ", ", ends});
+      add_part(row_.intervals, ", ", ends);
       if (each.first != interval_.first) note({"not monotone: held and undamaged in ", ends, " N too"});
     }
   }
 
-  void note(std::initializer_list<std::string_view> parts) {
-    if (!row_.note.empty()) row_.note += "; ";
-    row_.note += joined(parts);
-  }
+  void note(std::initializer_list<std::string_view> parts) { add_part(row_.note, "; ", joined(parts)); }
 
   const Samples& samples_;
   const SafeInterval interval_;
@@ -192,10 +189,7 @@ class NoWindowInWords {
                    short_number(row_.damage_bracket_high_N), " N on"});
   }
 
-  void note(std::initializer_list<std::string_view> parts) {
-    if (!row_.note.empty()) row_.note += "; ";
-    row_.note += joined(parts);
-  }
+  void note(std::initializer_list<std::string_view> parts) { add_part(row_.note, "; ", joined(parts)); }
 
   const Samples& samples_;
   std::size_t held_ = 0;

@@ -72,7 +72,8 @@ std::string negated_words(std::uint32_t endings) {
     if ((said & ~endings) != 0) continue;
     const std::string rest = plain_words(endings & ~said);
     if (rest.empty() && (endings & ~said) != 0) continue;
-    std::string words = std::string(phrase) + (rest.empty() ? "" : " or " + rest);
+    std::string words(phrase);
+    add_part(words, " or ", rest);
     if (shortest.empty() || words.size() < shortest.size()) shortest = std::move(words);
   }
   return shortest;

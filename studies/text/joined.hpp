@@ -39,6 +39,12 @@ std::string comma_list(const Items& items, Spell spell) {
   return separated(items, ", ", spell);
 }
 
+/// Puts a part behind those that stand in `list`, with the separator between them; an empty part adds nothing.
+inline void add_part(std::string& list, std::string_view separator, std::string_view part) {
+  if (!list.empty() && !part.empty()) list.append(separator);
+  list.append(part);
+}
+
 /// "a, b or c" with `last` = "or".
 inline std::string listed(const std::vector<std::string>& words, std::string_view last) {
   if (words.size() < 2) return comma_list(words);

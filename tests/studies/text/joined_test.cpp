@@ -13,6 +13,16 @@ TEST(Joined, PutsSeparatorsBetweenPartsOnly) {
   EXPECT_EQ(comma_list(std::vector<int>{1, 2}, [](int i) { return std::to_string(i); }), "1, 2");
 }
 
+TEST(Joined, PutsAPartBehindOthersWithASeparatorWhereBothAreThere) {
+  std::string list;
+  add_part(list, "; ", "");
+  EXPECT_EQ(list, "");
+  add_part(list, "; ", "a");
+  add_part(list, "; ", "b");
+  add_part(list, "; ", "");
+  EXPECT_EQ(list, "a; b");
+}
+
 TEST(Joined, ListsWordsAsASentenceDoes) {
   EXPECT_EQ(listed({}, "or"), "");
   EXPECT_EQ(listed({"sample"}, "or"), "sample");

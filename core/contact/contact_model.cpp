@@ -8,8 +8,8 @@
 #include "core/algebra/lane_solve.hpp"
 #include "core/contact/half_space.hpp"
 #include "core/contact/tributary_face.hpp"
-#include "core/scenario/pad_meeting.hpp"
 #include "core/door/require.hpp"
+#include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {

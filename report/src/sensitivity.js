@@ -2,7 +2,8 @@
 
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
-import { effects } from "./tables.js";
+import { capital } from "./answer/parts.js";
+import { effectNote, effects, firstMetric } from "./tables.js";
 import { tip, tipLine } from "./scenario.js";
 import { genericTable } from "./table.js";
 import { label, percent, plural, quantity, scaleFor } from "./words.js";
@@ -37,7 +38,7 @@ export function sensitivity(study) {
   const metrics = table?.column("metric")?.distinct ?? [];
   if (!table || metrics.length === 0) return null;
   const morris = table.column("mean_absolute") !== null;
-  let metric = metrics[0];
+  let metric = firstMetric(table);
   const columns = Object.fromEntries(table.columns.map((column) => [column.name, column]));
   const unitsOf = () => (morris ? study.scenarios.column(metric)?.units ?? "" : "");
   const text = (value) => (morris ? quantity(value, unitsOf(), 3) : percent(value));
@@ -76,8 +77,8 @@ export function sensitivity(study) {
             ].filter(Boolean),
       };
     },
-    describe: () => `Effects on ${label(metric)}: ${effects(table, metric).map((each) => `${label(each.key)} ${text(each.value)}`).join(", ")}.`,
-    note: () => `${morris ? "Bars: how far the metric moves over the input's range, on average. Open diamonds: how much that depends on the other inputs." : "Pale: total effect, with everything the input interacts with. Full: on its own."} Lines: ${typeof table.attributes.confidence === "number" ? percent(table.attributes.confidence) : "confidence"} intervals; an interval that reaches zero shows no effect.${leftOut(table)}`,
+    describe: () => effectNote(table, metric) ? `${capital(label(metric))} ${effectNote(table, metric)}.` : `Effects on ${label(metric)}: ${effects(table, metric).map((each) => `${label(each.key)} ${text(each.value)}`).join(", ")}.`,
+    note: () => effectNote(table, metric) ? `${capital(label(metric))} ${effectNote(table, metric)}.` : `${morris ? "Bars: how far the metric moves over the input's range, on average. Open diamonds: how much that depends on the other inputs." : "Pale: total effect, with everything the input interacts with. Full: on its own."} Lines: ${typeof table.attributes.confidence === "number" ? percent(table.attributes.confidence) : "confidence"} intervals; an interval that reaches zero shows no effect.${leftOut(table)}`,
   });
   return h("div", {}, chart.element, h("details", {}, h("summary", {}, "As a table"), genericTable(study, table, { name: "sensitivity" })));
 }

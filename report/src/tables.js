@@ -64,8 +64,21 @@ export function textAttribute(table, name, otherwise = "") {
   return typeof text === "string" && text ? text : otherwise;
 }
 
+/** Why a metric of a sensitivity study has no effects to tell, behind its name; empty where it has. */
+export function effectNote(table, metric) {
+  const row = rowsOf(table).find((each) => table.at("metric", each) === metric);
+  return row === undefined ? "" : table.at("note", row) ?? "";
+}
+
+/** The metric a sensitivity study shows first: one that has effects, if there is one. */
+export function firstMetric(table) {
+  const metrics = table?.column("metric")?.distinct ?? [];
+  return metrics.find((metric) => effects(table, metric).length > 0) ?? metrics[0];
+}
+
 /** Rows of one metric of a sensitivity study, most effective first, with the interval of the effect. */
 export function effects(table, metric) {
+  if (effectNote(table, metric)) return [];
   const name = table.column("mean_absolute") === null ? "total" : "mean_absolute";
   return rowsOf(table)
     .filter((row) => table.at("metric", row) === metric && table.at(name, row) !== null)

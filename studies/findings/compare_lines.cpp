@@ -25,6 +25,10 @@ std::string candidate_line(const ResultTable& candidates, std::size_t i) {
     if (!column.name.starts_with("mean_")) continue;
     const std::string metric = column.name.substr(5);
     const double products = number_in(candidates, joined({"products_", metric}), i);
+    if (products == 0.0) {
+      line += joined({"; ", metric, " is of no product: none is held"});
+      continue;
+    }
     line += joined({"; mean ", metric, " = ", short_number(number_in(candidates, column.name, i))});
     if (std::isnan(products)) continue;  // a file from before the products were counted
     line += joined({" over ", short_number(products), products == 1.0 ? " product held" : " products held"});

@@ -10,6 +10,8 @@
 #include "studies/statistics/intervals.hpp"
 #include "studies/statistics/seed_purpose.hpp"
 #include "studies/statistics/sensitivity.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -27,9 +29,10 @@ class EffectTable {
   explicit EffectTable(std::vector<std::pair<std::string, std::string>> columns) : columns_(std::move(columns)) {
     values_.resize(columns_.size());
   }
-  void add(const std::string& key, const std::string& metric, const std::vector<double>& numbers) {
+  void add(const std::string& key, Metric metric, const std::string& note, const std::vector<double>& numbers) {
     keys_.push_back(key);
-    metrics_.push_back(metric);
+    metrics_.emplace_back(info_of(metric).name);
+    notes_.push_back(note);
     for (std::size_t i = 0; i < numbers.size(); ++i) values_[i].push_back(numbers[i]);
   }
   ResultTable take() {
@@ -39,14 +42,27 @@ class EffectTable {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       table.columns.push_back({columns_[i].first, "", columns_[i].second, std::move(values_[i])});
     }
+    table.columns.push_back({std::string(kEffectNoteColumn), "",
+                             "why the metric has no effects to tell; else empty", std::move(notes_)});
     return table;
   }
 
  private:
   std::vector<std::pair<std::string, std::string>> columns_;
-  std::vector<std::string> keys_, metrics_;
+  std::vector<std::string> keys_, metrics_, notes_;
   std::vector<std::vector<double>> values_;
 };
+
+/// Why effects on a metric cannot be told, behind its name; empty where they can.
+/// @param found a MorrisResult or SobolResult
+template <class Found>
+std::string effect_note(const Found& found, std::size_t samples) {
+  if (found.used == 0) {
+    return joined({"has no effects that could be told: each of the ", with_thousands(samples),
+                   " samples has a run in which it does not exist"});
+  }
+  return found.varies ? std::string() : std::string("does not vary, whatever the keys are");
+}
 
 ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows, std::size_t& used) {
   EffectTable effects({{"first_order", "part of the variance that the key alone explains"},
@@ -61,9 +77,10 @@ ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows
     const SobolResult found = sobol_indices(design, answers_of(rows, metric), settings.bootstrap,
                                             settings.confidence, seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
+    const std::string note = effect_note(found, settings.samples);
     for (std::size_t k = 0; k < found.indices.size(); ++k) {
       const SobolIndex& index = found.indices[k];
-      effects.add(study.randoms()[k].key, std::string(info_of(metric).name),
+      effects.add(study.randoms()[k].key, metric, note,
                   {index.first, index.first_interval.low, index.first_interval.high, index.total,
                    index.total_interval.low, index.total_interval.high});
     }
@@ -83,9 +100,10 @@ ResultTable morris_table(const Study& study, const std::vector<ScenarioRow>& row
     const MorrisResult found = morris_effects(design, answers_of(rows, metric), settings.confidence,
                                               seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
+    const std::string note = effect_note(found, settings.samples);
     for (std::size_t k = 0; k < found.effects.size(); ++k) {
       const MorrisEffect& effect = found.effects[k];
-      effects.add(study.randoms()[k].key, std::string(info_of(metric).name),
+      effects.add(study.randoms()[k].key, metric, note,
                   {effect.mean, effect.mean_absolute, effect.mean_absolute_interval.low,
                    effect.mean_absolute_interval.high, effect.standard_deviation});
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "studies/findings/found_parts.hpp"
+#include "studies/findings/found_tables.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -75,31 +76,47 @@ void add_front(const std::vector<ResultTable>& tables, std::vector<std::string>&
 
 // -- sensitivity, sample. ---------------------------------------------------------------------------------------
 
+/// The rows of the table, metric by metric, most effective first.
+std::vector<std::size_t> effect_order(const ResultTable& table, const char* rank) {
+  std::vector<std::size_t> order(row_count(table));
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const std::string metric_a = text_in(table, "metric", a);
+    const std::string metric_b = text_in(table, "metric", b);
+    if (metric_a != metric_b) return metric_a < metric_b;
+    return number_in(table, rank, a) > number_in(table, rank, b);
+  });
+  return order;
+}
+
+/// "slip_max_m does not vary, whatever the keys are", or the effect of one key.
+std::string effect_line(const ResultTable& table, const std::string& rank, std::size_t i) {
+  const std::string metric = text_in(table, "metric", i);
+  if (const std::string note = text_in(table, kEffectNoteColumn, i); !note.empty()) {
+    return joined({metric, " ", note});
+  }
+  const bool sobol = text_attribute(table, "method") == "sobol";
+  const std::string rest = sobol ? joined({", alone ", short_number(number_in(table, "first_order", i))})
+                                 : joined({", mean ", short_number(number_in(table, "mean", i)), ", spread ",
+                                           short_number(number_in(table, "standard_deviation", i))});
+  return joined({metric, ", ", text_in(table, "key", i), ": ", sobol ? "total effect " : "mean absolute effect ",
+                 interval_text(number_in(table, rank, i), number_in(table, joined({rank, "_low"}), i),
+                               number_in(table, joined({rank, "_high"}), i),
+                               number_attribute(table, "confidence").value_or(0.95)),
+                 rest});
+}
+
 void add_effects(const std::vector<ResultTable>& tables, std::vector<std::string>& lines) {
   const ResultTable* table = find_table(tables, "sensitivity");
   if (table == nullptr) return;
-  const bool sobol = text_attribute(*table, "method") == "sobol";
-  const char* rank = sobol ? "total" : "mean_absolute";
-  std::vector<std::size_t> order(row_count(*table));
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const std::string metric_a = text_in(*table, "metric", a);
-    const std::string metric_b = text_in(*table, "metric", b);
-    if (metric_a != metric_b) return metric_a < metric_b;
-    return number_in(*table, rank, a) > number_in(*table, rank, b);
-  });
-  const double confidence = number_attribute(*table, "confidence").value_or(0.95);
-  for (std::size_t k = 0; k < std::min(order.size(), kLinesMost); ++k) {
-    const std::size_t i = order[k];
-    const std::string low = joined({rank, "_low"});
-    const std::string high = joined({rank, "_high"});
-    std::string line = joined({text_in(*table, "metric", i), ", ", text_in(*table, "key", i), ": ",
-                               sobol ? "total effect " : "mean absolute effect ",
-                               interval_text(number_in(*table, rank, i), number_in(*table, low, i),
-                                             number_in(*table, high, i), confidence)});
-    line += sobol ? joined({", alone ", short_number(number_in(*table, "first_order", i))})
-                  : joined({", mean ", short_number(number_in(*table, "mean", i)), ", spread ",
-                            short_number(number_in(*table, "standard_deviation", i))});
+  const char* rank = text_attribute(*table, "method") == "sobol" ? "total" : "mean_absolute";
+  std::size_t told = 0;
+  std::string before;  // a metric without effects has the same line for each of its keys
+  for (const std::size_t i : effect_order(*table, rank)) {
+    std::string line = effect_line(*table, rank, i);
+    if (line == before) continue;
+    if (++told > kLinesMost) break;
+    before = line;
     lines.push_back(std::move(line));
   }
   const double left_out = number_attribute(*table, "left_out").value_or(0.0);
@@ -139,6 +156,10 @@ void add_statistics(const std::vector<ResultTable>& tables, std::vector<std::str
 }  // namespace
 
 std::string interval_text(double estimate, double low, double high, double confidence) {
+  if (std::isnan(estimate)) return "not known";
+  if (!std::isfinite(low) || !std::isfinite(high)) {
+    return joined({short_number(estimate), " (too few samples for an interval)"});
+  }
   return joined({short_number(estimate), " (", percent(confidence), " interval ", short_number(low), " to ",
                  short_number(high), ")"});
 }

@@ -11,7 +11,7 @@
 
 namespace unbruised::studies {
 
-/// "0.98 (95 % interval 0.91 to 1)"
+/// "0.98 (95 % interval 0.91 to 1)"; without an end of the interval, or without the estimate, it says so.
 std::string interval_text(double estimate, double low, double high, double confidence);
 /// " (scenario 12)"; empty where the row names none.
 std::string scenario_text(const ResultTable& table, std::size_t row);

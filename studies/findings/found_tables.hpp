@@ -4,6 +4,7 @@
 /// What the kinds beside sweep and window found, as tables for results.h5, `info` and the report
 /// (docs/results.md).
 
+#include <string_view>
 #include <vector>
 
 #include "studies/config/study.hpp"
@@ -20,6 +21,9 @@ std::vector<ResultTable> search_tables(const StrategyJudge& judge, const SearchF
 
 /// Tables of compare: candidates, comparison, random. @param rows all of the study's, by id
 std::vector<ResultTable> compare_tables(const Study& study, const std::vector<ScenarioRow>& rows);
+
+/// Column of the table sensitivity: why a metric has no effects to tell ("does not vary"); empty where it has.
+inline constexpr std::string_view kEffectNoteColumn = "note";
 
 /// Tables of sensitivity: sensitivity. @param rows all of the study's, by id
 std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vector<ScenarioRow>& rows);

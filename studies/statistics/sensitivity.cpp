@@ -48,6 +48,16 @@ std::vector<std::size_t> all_rows(std::size_t count) {
   return all;
 }
 
+/// Do two answers differ?
+bool varies(const std::vector<Block>& blocks) {
+  for (const Block block : blocks) {
+    for (const double f : block) {
+      if (f != blocks.front().front()) return true;
+    }
+  }
+  return false;
+}
+
 // -- Morris. -----------------------------------------------------------------------------------------------
 
 /// One elementary effect per dimension, of the trajectory that begins at `first`.
@@ -193,6 +203,7 @@ MorrisResult morris_effects(const UnitDesign& design, std::span<const double> an
   }
   MorrisResult out;
   out.used = blocks.answers.size();
+  out.varies = varies(blocks.answers);
   for (const std::vector<double>& own : effects) {
     out.effects.push_back(effect_of(own, confidence, derived_seed(seed, kBootstrap)));
   }
@@ -226,6 +237,7 @@ SobolResult sobol_indices(const UnitDesign& design, std::span<const double> answ
   const std::vector<Block>& blocks = finite.answers;
   SobolResult out;
   out.used = blocks.size();
+  out.varies = varies(blocks);
   if (blocks.empty()) {
     out.indices.assign(dimensions, {kNaN, kNaN, {kNaN, kNaN}, {kNaN, kNaN}});
     out.variance = kNaN;

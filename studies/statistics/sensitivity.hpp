@@ -32,6 +32,7 @@ struct MorrisEffect {
 struct MorrisResult {
   std::vector<MorrisEffect> effects;  ///< one per dimension
   std::size_t used = 0;               ///< trajectories all of whose answers are finite
+  bool varies = false;                ///< two answers of these differ
 };
 /// @param answers one per point of the design; a trajectory with one in it that is no finite number is left out.
 /// None left: NaN. One left: its effects, with intervals [0, inf]. @throws std::invalid_argument when the lengths
@@ -55,6 +56,7 @@ struct SobolResult {
   std::vector<SobolIndex> indices;  ///< one per dimension
   double variance = 0.0;            ///< of f(A) and f(B) together
   std::size_t used = 0;             ///< base samples all of whose answers are finite
+  bool varies = false;              ///< two answers of these differ
 };
 /// Indices are 0 where the answers do not vary. Intervals: bootstrap over the base samples of a random design;
 /// of a design in replicates Student's with the jackknife over these.

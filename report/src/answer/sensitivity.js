@@ -1,14 +1,19 @@
 // The input that matters most, and whether it is clearly ahead.
 
-import { effects, inWords, textAttribute } from "../tables.js";
+import { effectNote, effects, firstMetric, inWords, textAttribute } from "../tables.js";
 import { label, percent, quantity } from "../words.js";
 import { capital, fact, verdict } from "./parts.js";
 
 export function sensitivityAnswer(study) {
   const table = study.tables.get("sensitivity");
-  const metric = table.column("metric")?.distinct[0];
+  const metric = firstMetric(table);
   const found = metric === undefined ? [] : effects(table, metric);
   const name = label(metric ?? "");
+  const note = metric === undefined ? "" : effectNote(table, metric);
+  if (note) return { kicker: `What ${name} depends on`, headline: "No effect to tell", verdict: verdict("none", "Nothing to compare"), sentence: `${capital(name)} ${note}.` };
+  if (found.length > 0 && found.every((each) => each.low === null)) {
+    return { kicker: `What ${name} depends on`, headline: "No effect shown", verdict: verdict("none", "Too few samples for an interval"), sentence: "More samples would tell more." };
+  }
   if (found.length === 0 || found.every((each) => each.low === null || each.low <= 0)) {
     return { kicker: `What ${name} depends on`, headline: "No effect shown", verdict: verdict("none", "Every interval reaches zero"), sentence: capital(inWords(textAttribute(table, "sentence", "More samples would tell more."))) };
   }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/findings/found_lines.hpp"
 #include "tests/studies/execution/formula_simulator.hpp"
 #include "tests/studies/kinds/search_testing.hpp"
 
@@ -196,6 +197,64 @@ TEST(SensitivityStudy, ScreensByMorrisWithoutSquareTerms) {
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_GT(number_in(table, "mean_absolute_high", k), number_in(table, "mean_absolute_low", k));
   EXPECT_EQ(report.tables.rows.size(), 64U * 4U);
+}
+
+bool has_line(const StudyReport& report, const std::string& kind, const std::string& wanted) {
+  const std::vector<std::string> lines = summary_lines(report.tables, kind);
+  return std::find(lines.begin(), lines.end(), wanted) != lines.end();
+}
+
+TEST(SensitivityStudy, SaysThatAMetricDoesNotVaryAndNeverNaN) {
+  for (const std::string method : {"sobol", "morris"}) {
+    const Study study = study_of(ishigami_text(method, 16));
+    const StudyReport constant = run_fresh(study, FormulaSimulator([](const Scenario&) {
+                                             return held_with({{Metric::cycle_time_s, 2.0}});
+                                           }));
+    EXPECT_TRUE(has_line(constant, "sensitivity", "cycle_time_s does not vary, whatever the keys are")) << method;
+    const StudyReport missing = run_fresh(study, FormulaSimulator([](const Scenario&) {
+                                            return held_with({{Metric::slip_max_m, 0.0}});
+                                          }));
+    EXPECT_TRUE(has_line(missing, "sensitivity",
+                         "cycle_time_s has no effects that could be told: each of the 16 samples has a run in "
+                         "which it does not exist"))
+        << method;
+    for (const StudyReport* report : {&constant, &missing}) {
+      for (const std::string& line : summary_lines(report->tables, "sensitivity")) {
+        EXPECT_EQ(line.find("nan"), std::string::npos) << line;
+        EXPECT_EQ(line.find("cycle_time_s, "), std::string::npos) << line << ": an effect of a key";
+      }
+    }
+  }
+}
+
+TEST(SensitivityStudy, SaysThatOneSampleGivesNoInterval) {
+  const ResultTable table{.name = "sensitivity",
+                          .row = "effect",
+                          .columns = {{"key", "", "", std::vector<std::string>{"strategy.hold_s"}},
+                                      {"metric", "", "", std::vector<std::string>{"cycle_time_s"}},
+                                      {"first_order", "", "", std::vector<double>{0.5}},
+                                      {"total", "", "", std::vector<double>{0.6}},
+                                      {"total_low", "", "", std::vector<double>{-INFINITY}},
+                                      {"total_high", "", "", std::vector<double>{INFINITY}}},
+                          .attributes = {{"method", std::string("sobol")}}};
+  const std::vector<std::string> lines = found_lines({table}, "held");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0],
+            "cycle_time_s, strategy.hold_s: total effect 0.6 (too few samples for an interval), alone 0.5");
+}
+
+TEST(CompareStudy, SaysThatACandidateHoldsNothing) {
+  const auto none = [](const Scenario&) {
+    ScenarioResult result = held_with({{Metric::cycle_time_s, 1.0}});
+    result.outcome = Outcome::dropped;
+    return result;
+  };
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 8)), FormulaSimulator(none));
+  const std::vector<std::string> lines = summary_lines(report.tables, "compare");
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.ends_with("; cycle_time_s is of no product: none is held");
+  }));
+  for (const std::string& line : lines) EXPECT_EQ(line.find("nan"), std::string::npos) << line;
 }
 
 TEST(SampleStudy, ReportsHowOftenProductsAreHeldAndHowMetricsSpread) {

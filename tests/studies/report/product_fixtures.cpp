@@ -92,6 +92,20 @@ ReportFixture sensitivity(const std::string& name, bool morris) {
   return fixture;
 }
 
+/// Of two metrics one never changes; in the samples the other is missing from some run.
+ReportFixture without_effects() {
+  ReportFixture fixture = sensitivity("no_effects", true);
+  ResultTable& table = fixture.content.tables.front();
+  const std::string constant = "does not vary, whatever the keys are";
+  const std::string missing =
+      "has no effects that could be told: each of the 40 samples has a run in which it does not exist";
+  for (std::size_t c = 2; c < table.columns.size(); ++c) {
+    table.columns[c] = numbers(table.columns[c].name, "", "", {0.0, 0.0, 0.0, kAbsent, kAbsent, kAbsent});
+  }
+  table.columns.push_back(texts("note", {constant, constant, constant, missing, missing, missing}));
+  return fixture;
+}
+
 }  // namespace
 
 ReportFixture sample() {
@@ -104,8 +118,12 @@ ReportFixture sample() {
 }
 
 std::vector<ReportFixture> product_fixtures() {
-  return {compare("kiwi_compare", 1.6, 3.4, true), compare("no_difference", 1.6, 1.6, false),
-          sensitivity("kiwi_sobol", false), sensitivity("kiwi_morris", true), sample()};
+  return {compare("kiwi_compare", 1.6, 3.4, true),
+          compare("no_difference", 1.6, 1.6, false),
+          sensitivity("kiwi_sobol", false),
+          sensitivity("kiwi_morris", true),
+          without_effects(),
+          sample()};
 }
 
 }  // namespace unbruised::studies::testing

@@ -194,11 +194,13 @@ TEST(SobolIndices, OfNothingAreNaNAndOfAConstantAreZero) {
   EXPECT_TRUE(std::isnan(none.variance));
   const SobolResult constant = sobol_indices(design, std::vector<double>(16, 3.0), 10, 0.95, 1);
   EXPECT_EQ(constant.variance, 0.0);
+  EXPECT_FALSE(constant.varies || none.varies);
   EXPECT_EQ(constant.indices[0].first, 0.0);
   EXPECT_EQ(constant.indices[0].total, 0.0);
   std::vector<double> one(16, kNaN);
   for (std::size_t i = 0; i < 4; ++i) one[i] = static_cast<double>(i);
   EXPECT_EQ(sobol_indices(design, one, 10, 0.95, 1).used, 1U);
+  EXPECT_TRUE(sobol_indices(design, one, 10, 0.95, 1).varies);
   EXPECT_EQ(sobol_indices(design, one, 10, 0.95, 1).indices[0].first_interval.low, -kInf);
   EXPECT_THROW(sobol_indices(design, std::vector<double>(15), 10, 0.95, 1), std::invalid_argument);
 }

@@ -4,6 +4,7 @@
 
 #include "core/contact/first_yield.hpp"
 #include "core/contact/layer_law.hpp"
+#include "core/door/require.hpp"
 
 namespace unbruised {
 namespace {
@@ -36,6 +37,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
+  require(is_lane(lane), "ContactLanes::load: there is no such lane");
   register_.clear(lane);
   forget_slip(lane);
   for (WindowPressure& windows : window_) windows.clear(lane);
@@ -64,14 +66,13 @@ void ContactLanes::leave(int surface, int lane) {
 }
 
 void ContactLanes::begin_step(const ContactStart& start, const Mask& running) {
-  std::array<Lane, kFingerCount> no_force;
-  no_force.fill(Lane(0.0));
+  const PadForces no_force = without_force();
   for (int s = 0; s < kSurfaceCount; ++s) {
     AxisMotion closing;
     Lane way_free(0.0);
     if (is_pad(s)) {
-      closing = {start.fingers.way(s), start.fingers.speed(s), start.fingers.acceleration(s)};
-      way_free = start.fingers.way_at_theta(s, no_force);
+      closing = {start.gripper.way(s), start.gripper.speed(s), start.gripper.acceleration(s)};
+      way_free = start.gripper.way_at_theta(s, no_force);
     }
     motion_[s] = surfaces_.motion(s, start.now, closing);
     place_free_[s] = surfaces_.place(s, start.theta, way_free);

@@ -22,7 +22,7 @@
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/contact/window_pressure.hpp"
-#include "core/gripper/finger_lanes.hpp"
+#include "core/gripper/gripper_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/surface/surface_lanes.hpp"
@@ -37,7 +37,7 @@ struct ContactStart {
   const LaneArray& base;  ///< displacement at t + theta dt without contact forces, rows 3 x contact node + axis
   const CarrierMotion& now;
   const CarrierMotion& theta;
-  const FingerLanes& fingers;
+  const GripperLanes& gripper;
 };
 
 /// Where a contact step has ended.
@@ -71,7 +71,7 @@ class ContactLanes {
   /// The displacement without contact forces has changed in `lanes` (plastic iteration); solve again from the
   /// present forces.
   void rebase(const LaneArray& base, const Mask& lanes) { sweep_.rebase(base, lanes); }
-  Lane solve(const FingerLanes& fingers, const Mask& solving) { return sweep_.solve(fingers, solving); }
+  Lane solve(const GripperLanes& gripper, const Mask& solving) { return sweep_.solve(gripper, solving); }
   /// The solve of this step, and the forces it found.
   [[nodiscard]] const ContactSweep& sweep() const { return sweep_; }
   /// Moves forces, anchors and register to t + dt and tallies them.

@@ -4,6 +4,7 @@
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/contact/layer_law.hpp"
+#include "core/door/require.hpp"
 
 namespace unbruised {
 namespace {
@@ -23,10 +24,11 @@ constexpr double kLeastForce = 1e-6;
 
 ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts)
     : model_(model), surfaces_(surfaces), contacts_(contacts) {
+  require(model.compliance.size() == 9 * model.node_count() * model.node_count(),
+          "ContactSweep: the contact model has no compliance yet");
   for (LaneArray* rows : {&viscous_, &layer_, &shear_, &shear_relaxed_}) *rows = LaneArray(model.candidate.size());
   for (LaneArray* rows : {&base_, &node_force_}) *rows = LaneArray(3 * model.node_count());
   rate_slope_.fill(Lane(0.0));
-  pad_force_.fill(Lane(0.0));
 }
 
 void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta) {
@@ -69,9 +71,9 @@ void ContactSweep::list_active(const Mask& running) {
 }
 
 void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
+  require(base.rows() == base_.rows(), "ContactSweep::rebase: displacements of other contact nodes");
   // Lanes that are solved already keep their sums: summing again would round them differently.
-  std::array<Lane, kFingerCount> pad_force;
-  pad_force.fill(Lane(0.0));
+  PadForces pad_force = without_force();
   for (int node : active_node_) {
     const auto at = 3 * static_cast<std::size_t>(node);
     std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
@@ -100,7 +102,7 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
 
 /// Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
 /// @return change of the force
-[[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const FingerLanes& fingers,
+[[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const GripperLanes& gripper,
                                                                const Mask& active, Slope slope, Node& node) {
   const ContactCandidate& candidate = model_.candidate[c];
   const int surface = candidate.surface;
@@ -109,8 +111,8 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   const Lane layer = layer_.get(c);
   Lane compliance(node.own[4 * axis]), way(0.0);
   if (is_pad(surface)) {
-    compliance += fingers.compliance();
-    way = fingers.way_at_theta(surface, pad_force_);
+    compliance += gripper.compliance();
+    way = gripper.way_at_theta(surface, pad_force_);
   }
   const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - surfaces_.place(surface, theta_, way));
   const Lane penetration = -gap;
@@ -169,17 +171,17 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   return max(abs(change1), abs(change2));
 }
 
-[[gnu::always_inline]] inline void ContactSweep::update_candidate(std::size_t c, const FingerLanes& fingers,
+[[gnu::always_inline]] inline void ContactSweep::update_candidate(std::size_t c, const GripperLanes& gripper,
                                                                   Pass& pass, Node& node) {
   const Mask active = pass.solving & contacts_.near.get(c);
   if (none(active)) return;
-  const Lane change = abs(update_normal(c, fingers, active, pass.slope, node));
+  const Lane change = abs(update_normal(c, gripper, active, pass.slope, node));
   const Lane change_across = update_tangent(c, active, node);
   pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
   pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
 }
 
-Lane ContactSweep::solve(const FingerLanes& fingers, const Mask& lanes) {
+Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
   Lane sweeps(0.0);
   unsolved_ = Mask(false);
   // A lane with nothing near takes no sweep, whatever its neighbours do.
@@ -193,7 +195,7 @@ Lane ContactSweep::solve(const FingerLanes& fingers, const Mask& lanes) {
       Node node{3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
       add_blocks(row, active_node_, node_force_, node.d);
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
-        update_candidate(static_cast<std::size_t>(c), fingers, pass, node);
+        update_candidate(static_cast<std::size_t>(c), gripper, pass, node);
       }
     }
     sweeps += select(solving, Lane(1.0), Lane(0.0));

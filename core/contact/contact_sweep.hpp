@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/contact/contact_register.hpp"
-#include "core/gripper/finger_lanes.hpp"
+#include "core/gripper/gripper_lanes.hpp"
 
 namespace unbruised {
 
@@ -30,7 +30,7 @@ class ContactSweep {
   void rebase(const LaneArray& base, const Mask& lanes);
   /// Solves every lane of `solving` to convergence; lanes stop one by one.
   /// @return sweeps taken per lane
-  Lane solve(const FingerLanes& fingers, const Mask& solving);
+  Lane solve(const GripperLanes& gripper, const Mask& solving);
   /// Lanes in which the last `solve` ended without contact forces that can be used.
   [[nodiscard]] const Mask& unsolved() const { return unsolved_; }
 
@@ -41,7 +41,7 @@ class ContactSweep {
   /// Candidates that are near or carry force in any lane.
   [[nodiscard]] const std::vector<int>& live_candidates() const { return live_candidate_; }
   /// Sum of the normal forces of each pad at t + theta dt.
-  [[nodiscard]] const std::array<Lane, kFingerCount>& pad_force() const { return pad_force_; }
+  [[nodiscard]] const PadForces& pad_force() const { return pad_force_; }
 
  private:
   /// How a layer's law is followed down.
@@ -61,8 +61,8 @@ class ContactSweep {
     const double* own;      ///< its 3x3 block of the compliance
     std::array<Lane, 3> d;  ///< its displacement under the present forces
   };
-  void update_candidate(std::size_t candidate, const FingerLanes& fingers, Pass& pass, Node& node);
-  Lane update_normal(std::size_t candidate, const FingerLanes& fingers, const Mask& active, Slope slope,
+  void update_candidate(std::size_t candidate, const GripperLanes& gripper, Pass& pass, Node& node);
+  Lane update_normal(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Slope slope,
                      Node& node);
   Lane update_tangent(std::size_t candidate, const Mask& active, Node& node);
 
@@ -79,7 +79,7 @@ class ContactSweep {
   std::vector<int> active_node_, live_candidate_;
   Mask has_near_{false};  ///< some candidate is near
   Mask unsolved_{false};
-  std::array<Lane, kFingerCount> pad_force_;
+  PadForces pad_force_ = without_force();
 };
 
 }  // namespace unbruised

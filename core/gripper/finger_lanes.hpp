@@ -10,19 +10,13 @@
 
 #include <array>
 
+#include "core/gripper/drive_command.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {
-
-/// What the drive is told for one step, per lane, at t + theta dt.
-struct DriveCommand {
-  Lane force_limit_N{0.0};
-  Lane set_speed_m_s{0.0};
-  Lane palm_acceleration_x_m_s2{0.0};
-};
 
 class FingerLanes {
  public:

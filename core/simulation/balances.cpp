@@ -25,7 +25,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   }
   initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
   double kinetic = view.body.kinetic_energy_J(lane);
-  if (has_gripper(scenario)) kinetic += view.fingers.energy()[lane];
+  if (has_gripper(scenario)) kinetic += view.gripper.energy()[lane];
   positive_work_.set(lane, kinetic);
 }
 
@@ -81,11 +81,11 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   const double dissipated = view.body.damped_J(lane)                                                         //
                             + view.contact.dissipated()[lane]                                                //
                             + (view.material.plastic_work()[lane] - view.material.hardening_energy()[lane])  //
-                            + (driven ? view.fingers.dissipated()[lane] : 0.0);
+                            + (driven ? view.gripper.dissipated()[lane] : 0.0);
   const double work = gravity_work_[lane]  //
                       + palm_work_[lane]   //
-                      + (driven ? view.fingers.work()[lane] : 0.0);
-  const double put_in = positive_work_[lane] + (driven ? view.fingers.positive_work()[lane] : 0.0);
+                      + (driven ? view.gripper.work()[lane] : 0.0);
+  const double put_in = positive_work_[lane] + (driven ? view.gripper.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);

@@ -3,7 +3,7 @@
 /// @file
 /// What a plan asks of one lane at a time: where the carriers are, and what the drives are told.
 
-#include "core/gripper/finger_lanes.hpp"
+#include "core/gripper/gripper_lanes.hpp"
 #include "core/motion/motion_plan.hpp"
 #include "core/surface/carrier_motion.hpp"
 
@@ -14,7 +14,7 @@ void set_carriers(int lane, const MotionPlan& plan, double time_s, double suppor
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time
-void command_drives(int lane, const MotionPlan& plan, double time_s, const FingerLanes& fingers,
+void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
                     const CarrierMotion& carriers, DriveCommand& command);
 
 }  // namespace unbruised

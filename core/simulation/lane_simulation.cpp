@@ -58,7 +58,7 @@ struct LaneSimulation::Impl {
   BodyLanes body;
   std::unique_ptr<Material> material;
   ContactLanes contact;
-  FingerLanes fingers;
+  GripperLanes gripper;
   CarrierMotion now, theta, next;
   DriveCommand command;
   Balances balances;
@@ -82,7 +82,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       body(parts.body, w),
       material(make_material(parts.body)),
       contact(parts.contact, parts.body, w),
-      view{parts, body, *material, contact, fingers, now, yield_ratio},
+      view{parts, body, *material, contact, gripper, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
 }
@@ -101,8 +101,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
     set_motion(now.cell[i], lane, {});
   }
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
-  fingers.load(lane, parallel_jaw(scenario),
-               scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
+  gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
                r.cycle.plan().force_limit_N(0.0));
   contact.load(lane, scenario);
   material->load(lane, scenario);
@@ -132,7 +131,7 @@ void LaneSimulation::Impl::step() {
   if (none(running)) return;
   timer = PartTimer(timing);
   follow_plans();
-  fingers.begin_step(w, command);
+  gripper.begin_step(w, command);
   body.begin_step(running);
   add_loads();
   timer.lap(times.right_hand_side_s);
@@ -150,7 +149,7 @@ void LaneSimulation::Impl::follow_plans() {
     set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane_m, theta);
     set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane_m, next);
     if (!has_gripper(r.scenario)) continue;
-    command_drives(lane, r.cycle.plan(), r.theta_time_s(w), fingers, theta, command);
+    command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
 }
 
@@ -218,12 +217,12 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     body.solve_without_contact(touch.reach, touch.node, base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, fingers}, lanes);
+      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, gripper}, lanes);
     } else {
       contact.rebase(base, lanes);
     }
     if (!contact.idle()) {
-      sweeps += contact.solve(fingers, lanes);
+      sweeps += contact.solve(gripper, lanes);
       abort_lanes(contact.sweep().unsolved(),
                   "the contact forces did not converge within a step; use a smaller simulation.time_step_s");
     }
@@ -239,7 +238,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
 void LaneSimulation::Impl::advance_state() {
   const std::array<Lane, 3> old_mass_u = body.mass_u();
   body.advance(running);
-  fingers.advance(w, contact.sweep().pad_force(), running);
+  gripper.advance(w, contact.sweep().pad_force(), running);
   contact.end_step({body.u_theta(), body.u(), theta, next}, running);
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);

@@ -30,7 +30,7 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
     if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
   }
   energy += material.self_energy(lane) + material.hardening_energy()[lane];
-  return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? fingers.energy()[lane] : 0.0);
+  return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? gripper.energy()[lane] : 0.0);
 }
 
 PatchDamage LaneView::patch_damage_at(std::size_t surface, int lane, const Scenario& scenario) const {
@@ -77,8 +77,8 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     }
   }
   seen.patch_pressure_Pa = contact.patch_pressure()[lane];
-  seen.compression_m = fingers.closing()[lane] - kFingerCount * approach_gap_m(scenario);
-  seen.end_of_stroke = fingers.at_end_of_stroke()[lane];
+  seen.compression_m = gripper.closing()[lane] - kFingerCount * approach_gap_m(scenario);
+  seen.end_of_stroke = gripper.at_end_of_stroke()[lane];
   return seen;
 }
 
@@ -94,8 +94,8 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
     row.sliding[surface] = contact.tally()[surface].sliding[lane];
   }
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    row.finger_way_m[f] = fingers.way(static_cast<int>(f))[lane];
-    row.finger_speed_m_s[f] = fingers.speed(static_cast<int>(f))[lane];
+    row.finger_way_m[f] = gripper.way(static_cast<int>(f))[lane];
+    row.finger_speed_m_s[f] = gripper.speed(static_cast<int>(f))[lane];
   }
   for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = carriers.palm[i].place_m[lane];
   row.plastic_strain = material.largest_plastic_strain()[lane];

@@ -5,7 +5,7 @@
 
 #include "core/body/body_lanes.hpp"
 #include "core/contact/contact_lanes.hpp"
-#include "core/gripper/finger_lanes.hpp"
+#include "core/gripper/gripper_lanes.hpp"
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/simulation/model_parts.hpp"
@@ -19,7 +19,7 @@ struct LaneView {
   const BodyLanes& body;
   const Material& material;
   const ContactLanes& contact;
-  const FingerLanes& fingers;
+  const GripperLanes& gripper;
   const CarrierMotion& carriers;  ///< at the present time
   /// Mean pressure below each pad / the one at first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;

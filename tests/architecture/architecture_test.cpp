@@ -231,6 +231,15 @@ TEST(Architecture, OnlyScenarioAndBodyAskWhatAProductIs) {
   }
 }
 
+/// Whoever asks what moves the pads asks the gripper of the lane, whatever its kind.
+TEST(Architecture, OnlyTheFolderOfGrippersKnowsTheLanesOfAKind) {
+  const std::regex named(R"(\bFingerLanes\b)");
+  for (const SourceFile& source : sources()) {
+    if (house_of(source.path) != "core" || folder_of(source.path) == "gripper") continue;
+    EXPECT_FALSE(std::regex_search(source.code, named)) << source.path << " names a kind's lanes";
+  }
+}
+
 TEST(Architecture, CholmodStaysInAlgebra) {
   expect_included_only_below("(cholmod|SuiteSparse|^(amd|camd|colamd|ccolamd|umfpack|klu)\\b)", {"core/algebra/"});
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+/// @file
+/// What the drives of a gripper are told, whatever its kind.
+
+#include "core/lanes/lane.hpp"
+
+namespace unbruised {
+
+/// For one step, per lane, at t + theta dt.
+struct DriveCommand {
+  Lane force_limit_N{0.0};
+  Lane set_speed_m_s{0.0};
+  Lane palm_acceleration_x_m_s2{0.0};
+};
+
+}  // namespace unbruised

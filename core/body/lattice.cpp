@@ -12,8 +12,6 @@ namespace {
 
 using Index3 = std::array<int, 3>;
 
-constexpr std::array<Index3, 3> kOtherAxes{{{1, 2, 0}, {0, 2, 1}, {0, 1, 2}}};
-
 /// `TrueShape` on the grid of its bounding box [-1, 1]^3, exact: sum over the round axes of q^2 <= 1.
 /// Every q of a cell centre or particle is m / n with n cells along the axis and -n <= m <= n, so that
 /// questions of inside and outside are answered in integers, alike for mirrored places.
@@ -142,31 +140,6 @@ class Grid {
   int node_total_ = 0;
 };
 
-/// Cells along `axis` seen from one side, as columns: is there any cell in the column of `cell`?
-std::vector<char> occupied_columns(const Grid& grid, std::size_t axis) {
-  const std::size_t p = kOtherAxes[axis][0];
-  const std::size_t q = kOtherAxes[axis][1];
-  std::vector<char> occupied(static_cast<std::size_t>(grid.cells()[p]) * grid.cells()[q], 0);
-  grid.for_each_cell(
-      [&](const Index3& cell) { occupied[static_cast<std::size_t>(cell[q]) * grid.cells()[p] + cell[p]] = 1; });
-  return occupied;
-}
-
-/// How many of the up to four columns of cells around the column of particles at (p, q) have cells?
-int occupied_neighbours(const std::vector<char>& occupied, const Index3& cells, std::size_t axis,
-                        const Index3& node) {
-  const std::size_t p = kOtherAxes[axis][0];
-  const std::size_t q = kOtherAxes[axis][1];
-  int count = 0;
-  for (int j = node[q] - 1; j <= node[q]; ++j) {
-    for (int i = node[p] - 1; i <= node[p]; ++i) {
-      if (i < 0 || j < 0 || i >= cells[p] || j >= cells[q]) continue;
-      count += occupied[static_cast<std::size_t>(j) * cells[p] + i];
-    }
-  }
-  return count;
-}
-
 /// The particle furthest along the outward normal in the column of `node`.
 bool is_outermost(const Grid& grid, std::size_t axis, int step, Index3 node) {
   for (node[axis] += step; node[axis] >= 0 && node[axis] <= grid.cells()[axis]; node[axis] += step) {
@@ -177,17 +150,13 @@ bool is_outermost(const Grid& grid, std::size_t axis, int step, Index3 node) {
 
 std::vector<SurfacePoint> surface_points(const Grid& grid, const Lattice& lattice,
                                          const LatticeParameters& parameters, std::size_t axis, int step) {
-  const std::vector<char> occupied = occupied_columns(grid, axis);
-  const double quarter_face =
-      lattice.cell_extent_m[kOtherAxes[axis][0]] * lattice.cell_extent_m[kOtherAxes[axis][1]] / 4.0;
   std::vector<SurfacePoint> points;
   grid.for_each_node([&](const Index3& node) {
     if (!is_outermost(grid, axis, step, node)) return;
     const double half_chord = grid.shape().half_chord(axis, grid.from_middle(node));
     if (half_chord < 0.0) return;
     const double position = lattice.center_m[axis] + step * (0.5 * parameters.size_m[axis] * half_chord);
-    const int quads = occupied_neighbours(occupied, grid.cells(), axis, node);
-    points.push_back({grid.node(node), position, quads * quarter_face});
+    points.push_back({grid.node(node), position});
   });
   return points;
 }

@@ -18,9 +18,6 @@ struct SurfacePoint {
   /// Plain coordinate, along the side's axis, of the true surface at the particle's place in the two
   /// other axes: x for the sides -x and +x (so usually negative on -x), and so on.
   double position_m = 0.0;
-  /// Tributary area projected on the plane normal to the side: face of a cell / 4 for each of the up to
-  /// four columns of cells that meet in the particle's column.
-  double area_m2 = 0.0;
 };
 
 /// The undeformed lattice. It stands centred on x = y = 0, the lowest point of its true shape on z = 0.

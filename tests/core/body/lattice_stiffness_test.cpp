@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/contact/tributary_face.hpp"
 #include "tests/core/algebra/dense.hpp"
 
 namespace unbruised {
@@ -30,13 +31,17 @@ struct Material {
   Extent cell_extent_m;
 };
 
-Lattice block_of(const Count& count, const Extent& extent) {
+LatticeParameters block_parameters(const Count& count, const Extent& extent) {
   LatticeParameters parameters;
   parameters.mass_kg = 0.1;
   // The largest of the extents, a little less, divides each side into the wanted number of cells.
   parameters.cell_size_m = 0.92 * std::max({extent[0], extent[1], extent[2]});
   for (std::size_t d = 0; d < 3; ++d) parameters.size_m[d] = count[d] * extent[d];
-  const Lattice lattice = build_lattice(parameters);
+  return parameters;
+}
+
+Lattice block_of(const Count& count, const Extent& extent) {
+  const Lattice lattice = build_lattice(block_parameters(count, extent));
   EXPECT_EQ(lattice.cell_count, count);
   return lattice;
 }
@@ -132,15 +137,21 @@ TEST_P(LatticeStiffness, PassesThePatchTest) {
 
 TEST_P(LatticeStiffness, GivesTheWantedModulusAndPoissonRatioInUniaxialTension) {
   const Lattice lattice = block_of({3, 2, 4}, GetParam().cell_extent_m);
+  const TrueShape shape(block_parameters({3, 2, 4}, GetParam().cell_extent_m));
   const CellStiffness c = cell();
   const Eigen::MatrixXd K = testing::dense(assemble_stiffness(lattice, c));
   const Eigen::Map<const Matrix6x24> B(c.B.data());
   const double stress = 1e4;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(K.rows());
+    const auto along = static_cast<std::size_t>(axis);
+    const FacePlane plane(lattice, along, {static_cast<int>((along + 1) % 3), static_cast<int>((along + 2) % 3)});
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      for (const SurfacePoint& point : lattice.side[2 * static_cast<std::size_t>(axis) + end]) {
-        f[3 * point.node + axis] += (end == 0 ? -stress : stress) * point.area_m2;
+      const std::vector<SurfacePoint>& side = lattice.side[2 * along + end];
+      const TributaryFace face(shape, lattice, plane, side);
+      for (const SurfacePoint& point : side) {
+        const double area = face.area_m2(lattice.position_m[static_cast<std::size_t>(point.node)]);
+        f[3 * point.node + axis] += (end == 0 ? -stress : stress) * area;
       }
     }
     // The load is in balance, so that any solution differs from the wanted one by a rigid motion only.

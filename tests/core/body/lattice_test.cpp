@@ -47,12 +47,6 @@ double unit(const LatticeParameters& parameters, const Lattice& lattice, std::si
   return (x - lattice.center_m[axis]) / (0.5 * parameters.size_m[axis]);
 }
 
-double side_area(const std::vector<SurfacePoint>& side) {
-  double area = 0.0;
-  for (const SurfacePoint& point : side) area += point.area_m2;
-  return area;
-}
-
 TEST(Lattice, DividesTheBoundingBoxExactly) {
   const Lattice lattice = build_lattice(parameters_of(Shape::box, {0.05, 0.032, 0.06}, 0.005));
   EXPECT_EQ(lattice.cell_count, (std::array<int, 3>{10, 6, 12}));
@@ -129,16 +123,16 @@ TEST(Lattice, OppositeSidesMirrorEachOtherToTheBit) {
   for (const LatticeParameters& parameters : assorted()) {
     const Lattice lattice = build_lattice(parameters);
     for (const std::size_t axis : {0u, 1u}) {
-      std::set<std::array<double, 5>> low;
-      std::set<std::array<double, 5>> high;
+      std::set<std::array<double, 4>> low;
+      std::set<std::array<double, 4>> high;
       for (const SurfacePoint& point : lattice.side[2 * axis]) {
         std::array<double, 3> x = lattice.position_m[point.node];
         x[axis] = -x[axis];
-        low.insert({x[0], x[1], x[2], -point.position_m, point.area_m2});
+        low.insert({x[0], x[1], x[2], -point.position_m});
       }
       for (const SurfacePoint& point : lattice.side[2 * axis + 1]) {
         const auto& x = lattice.position_m[point.node];
-        high.insert({x[0], x[1], x[2], point.position_m, point.area_m2});
+        high.insert({x[0], x[1], x[2], point.position_m});
       }
       EXPECT_EQ(low, high);
     }
@@ -213,26 +207,14 @@ TEST(Lattice, IsFaceConnected) {
   }
 }
 
-TEST(Lattice, SideAreasOfABoxSumToItsFaces) {
-  const std::array<double, 3> size{0.04, 0.05, 0.07};
-  const Lattice lattice = build_lattice(parameters_of(Shape::box, size, 0.0052));
+TEST(Lattice, SurfacePointsOfABoxStandOnItsFaces) {
+  const Lattice lattice = build_lattice(parameters_of(Shape::box, {0.04, 0.05, 0.07}, 0.0052));
   for (std::size_t side = 0; side < 6; ++side) {
     const std::size_t axis = side / 2;
-    const double face = size[(axis + 1) % 3] * size[(axis + 2) % 3];
-    // some hundred terms, each rounded
-    EXPECT_NEAR(side_area(lattice.side[side]), face, 1e-14 * face);
     for (const SurfacePoint& point : lattice.side[side]) {
       EXPECT_EQ(point.position_m, lattice.position_m[point.node][axis]);
     }
   }
-}
-
-TEST(Lattice, ACellAtTheCornerOfABoxFaceHasAQuarterOfACellFace) {
-  const Lattice lattice = build_lattice(parameters_of(Shape::box, {0.04, 0.04, 0.04}, 0.01));
-  EXPECT_DOUBLE_EQ(lattice.side[0].front().area_m2, 0.25e-4);
-  const auto largest = std::max_element(lattice.side[0].begin(), lattice.side[0].end(),
-                                        [](const auto& a, const auto& b) { return a.area_m2 < b.area_m2; });
-  EXPECT_DOUBLE_EQ(largest->area_m2, 1e-4);
 }
 
 TEST(Lattice, SurfacePointsLieOnTheTrueSurface) {
@@ -288,17 +270,6 @@ TEST(Lattice, LowestSurfacePointStandsOnTheGround) {
     if (lattice.cell_count[0] % 2 == 0 && lattice.cell_count[1] % 2 == 0) {
       EXPECT_EQ(lowest, 0.0);
     }
-  }
-}
-
-TEST(Lattice, SideAreaOfABallIsCloseToItsCrossSection) {
-  for (const int cells : {8, 16, 32}) {
-    const Lattice lattice = build_lattice(parameters_of(Shape::sphere, {0.05, 0.05, 0.05}, 0.05 / cells));
-    const double section = std::numbers::pi * 0.025 * 0.025;
-    // Columns whose particle lies outside the circle are left out: less than one ring of half a cell's width
-    // (2 pi R h / 2 = 2 section / cells).
-    EXPECT_LE(side_area(lattice.side[1]), 1.02 * section);
-    EXPECT_GE(side_area(lattice.side[1]), (1.0 - 2.0 / cells) * section);
   }
 }
 

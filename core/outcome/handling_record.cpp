@@ -7,6 +7,7 @@
 
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/words.hpp"
 
 namespace unbruised {
 namespace {
@@ -226,7 +227,8 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   if (aborted_) {
     set(abort_outcome_, abort_);
   } else if (std::abs(record.metrics[Metric::energy_balance_error]) > kEnergyErrorMost) {
-    set(Outcome::out_of_range, {end_time_s, "more than 5 % of the energy put in is unaccounted for"});
+    set(Outcome::out_of_range,
+        {end_time_s, "more than " + in_per_cent(kEnergyErrorMost) + " of the energy put in is unaccounted for"});
   } else if (record.not_grasped_.happened()) {
     set(Outcome::not_grasped, record.not_grasped_);
   } else if (record.dropped_.happened()) {

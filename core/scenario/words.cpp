@@ -42,6 +42,8 @@ std::string spelled_plain(double number) {
   return text;
 }
 
+std::string in_per_cent(double part) { return for_people(100.0 * part) + " %"; }
+
 std::string for_people(double number) {
   constexpr int kDigits = 4;
   constexpr double kLongest = 1e10;

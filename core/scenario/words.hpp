@@ -13,6 +13,9 @@ std::string spelled(double number);
 /// The same without the ".0" of whole numbers: "0", "1.37".
 std::string spelled_plain(double number);
 
+/// A part of 1 in per cent: "5 %".
+std::string in_per_cent(double part);
+
 /// Four digits that a person reads: "1,022,000", "0.08333", "2.5e-7".
 std::string for_people(double number);
 

@@ -1,6 +1,10 @@
 #include "core/simulation/outcome_observer.hpp"
 
 #include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/scenario/words.hpp"
 
 #include "core/scenario/pad_meeting.hpp"
 
@@ -16,8 +20,8 @@ bool is_finite(const LaneStep& step) {
   return std::isfinite(size);
 }
 
-/// What of a state the model does not describe; nullptr where it describes it.
-const char* beyond_model(const LaneStep& step) {
+/// What of a state the model does not describe; nothing where it describes it.
+std::optional<std::string> beyond_model(const LaneStep& step) {
   const LaneView& view = step.view;
   const SimulationParameters& bounds = step.scenario.simulation;
   if (view.material.largest_strain()[step.lane] > bounds.max_strain) {
@@ -27,9 +31,10 @@ const char* beyond_model(const LaneStep& step) {
     return "the product's rotation > simulation.max_rotation_rad";
   }
   if (step.seen.layer_strain > kLargestLayerStrain) {
-    return "a pad or the support is pressed in by more than 80 % of its thickness";
+    return "a pad or the support is pressed in by more than " + in_per_cent(kLargestLayerStrain) +
+           " of its thickness";
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 /// Is the product let go of, with nothing below that it could meet?
@@ -52,9 +57,9 @@ bool OutcomeObserver::observe(const LaneStep& step) {
   const bool goes_on = record_.observe(step.seen, step.cycle);
   if (!is_finite(step)) {
     record_.abort(Outcome::diverged, "the motion is not finite", step.time_s);
-  } else if (const char* cause = beyond_model(step)) {
+  } else if (const auto cause = beyond_model(step)) {
     if (falls_for_ever(step)) return false;
-    record_.abort(Outcome::out_of_range, cause, step.time_s);
+    record_.abort(Outcome::out_of_range, *cause, step.time_s);
   }
   return goes_on && !record_.aborted();
 }

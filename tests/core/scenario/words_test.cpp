@@ -21,6 +21,11 @@ TEST(Words, SpellANumberSoThatItReadsBackAsTheSameBits) {
   EXPECT_EQ(spelled_plain(1.37), "1.37");
 }
 
+TEST(Words, SayAPartInPerCent) {
+  EXPECT_EQ(in_per_cent(0.05), "5 %");
+  EXPECT_EQ(in_per_cent(0.8), "80 %");
+}
+
 TEST(Words, GivePeopleFourDigitsAndThousands) {
   EXPECT_EQ(for_people(1021969.3), "1,022,000");
   EXPECT_EQ(for_people(-12345.0), "-12,350");

@@ -146,6 +146,8 @@ void number_nodes(ContactModel& contact) {
 /// @param slot elimination position of each freedom (3 per particle), -1 where it is fixed
 void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact) {
   const std::size_t m = contact.node_count();
+  require(m == 0 || 3 * static_cast<std::size_t>(contact.node.back()) + 2 < slot.size(),
+          "product_contact: the body is not factored");
   std::vector<int> freedoms;
   for (int node : contact.node) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/contact/layer_law.hpp"
+#include "core/door/require.hpp"
 
 namespace unbruised {
 
@@ -42,6 +43,10 @@ void ContactRegister::open(std::size_t c, int lane) {
 }
 
 void ContactRegister::set_rest(int lane, const StaticRest& rest) {
+  require(is_lane(lane), "ContactRegister::set_rest: there is no such lane");
+  require(rest.normal_force_N.size() == model_.candidate.size() &&
+              rest.penetration_m.size() == model_.candidate.size(),
+          "ContactRegister::set_rest: the rest of another product");
   for (std::size_t c = 0; c < rest.normal_force_N.size(); ++c) {
     if (!(rest.normal_force_N[c] > 0.0)) continue;  // the support has no edge
     penetration.at(c, lane) = rest.penetration_m[c];

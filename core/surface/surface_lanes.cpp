@@ -1,5 +1,6 @@
 #include "core/surface/surface_lanes.hpp"
 
+#include "core/door/require.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
 
@@ -12,6 +13,7 @@ constexpr double kFar_m = 1e6;
 }  // namespace
 
 void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product) {
+  require(is_lane(lane), "SurfaceLanes::load: there is no such lane");
   const CellParameters& cell = scenario.cell;
   const auto* jaw = parallel_jaw(scenario);
   for (int pad = 0; pad < kFingerCount; ++pad) {

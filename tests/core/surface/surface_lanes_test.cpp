@@ -2,6 +2,8 @@
 
 #include "core/surface/surface_lanes.hpp"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 namespace unbruised {
@@ -36,6 +38,12 @@ TEST(Surfaces, ArePadsOfFingersInTheirOrderThenTheSupport) {
 }
 
 CarrierMotion at_rest() { return {}; }
+
+TEST(SurfaceLanes, AreLoadedIntoALaneThatThereIs) {
+  SurfaceLanes surfaces;
+  EXPECT_THROW(surfaces.load(-1, scene(), {}), std::logic_error);
+  EXPECT_THROW(surfaces.load(kLanes, scene(), {}), std::logic_error);
+}
 
 TEST(SurfaceLanes, EachSurfaceHasItsOwnLayerAndFriction) {
   const SurfaceLanes surfaces = loaded();

@@ -79,27 +79,34 @@ void expect_same_bits(const Study& study, const std::vector<std::uint64_t>& ids,
   }
 }
 
-void expect_balances(const Results& results) {
-  double impulse = 0.0, energy = -1.0, least_energy = 1.0;
-  for (const auto& [id, result] : results) {
-    impulse = std::max(impulse, result.metrics[Metric::impulse_balance_error]);
-    energy = std::max(energy, result.metrics[Metric::energy_balance_error]);
-    least_energy = std::min(least_energy, result.metrics[Metric::energy_balance_error]);
-    EXPECT_LT(result.metrics[Metric::impulse_balance_error], 5e-3) << "scenario " << id;
-    // Energy may not appear. What the quadrature of the account itself can show (trapezoid rule in time, some 20
-    // steps per contact) is of the order 1e-4 of the work put in; a real gain is a hundred times that.
-    EXPECT_LT(result.metrics[Metric::energy_balance_error], 1e-3) << "scenario " << id;
-    // Impacts are damped numerically: 4 % at 2 ms where little work is put in, up to 15 % as shipped.
-    EXPECT_GT(result.metrics[Metric::energy_balance_error], -0.2) << "scenario " << id;
-  }
-  std::printf("largest impulse balance error %.3g, energy balance errors %.3g to %.3g\n", impulse, least_energy,
-              energy);
-}
-
 bool is_lost(Outcome outcome) {
   return outcome == Outcome::slipped || outcome == Outcome::dropped || outcome == Outcome::not_grasped;
 }
 bool is_kept(Outcome outcome) { return outcome == Outcome::held || outcome == Outcome::damaged; }
+
+/// Energy may not appear: what the quadrature of the account itself can show (trapezoid rule in time, some 20
+/// steps per contact) is of the order 1e-4 of the work put in (4.6e-4 seen); a real gain is a hundred times that.
+constexpr double kGainMost = 1e-3;
+/// Nor may it vanish but by Wilson-theta's damping of impacts. Of a product that is kept the work of the cycle is
+/// put in, and 0.7 % of it is seen to go that way at 2 ms; of one that is lost at once little more than the impact
+/// itself is, and 6.3 % are seen.
+constexpr double kLossMostKept = 0.02;
+constexpr double kLossMostLost = 0.1;
+
+void expect_balances(const Results& results) {
+  double impulse = 0.0, energy = -1.0, least_energy = 1.0;
+  for (const auto& [id, result] : results) {
+    const double error = result.metrics[Metric::energy_balance_error];
+    impulse = std::max(impulse, result.metrics[Metric::impulse_balance_error]);
+    energy = std::max(energy, error);
+    least_energy = std::min(least_energy, error);
+    EXPECT_LT(result.metrics[Metric::impulse_balance_error], 5e-3) << "scenario " << id;
+    EXPECT_LT(error, kGainMost) << "scenario " << id;
+    EXPECT_GT(error, is_kept(result.outcome) ? -kLossMostKept : -kLossMostLost) << "scenario " << id;
+  }
+  std::printf("largest impulse balance error %.3g, energy balance errors %.3g to %.3g\n", impulse, least_energy,
+              energy);
+}
 
 std::vector<std::uint64_t> all_ids(const Study& study) {
   std::vector<std::uint64_t> ids(study.scenario_count());

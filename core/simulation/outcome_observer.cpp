@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/scenario/words.hpp"
-
 #include "core/scenario/pad_meeting.hpp"
+#include "core/scenario/words.hpp"
 
 namespace unbruised {
 

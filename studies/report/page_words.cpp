@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/outcome/damage_limits.hpp"
-#include "core/outcome/metric_words.hpp"
 #include "studies/config/sources.hpp"
 #include "studies/text/key_names.hpp"
 
@@ -46,7 +45,7 @@ json limits_json(const Limits& limits) {
 
 json page_words() {
   json names = json::object();
-  for (const MetricInfo& info : kMetricTable) names[std::string(info.name)] = metric_words(info.metric);
+  for (const MetricInfo& info : kMetricTable) names[std::string(info.name)] = info.words;
   for (const auto& [key, words] : kKeyWords) names[std::string(key)] = words;
   json suffixes = json::array();
   for (const Unit& unit : all_units()) suffixes.push_back({unit.suffix, unit.udunits});

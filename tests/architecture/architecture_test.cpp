@@ -42,7 +42,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"scenario", {}},
     {"lanes", {}},
     {"integration", {}},
-    {"surface", {"scenario", "lanes"}},
+    {"surface", {"door", "scenario", "lanes"}},
     {"algebra", {"door", "lanes"}},
     {"motion", {"door", "scenario"}},
     {"body", {"door", "scenario", "lanes", "algebra", "integration"}},

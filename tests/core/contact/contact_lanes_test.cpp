@@ -34,9 +34,10 @@ TEST(ContactLanes, TakeTheRestOfTheirOwnProductOnly) {
 }
 
 TEST(ContactLanes, NeedAContactModelWithItsCompliance) {
-  const auto model = build(small_box());
+  Scenario scenario = small_box();
+  const auto model = build(scenario);
   const Model::Parts& parts = model->parts();
-  const ContactModel candidates_only = lattice_contact(lattice_of(small_box()), *parts.body.lattice, 0.01);
+  const ContactModel candidates_only = lattice_contact(lattice_of(scenario), *parts.body.lattice, 0.01);
   EXPECT_THROW(ContactLanes(candidates_only, parts.body, *parts.wilson), std::logic_error);
 }
 

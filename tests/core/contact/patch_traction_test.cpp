@@ -80,7 +80,8 @@ TEST(PatchStress, BalancesTheLoadAtEveryDepth) {
   }
   const double force = 2.0 / 3.0 * kPi * 1.3 * 0.7;
   EXPECT_NEAR(pressed, force, 0.01 * force);
-  EXPECT_NEAR(dragged, force, 0.13 * force);  // falls with x^2 / rho^5: 2 z / pi L = 6 % lie beyond L = 8 on either side
+  EXPECT_NEAR(dragged, force,
+              0.13 * force);  // falls with x^2 / rho^5: 2 z / pi L = 6 % lie beyond L = 8 on either side
 }
 
 /// The largest stresses with several tractions, over depths of `skin` on in the plane of symmetry.

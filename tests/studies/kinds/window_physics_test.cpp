@@ -84,12 +84,10 @@ TEST(WindowPhysics, RipeKiwiIsHeldFromTheClosedFormOn) {
   const WindowTable table = window_of(study);
   const double exact = product_mass(study) * (kGravity + 2.0) / (2.0 * product_friction(study));
   ASSERT_EQ(table.rows.size(), 4U);
+  double gentlest_N = 6.0;  // of the slower approaches
   for (const WindowRow& row : table.rows) {
-    const double approach_speed_m_s = std::get<double>(row.inputs[0]);
-    if (approach_speed_m_s > 0.25) {
-      EXPECT_FALSE(row.exists) << "the impact alone damages at 0.3 m/s";
-      continue;
-    }
+    EXPECT_LE(row.damage_force_N, gentlest_N) << "a faster approach never allows more";
+    gentlest_N = row.damage_force_N;
     // The slip limit of 2 mm forgives a moment of sliding at the peak of a minimum-jerk profile: a few per cent
     // low.
     EXPECT_NEAR(row.hold_force_N, exact, 0.04 * exact);

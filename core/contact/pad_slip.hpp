@@ -5,6 +5,7 @@
 /// presses on, and by angle about it (docs/metrics.md).
 
 #include <array>
+#include <cmath>
 
 #include "core/lanes/lane.hpp"
 
@@ -26,8 +27,10 @@ class PadSlip {
   /// particles before the pad. @param least_radius_m contacts nearer together than this show no angle
   void end_step(double least_radius_m, const Mask& running);
 
-  [[nodiscard]] Lane way_m() const { return sqrt(way_[0] * way_[0] + way_[1] * way_[1]); }
-  [[nodiscard]] Lane angle_rad() const { return max(angle_, -angle_); }
+  [[nodiscard]] double way_m(int lane) const {
+    return std::sqrt(way_[0][lane] * way_[0][lane] + way_[1][lane] * way_[1][lane]);
+  }
+  [[nodiscard]] double angle_rad(int lane) const { return std::abs(angle_[lane]); }
 
  private:
   std::array<Lane, 2> way_{Lane(0.0), Lane(0.0)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/linear_table.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -42,11 +44,9 @@ constexpr std::array<FieldRow, kRatios> kTable = {{
       0.0887, 0.0000}},
 }};
 
-/// A table at x steps from its first entry, linear between entries and constant beyond them.
+/// A table at x steps from its first entry, constant beyond its ends.
 double between(const std::array<double, kParts>& table, double x) {
-  const double inside = std::clamp(x, 0.0, static_cast<double>(kParts - 1));
-  const std::size_t at = std::min(static_cast<std::size_t>(inside), kParts - 2);
-  return table[at] + (inside - static_cast<double>(at)) * (table[at + 1] - table[at]);
+  return BetweenEntries(std::clamp(x, 0.0, static_cast<double>(kParts - 1)), 1.0, kParts).in(table);
 }
 
 double steps_to(double part) { return (part - PatchField::kLeastPart) / PatchField::kPartStep; }
@@ -54,13 +54,11 @@ double steps_to(double part) { return (part - PatchField::kLeastPart) / PatchFie
 }  // namespace
 
 PatchField::PatchField(double poisson_ratio) {
-  const double x = poisson_ratio / kRatioStep;
-  const std::size_t at = std::min(static_cast<std::size_t>(std::max(0.0, x)), kRatios - 2);
-  const double part = x - static_cast<double>(at);
+  const BetweenEntries row(poisson_ratio, kRatioStep, kRatios);
   for (std::size_t i = 0; i < kParts; ++i) {
-    const auto mixed = [&](const auto& low, const auto& high) { return low[i] + part * (high[i] - low[i]); };
-    root_volume_[i] = std::pow(mixed(kTable[at].volume, kTable[at + 1].volume), 2.0 / 3.0);
-    dent_[i] = mixed(kTable[at].dent, kTable[at + 1].dent);
+    const auto mixed = [&](const auto& low, const auto& high) { return row.of(low[i], high[i]); };
+    root_volume_[i] = std::pow(mixed(kTable[row.at].volume, kTable[row.at + 1].volume), 2.0 / 3.0);
+    dent_[i] = mixed(kTable[row.at].dent, kTable[row.at + 1].dent);
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/linear_table.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -38,25 +40,15 @@ constexpr std::array<TractionRow, kRatios> kTable = {{
       1.8869, 2.0303, 2.1738, 2.3174}},
 }};
 
-/// Where x lies in a table that begins at 0: between `at` and the next, `part` of the way.
-struct Between {
-  std::size_t at;
-  double part;
-  Between(double x, double step, std::size_t count)
-      : at(std::min(static_cast<std::size_t>(std::max(0.0, x / step)), count - 2)),
-        part(x / step - static_cast<double>(at)) {}
-  [[nodiscard]] double of(double low, double high) const { return low + part * (high - low); }
-};
-
 }  // namespace
 
 double hertz_peak_stress(double poisson_ratio) {
-  const Between row(poisson_ratio, kRatioStep, kRatios);
+  const BetweenEntries row(poisson_ratio, kRatioStep, kRatios);
   return row.of(kTable[row.at].peak, kTable[row.at + 1].peak);
 }
 
 TractionFactor TractionFactor::of_curved(double poisson_ratio) {
-  const Between row(poisson_ratio, kRatioStep, kRatios);
+  const BetweenEntries row(poisson_ratio, kRatioStep, kRatios);
   TractionFactor curved;
   for (std::size_t i = 0; i < kSteps; ++i) {
     curved.factor_[i] = row.of(kTable[row.at].factor[i], kTable[row.at + 1].factor[i]);
@@ -74,8 +66,7 @@ TractionFactor TractionFactor::of_flat() {
 }
 
 double TractionFactor::at(double traction_over_pressure) const {
-  const Between step(std::max(0.0, traction_over_pressure), kStep, kSteps);
-  return step.of(factor_[step.at], factor_[step.at + 1]);
+  return BetweenEntries(std::max(0.0, traction_over_pressure), kStep, kSteps).in(factor_);
 }
 
 Lane TractionFactor::at(const Lane& traction_over_pressure) const {

@@ -33,14 +33,19 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
   return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? gripper.energy()[lane] : 0.0);
 }
 
-PatchDamage LaneView::patch_damage_at(std::size_t surface, int lane, const Scenario& scenario) const {
+std::array<PatchDamage, kSurfaceCount> LaneView::damage_below_patches(int lane, const Scenario& scenario) const {
+  std::array<PatchDamage, kSurfaceCount> damage{};
   const std::optional<FlowLaw> law = flow_law(scenario.product);
-  if (!law) return {};
-  const PatchForm& form = model.contact.patch_form[surface];
-  const SurfaceTally& tally = contact.tally()[surface];
-  const double traction_N = std::hypot(tally.tangent[0][lane], tally.tangent[1][lane]);
-  const PatchLoad load = patch_load(form, *law, yield_ratio[surface][lane], tally.normal[lane], traction_N);
-  return patch_damage(load, form, *law, scenario.limits.plastic_strain.value_or(kBruisedStrain));
+  if (!law) return damage;
+  const double bruised_strain = scenario.limits.plastic_strain.value_or(kBruisedStrain);
+  for (std::size_t s = 0; s < kSurfaceCount; ++s) {
+    const PatchForm& form = model.contact.patch_form[s];
+    const SurfaceTally& tally = contact.tally()[s];
+    const double traction_N = std::hypot(tally.tangent[0][lane], tally.tangent[1][lane]);
+    const PatchLoad load = patch_load(form, *law, yield_ratio[s][lane], tally.normal[lane], traction_N);
+    damage[s] = patch_damage(load, form, *law, bruised_strain);
+  }
+  return damage;
 }
 
 StepObservation LaneView::observe(int lane, const Scenario& scenario, double time_s) const {
@@ -57,7 +62,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   seen.absorbed_energy_J = material.plastic_work()[lane];
   seen.support_N = contact.tally()[kSupport].normal[lane];
   seen.support_yield_ratio = yield_ratio[kSupport][lane];
-  for (std::size_t s = 0; s < kSurfaceCount; ++s) seen.patch[s] = patch_damage_at(s, lane, scenario);
+  seen.patch = damage_below_patches(lane, scenario);
   seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
@@ -67,8 +72,8 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.tangent_N = {tally.tangent[0][lane], tally.tangent[1][lane]};
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
-    finger.slip_m = contact.slip(static_cast<int>(f)).way_m()[lane];
-    finger.slip_rad = contact.slip(static_cast<int>(f)).angle_rad()[lane];
+    finger.slip_m = contact.slip(static_cast<int>(f)).way_m(lane);
+    finger.slip_rad = contact.slip(static_cast<int>(f)).angle_rad(lane);
     finger.yield_ratio = yield_ratio[f][lane];
     const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
     for (std::size_t i = 0; i < 3; ++i) {

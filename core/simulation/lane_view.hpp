@@ -21,7 +21,7 @@ struct LaneView {
   const ContactLanes& contact;
   const GripperLanes& gripper;
   const CarrierMotion& carriers;  ///< at the present time
-  /// Mean pressure below each pad / the one at first yield.
+  /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;
 
   /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
@@ -31,8 +31,9 @@ struct LaneView {
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// The signals of a trace that are read from the state.
   [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;
-  /// What the present load of a surface leaves below its patch.
-  [[nodiscard]] PatchDamage patch_damage_at(std::size_t surface, int lane, const Scenario& scenario) const;
+  /// What the present load of each surface leaves below its patch.
+  [[nodiscard]] std::array<PatchDamage, kSurfaceCount> damage_below_patches(int lane,
+                                                                            const Scenario& scenario) const;
   /// Fills the metrics of the shape that the plastic strain leaves.
   void measure_permanent_set(int lane, const LimitParameters& limits, Metrics& metrics) const;
 };

@@ -14,7 +14,7 @@ namespace unbruised::studies {
 /// of metrics, and of keys whose words are not their letters.
 nlohmann::json page_words();
 
-/// { metric, key }: the key of [limits] that decides `slipped`.
+/// [{ metric, key }]: which keys of [limits] decide `slipped`.
 nlohmann::json page_slip_limits();
 /// [{ metric, key }]: which key of [limits] that decides `damaged` bounds which metric.
 nlohmann::json page_damage_limits();

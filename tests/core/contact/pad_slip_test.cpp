@@ -41,16 +41,16 @@ std::array<double, 2> center_of_force_m() {
 TEST(PadSlip, OfARigidMotionIsItsWayAtTheCentreOfForceAndItsAngle) {
   PadSlip slip;
   for (int i = 0; i < 10; ++i) step(slip, {3e-4, 4e-4}, -1e-2, center_of_force_m());
-  EXPECT_NEAR(slip.way_m()[0], 5e-3, 1e-15);
-  EXPECT_NEAR(slip.angle_rad()[0], 0.1, 1e-13);
+  EXPECT_NEAR(slip.way_m(0), 5e-3, 1e-15);
+  EXPECT_NEAR(slip.angle_rad(0), 0.1, 1e-13);
 }
 
 TEST(PadSlip, TurnsBackToNothing) {
   PadSlip slip;
   step(slip, {0.0, 0.0}, 0.02, {0.0, 0.0});
   step(slip, {0.0, 0.0}, -0.02, {0.0, 0.0});
-  EXPECT_NEAR(slip.angle_rad()[0], 0.0, 1e-15);
-  EXPECT_NEAR(slip.way_m()[0], 0.0, 1e-17);
+  EXPECT_NEAR(slip.angle_rad(0), 0.0, 1e-15);
+  EXPECT_NEAR(slip.way_m(0), 0.0, 1e-17);
 }
 
 TEST(PadSlip, OfOneContactHasNoAngle) {
@@ -58,8 +58,8 @@ TEST(PadSlip, OfOneContactHasNoAngle) {
   slip.begin_step();
   slip.add_closed({0.3, 0.4}, Lane(2.0), {Lane(1e-3), Lane(-1e-3)});
   slip.end_step(kLeastRadius_m, everywhere());
-  EXPECT_EQ(slip.angle_rad()[0], 0.0);
-  EXPECT_NEAR(slip.way_m()[0], std::sqrt(2.0) * 1e-3, 1e-15);
+  EXPECT_EQ(slip.angle_rad(0), 0.0);
+  EXPECT_NEAR(slip.way_m(0), std::sqrt(2.0) * 1e-3, 1e-15);
 }
 
 TEST(PadSlip, GoesWithTheParticlesWhileNothingTouches) {
@@ -67,10 +67,10 @@ TEST(PadSlip, GoesWithTheParticlesWhileNothingTouches) {
   slip.begin_step();
   for (const double way : {1e-3, 3e-3}) slip.add_open({Lane(way), Lane(0.0)}, everywhere());
   slip.end_step(kLeastRadius_m, everywhere());
-  EXPECT_DOUBLE_EQ(slip.way_m()[0], 2e-3);
+  EXPECT_DOUBLE_EQ(slip.way_m(0), 2e-3);
   slip.forget(0);
-  EXPECT_EQ(slip.way_m()[0], 0.0);
-  EXPECT_DOUBLE_EQ(slip.way_m()[1], 2e-3) << "another lane keeps its own";
+  EXPECT_EQ(slip.way_m(0), 0.0);
+  EXPECT_DOUBLE_EQ(slip.way_m(1), 2e-3) << "another lane keeps its own";
 }
 
 }  // namespace

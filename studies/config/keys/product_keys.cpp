@@ -39,7 +39,10 @@ Table shape_keys() {
        .field = lattice<&L::axis>},
       {.path = "product.cell_size_m",
        .type = number,
-       .meaning = "Wanted side of a lattice cell.",
+       .meaning =
+           "Wanted side of a lattice cell. With few of them the product is not quite itself: a slab of four "
+           "cells sags 0.93 of what it should, the lowest modes of a kiwi (10 cells across) are 4 % too low; "
+           "halve the cells where such a per cent decides.",
        .use = use,
        .field = lattice<&L::cell_size_m>},
       {.path = "product.mass_kg",

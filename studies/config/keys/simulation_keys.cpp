@@ -40,7 +40,12 @@ Table simulation_keys() {
        .field = simulation<&S::pressure_patch_m>},
       {.path = "simulation.max_strain",
        .type = number,
-       .meaning = "A larger principal strain of a cell ends the run as out_of_range.",
+       .meaning =
+           "A larger strain of a cell (the root of the sum of its squared components) ends the run as "
+           "out_of_range. "
+           "It guards against a product that is squeezed flat, not the last per cent: strains are taken as "
+           "small. A kiwi of 50 mm that is pressed by 4 mm a side passes, with its force right within 1.6 %, but "
+           "with finite strains its permanent set would be 17 to 33 % larger from 12 N on.",
        .use = Use::lattice,
        .field = simulation<&S::max_strain>},
       {.path = "simulation.max_rotation_rad",

@@ -3,6 +3,8 @@
 /// @file
 /// How long the contacts of a scenario last, from closed forms: what a time step has to resolve.
 
+#include <limits>
+
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -21,7 +23,26 @@ double finger_contact_time_s(const Scenario& scenario);
 /// where nothing hits it: the product is put down at rest, or there is no support.
 double support_contact_time_s(const Scenario& scenario);
 
-/// The shorter of the two.
+/// Where a flat pad meets a flat face, the surface is stopped before the product behind it: a whole period of the
+/// particles under the pad (with the finger, in relative motion) on the layer, 2 pi sqrt(m / (k A)), in which 20
+/// steps give the peak within 2 % (docs/contact.md). [s]; infinite where faces are curved, or where that peak
+/// decides nothing: damage is not considered, or the larger of grip force, the least that carries the weight and
+/// the finger's own impact is above it.
+double finger_surface_time_s(const Scenario& scenario);
+
+/// The same for a flat base that hits the support, against the larger of weight and the product's own impact.
+double support_surface_time_s(const Scenario& scenario);
+
+/// What a contact time is of.
+enum class ContactPart { finger, support, finger_surface, support_surface };
+
+struct ShortestContact {
+  double time_s = std::numeric_limits<double>::infinity();
+  ContactPart part = ContactPart::finger;
+};
+
+/// The shortest of the four.
+ShortestContact shortest_contact(const Scenario& scenario);
 double contact_time_s(const Scenario& scenario);
 
 }  // namespace unbruised

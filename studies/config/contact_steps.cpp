@@ -95,8 +95,9 @@ ContactSteps fewest_over_sides(Scenario scenario, const std::vector<Side>& sides
     if (*least != *most) add_place(found.where, side.key, three_digits(value));
   }
   found.steps = steps_of(scenario);
-  found.contact_s = contact_time_s(scenario);
-  found.is_support = support_contact_time_s(scenario) < finger_contact_time_s(scenario);
+  const ShortestContact shortest = shortest_contact(scenario);
+  found.contact_s = shortest.time_s;
+  found.part = shortest.part;
   return found;
 }
 
@@ -154,7 +155,8 @@ ContactSteps fewest_contact_steps(const StudyData& data) {
     return is_fewer;
   };
   std::optional<std::size_t> best;
-  for (const std::size_t id : ends_of_grid(data.plan)) {
+  const bool runs_base = data.candidates.empty();  // of a comparison, nobody runs the strategy that is written
+  for (const std::size_t id : runs_base ? ends_of_grid(data.plan) : std::vector<std::size_t>{}) {
     if (look(data.scenario(id))) best = id;
   }
   if (best) {
@@ -168,13 +170,17 @@ ContactSteps fewest_contact_steps(const StudyData& data) {
   return fewest;
 }
 
+void set_time_step(StudyData& data, double time_step_s) {
+  for (Scenario& base : data.bases) base.simulation.time_step_s = time_step_s;
+  for (StrategyCandidate& candidate : data.candidates) candidate.scenario.simulation.time_step_s = time_step_s;
+}
+
 void choose_time_step(StudyData& data) {
   const double wanted_s = fewest_contact_steps(data).contact_s / kStepsPerContact;
   const double step_s = !(wanted_s > kLeastChosenStep_s)  ? kLeastChosenStep_s
                         : wanted_s < kLongestChosenStep_s ? rounded_down(wanted_s)
                                                           : kLongestChosenStep_s;
-  for (Scenario& base : data.bases) base.simulation.time_step_s = step_s;
-  for (StrategyCandidate& candidate : data.candidates) candidate.scenario.simulation.time_step_s = step_s;
+  set_time_step(data, step_s);
   data.is_time_step_chosen = true;
 }
 

@@ -19,7 +19,10 @@ ContactSteps fewest_contact_steps(const StudyData& data);
 inline constexpr double kLeastChosenStep_s = 1e-4;
 inline constexpr double kLongestChosenStep_s = 1e-3;
 
-/// Writes a time step into every scenario of the study that gives its shortest contact `kStepsPerContact` steps,
+/// Writes a time step into every scenario of the study.
+void set_time_step(StudyData& data, double time_step_s);
+
+/// Writes the step that gives its shortest contact `kStepsPerContact` steps,
 /// rounded down to two digits and between kLeastChosenStep_s and kLongestChosenStep_s; one for the whole study, so
 /// that factor groups stay shared.
 void choose_time_step(StudyData& data);

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/contact/contact_time.hpp"
 #include "core/scenario/scenario.hpp"
 #include "optimizer/algorithm.hpp"
 #include "optimizer/search_space.hpp"
@@ -130,8 +131,8 @@ struct SensitivitySettings {
 struct ContactSteps {
   double steps = std::numeric_limits<double>::infinity();  ///< infinite: the study has no contact that hits
   double contact_s = std::numeric_limits<double>::infinity();
-  bool is_support = false;  ///< the product on the support; else a finger on the product
-  std::string where;        ///< the values of the keys that matter; may be empty
+  ContactPart part = ContactPart::finger;
+  std::string where;  ///< the values of the keys that matter; may be empty
 };
 
 /// Lines to print, one per violation: `file:line: key = value: rule`, in file and line order.

@@ -43,9 +43,13 @@ class Reader {
     blocks_ = read_blocks(text_.block_entries, text_.block_tables, problems_);
     assemble_bases(known);
     complete_search(data_, blocks_, assemblies_.front(), problems_);
-    if (problems_.empty() && !is_given(kTimeStepKey)) choose_time_step(data_);
-    if (problems_.empty()) check_rules();
-    if (problems_.empty()) check_box_rules(data_, blocks_, problems_);
+    const bool chooses_step = problems_.empty() && !is_given(kTimeStepKey);
+    if (chooses_step) set_time_step(data_, kLeastChosenStep_s);
+    check_all_rules();
+    if (chooses_step && problems_.empty()) {
+      choose_time_step(data_);  // of scenarios that keep their rules; the step has some of its own
+      check_all_rules();
+    }
     if (!problems_.empty()) return error();
     finish();
     return Study(std::make_shared<const StudyData>(std::move(data_)));
@@ -205,6 +209,11 @@ class Reader {
       judge_first_yield(assembly);
       data_.candidates.push_back({block.name, assembly.scenario});
     }
+  }
+
+  void check_all_rules() {
+    if (problems_.empty()) check_rules();
+    if (problems_.empty()) check_box_rules(data_, blocks_, problems_);
   }
 
   void check_rules() {

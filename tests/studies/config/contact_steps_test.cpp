@@ -54,6 +54,21 @@ TEST(ChosenTimeStep, OfAKiwiMetAtThreeHundredMillimetresPerSecondIsNotTheMillise
   EXPECT_LE(step_of(study), 7.8e-4);
 }
 
+TEST(ChosenTimeStep, OfAFlatFaceKnowsTheTimeOfItsSurfaceOnTheLayerWhereTheImpactDecides) {
+  const auto block = [](const std::string& strategy) {
+    return study_of(
+        "[study]\nname = \"t\"\nkind = \"simulate\"\n[product]\nuse = "
+        "\"products/silicone_block.toml\"\n[gripper]\nuse = \"grippers/parallel_jaw.toml\"\n"
+        "[strategy]\ngrip_force_N = 3.0\n" +
+        strategy);
+  };
+  const Study fast = block("approach_speed_m_s = 0.2\n");
+  EXPECT_EQ(step_of(fast), kLeastChosenStep_s);
+  EXPECT_EQ(fast.fewest_contact_steps().part, ContactPart::finger_surface);
+  EXPECT_NEAR(fast.fewest_contact_steps().steps, 10.7, 0.1);  // 1.07 ms
+  EXPECT_GT(step_of(block("approach_speed_m_s = 0.05\n")), 5e-4) << "pressed with more than the first peak";
+}
+
 TEST(ChosenTimeStep, LooksAtTheEndsOfWhatIsSearchedDrawnAndAskedFor) {
   const std::string slow = "[strategy]\napproach_speed_m_s = 0.05\n";
   const std::string firm = slow + "grip_force_N = 4.0\n";
@@ -74,6 +89,16 @@ TEST(ChosenTimeStep, LooksAtEveryCandidate) {
   for (const StrategyCandidate& candidate : study.candidates()) {
     EXPECT_LE(candidate.scenario.simulation.time_step_s * kStepsPerContact, contact_time_s(candidate.scenario));
   }
+}
+
+TEST(ChosenTimeStep, OfAComparisonDoesNotLookAtTheStrategyThatNobodyRuns) {
+  const std::string compare = kiwi("compare",
+                                   "[strategy]\napproach_speed_m_s = 0.4\n[[candidate]]\nname = \"a\"\n"
+                                   "approach_speed_m_s = 0.02\n[[candidate]]\nname = \"b\"\n"
+                                   "approach_speed_m_s = 0.03\n[[random]]\nkey = \"product.friction\"\n"
+                                   "distribution = \"uniform\"\nfrom = 0.4\nto = 0.6\n");
+  EXPECT_EQ(step_of(study_of(compare)),
+            step_of(study_of(kiwi("simulate", "[strategy]\napproach_speed_m_s = 0.03\n"))));
 }
 
 TEST(ChosenTimeStep, StandsInTheResolvedConfigAndReadsBackAsGiven) {

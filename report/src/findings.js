@@ -66,12 +66,13 @@ function checks(study, table) {
   const row = (i) => {
     const change = table.at("objective_change", i);
     const what = table.at("change", i);
+    const says = table.column("says") ? table.at("says", i) : null;
     const broken = isBroken(table, i);
     const outcome = table.at("outcome", i);
     return h(
       "tr",
       {},
-      h("th", { scope: "row" }, table.at("check", i) ?? "", what ? h("small", {}, inWords(what)) : null),
+      h("th", { scope: "row" }, table.at("check", i) ?? "", what ? h("small", {}, inWords(what)) : null, says ? h("small", {}, inWords(says)) : null),
       objectives.map(({ column, units }) => cell(column.at(i), units, column.most)),
       h("td", { class: "number" }, change === null || table.at("check", i) === "as found" ? "–" : percent(change)),
       probability ? h("td", { class: "number" }, percent(probability.at(i)), table.at("probability_low", i) === null ? null : h("small", {}, `${percent(table.at("probability_low", i))} to ${percent(table.at("probability_high", i))}`)) : null,

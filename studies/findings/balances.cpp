@@ -65,12 +65,16 @@ std::string balance_doubt(const std::vector<ScenarioRow>& rows) {
        "simulation.time_step_s"});
 }
 
+bool impact_is_unresolved(const ScenarioResult& result) {
+  return result.metrics[Metric::peak_rise_steps] < kFewestRiseSteps && result.outcome != Outcome::diverged;
+}
+
 std::string impact_doubt(const std::vector<ScenarioRow>& rows) {
   std::size_t count = 0;
   const ScenarioRow* fewest = nullptr;
   for (const ScenarioRow& row : rows) {
+    if (!impact_is_unresolved(row.result)) continue;
     const double steps = row.result.metrics[Metric::peak_rise_steps];
-    if (!(steps < kFewestRiseSteps) || row.result.outcome == Outcome::diverged) continue;
     ++count;
     if (fewest == nullptr || steps < fewest->result.metrics[Metric::peak_rise_steps]) fewest = &row;
   }

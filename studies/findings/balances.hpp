@@ -17,8 +17,10 @@ std::string balance_line(const std::vector<ScenarioRow>& rows);
 /// Of held rows whose energy error exceeds the bound: how many, the worst, and what it means. Empty: there is
 /// none.
 std::string balance_doubt(const std::vector<ScenarioRow>& rows);
-/// Of rows whose deciding force rose by half of its peak within fewer than kFewestRiseSteps steps: how many, the
-/// fewest steps, and what it means. Empty: there is none.
+/// Did the force that decides rise by half of its peak within fewer than kFewestRiseSteps steps? Then what rests
+/// on the peak is looked at again at half the step.
+bool impact_is_unresolved(const ScenarioResult& result);
+/// Of rows with such an impact: how many, the fewest steps, and what it means. Empty: there is none.
 std::string impact_doubt(const std::vector<ScenarioRow>& rows);
 
 }  // namespace unbruised::studies

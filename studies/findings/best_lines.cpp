@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "studies/findings/found_parts.hpp"
+#include "studies/findings/front_check.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -106,6 +107,9 @@ std::string change_text(const ResultTable& checks, std::size_t i) {
 }
 
 std::string check_text(const ResultTable& checks, std::size_t i) {
+  if (const std::string says = text_in(checks, "says", i); !says.empty()) {
+    return joined({text_in(checks, "check", i), ": ", says});
+  }
   std::string text = joined({text_in(checks, "check", i), ": objective ", change_text(checks, i)});
   const double probability = number_in(checks, "probability", i);
   if (!std::isnan(probability)) {
@@ -130,6 +134,9 @@ void add_checks(const std::vector<ResultTable>& tables, std::vector<std::string>
   // Row 0 is the strategy as found: what the others are compared with.
   for (std::size_t i = 1; i < row_count(*checks); ++i)
     lines.push_back(joined({"checked, ", check_text(*checks, i)}));
+  const ResultTable* pareto = find_table(tables, "pareto");
+  if (pareto == nullptr) return;
+  if (auto line = front_check_line(*pareto)) lines.push_back(std::move(*line));
 }
 
 void add_terminations(const ResultTable& searches, std::vector<std::string>& lines) {

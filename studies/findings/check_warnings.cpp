@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "studies/findings/front_check.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -19,6 +20,10 @@ std::string check_name(const ResultTable& checks, std::size_t row) {
 
 std::optional<std::string> broken_constraint(const ResultTable& checks, std::size_t row) {
   if (number_in(checks, "feasible", row) == 1.0) return std::nullopt;
+  if (const std::string says = text_in(checks, "says", row); !says.empty()) {
+    return joined({"the winner does not stand a check: with ", check_name(checks, row), " ", says,
+                   "; do not use it as it is"});
+  }
   if (!(number_in(checks, "violation", row) > 0.0)) {
     return joined({"the best strategy does not stand a check: with ", check_name(checks, row),
                    " its objective does not exist (", text_in(checks, "outcomes", row),
@@ -41,6 +46,9 @@ std::optional<std::string> moved_margin(const ResultTable& checks, std::size_t r
 
 std::vector<std::string> check_warnings(const std::vector<ResultTable>& tables) {
   std::vector<std::string> warnings;
+  if (const ResultTable* pareto = find_table(tables, "pareto"); pareto != nullptr) {
+    if (auto broken = front_check_warning(*pareto)) warnings.push_back(std::move(*broken));
+  }
   const ResultTable* checks = find_table(tables, "verification");
   if (checks == nullptr) return warnings;
   for (std::size_t row = 1; row < row_count(*checks); ++row) {

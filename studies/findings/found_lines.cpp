@@ -180,8 +180,8 @@ std::vector<std::string> found_lines(const std::vector<ResultTable>& tables, std
   add_best_lines(tables, lines);
   add_strategies(tables, held_words, lines);
   add_front(tables, lines);
-  add_check_lines(tables, lines);
   add_compare_lines(tables, lines);
+  add_check_lines(tables, lines);
   add_effects(tables, lines);
   add_statistics(tables, lines);
   return lines;

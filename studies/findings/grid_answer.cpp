@@ -12,7 +12,7 @@ namespace {
 /// What became of one strategy.
 struct Tally {
   std::vector<InputValue> values;
-  std::uint64_t scenario = 0;  ///< the first one
+  std::vector<std::uint64_t> scenarios;
   double held = 0.0;
   double count = 0.0;
   double cycle_time_s = kAbsent;  ///< the longest of those held
@@ -20,6 +20,7 @@ struct Tally {
 
 void count_row(Tally& tally, const ScenarioRow& row) {
   tally.count += 1.0;
+  tally.scenarios.push_back(row.id);
   if (row.result.outcome != Outcome::held) return;
   tally.held += 1.0;
   tally.cycle_time_s = std::fmax(tally.cycle_time_s, row.result.metrics[Metric::cycle_time_s]);
@@ -91,11 +92,7 @@ GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<
   for (const ScenarioRow& row : rows) {
     std::vector<InputValue> values = picked(row.inputs, places.others);
     const auto [found, is_new] = place_of.try_emplace(values, tallies.size());
-    if (is_new) {
-      Tally& tally = tallies.emplace_back();
-      tally.values = std::move(values);
-      tally.scenario = row.id;
-    }
+    if (is_new) tallies.emplace_back().values = std::move(values);
     count_row(tallies[found->second], row);
   }
   GridAnswer answer;
@@ -105,7 +102,8 @@ GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<
   answer.table = table_of(answer.keys, tallies, best);
   answer.table.attributes.emplace_back("over", leaves_text(picked(inputs, places.given)));
   if (best == nullptr) return answer;
-  answer.best = best->scenario;
+  answer.best = best->scenarios.front();
+  answer.best_rows = best->scenarios;
   answer.best_values = best->values;
   return answer;
 }

@@ -13,10 +13,11 @@
 namespace unbruised::studies {
 
 struct GridAnswer {
-  ResultTable table;                    ///< `strategies` (docs/results.md): one row per strategy
-  std::optional<std::uint64_t> best;    ///< a scenario with the best strategy; nothing: none is held in all
-  std::vector<ColumnInfo> keys;         ///< varied keys that are chosen or stand apart
-  std::vector<InputValue> best_values;  ///< of `keys`; empty without a best
+  ResultTable table;                     ///< `strategies` (docs/results.md): one row per strategy
+  std::optional<std::uint64_t> best;     ///< a scenario with the best strategy; nothing: none is held in all
+  std::vector<std::uint64_t> best_rows;  ///< all scenarios with it, ascending
+  std::vector<ColumnInfo> keys;          ///< varied keys that are chosen or stand apart
+  std::vector<InputValue> best_values;   ///< of `keys`; empty without a best
   /// Keys of the strategy that have one value for each product or cell, so that the answer is about the rest: a
   /// force of its own for each fruit.
   std::vector<ColumnInfo> following;

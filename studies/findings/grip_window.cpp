@@ -196,6 +196,16 @@ class NoWindowInWords {
   WindowRow row_;
 };
 
+/// Which ends lie next to a run whose impact the step does not resolve.
+void mark_impacts(const Samples& samples, WindowRow& row) {
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    if (!samples.sample(i).unresolved_impact) continue;
+    const double force_N = samples.force(i);
+    row.hold_on_impact |= force_N == row.hold_bracket_low_N || force_N == row.hold_bracket_high_N;
+    row.damage_on_impact |= force_N == row.damage_bracket_low_N || force_N == row.damage_bracket_high_N;
+  }
+}
+
 /// Adds the forces `i - 1` and `i` as a bracket, where both were tried.
 void add_bracket(const Samples& samples, std::size_t i, std::vector<ForceBracket>& brackets) {
   if (i == 0 || i >= samples.count()) return;
@@ -256,8 +266,10 @@ std::vector<ForceBracket> deciding_brackets(std::vector<GripSample> samples) {
 WindowRow read_grip_window(std::vector<GripSample> samples) {
   if (samples.empty()) return WindowRow{.inputs = {}, .note = "no window: nothing was tried"};
   const Samples sorted(std::move(samples));
-  if (sorted.intervals().empty()) return NoWindowInWords(sorted).read();
-  return WindowInWords(sorted, sorted.by_width().front()).read();
+  WindowRow row = sorted.intervals().empty() ? NoWindowInWords(sorted).read()
+                                             : WindowInWords(sorted, sorted.by_width().front()).read();
+  mark_impacts(sorted, row);
+  return row;
 }
 
 CommonWindow common_window(const std::vector<WindowRow>& rows) {

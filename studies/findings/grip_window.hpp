@@ -21,6 +21,7 @@ struct GripSample {
   Verdict undamaged = Verdict::unknown;
   double peak_finger_force_N = kAbsent;
   DamageClaim damage = DamageClaim::judged;  ///< the same of all samples of a window
+  bool unresolved_impact = false;            ///< its peak force came within too few steps
 };
 
 /// What a grip force does, as far as the window is concerned: damage counts where the product is held.

@@ -32,6 +32,7 @@ struct SearchFindings {
   std::vector<Candidate> candidates;   ///< by place
   std::vector<SearchRecord> searches;  ///< by number; those that never began are missing
   std::vector<Check> checks;           ///< none where nothing is feasible
+  std::vector<Candidate> front_again;  ///< pareto: points_on_impacts of the front at half the time step
   std::optional<ProductSample> products;
   bool interrupted = false;
   LaneUse searching;            ///< how full the lanes were while the searches ran, checks not counted

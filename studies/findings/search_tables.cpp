@@ -6,6 +6,7 @@
 
 #include "optimizer/pareto.hpp"
 #include "studies/findings/found_tables.hpp"
+#include "studies/findings/front_check.hpp"
 #include "studies/findings/shown_probability.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
@@ -293,6 +294,7 @@ class SearchTables {
     table.columns.push_back(
         {"knee", "1", "1: the best bargain: farthest from the line through the ends", is_knee});
     add_verdicts(table, front);
+    add_half_step_columns(front, found_.front_again, table);
     table.columns.push_back(
         column("search", "1", "number of the search", front, [](const Candidate& c) { return c.place.search; }));
     if (!front.empty()) add_hypervolume(table, front_points);

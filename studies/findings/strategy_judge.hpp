@@ -35,6 +35,7 @@ struct Candidate {
   double damage_margin = kAbsent;
   std::vector<Proportion> probabilities;  ///< robust: of `StrategyJudge::events`; else none
   std::size_t without_objective = 0;      ///< robust: products for which a metric of an objective does not exist
+  bool unresolved_impact = false;         ///< of any of its scenarios (findings/balances.hpp)
   std::string outcomes;                   ///< "dropped"; of products "held 150, dropped 10"
 
   [[nodiscard]] bool feasible() const;

@@ -12,6 +12,7 @@
 namespace unbruised::studies {
 namespace {
 
+/// Adds the end of a row, where it was not looked at yet.
 void add_end(const WindowTable& window, std::optional<std::size_t> place, WindowEnd end,
              std::vector<KnownEnd>& ends) {
   if (!place) return;
@@ -28,29 +29,53 @@ void add_end(const WindowTable& window, std::optional<std::size_t> place, Window
   if (!is_known && !std::isnan(known.safe_N)) ends.push_back(known);
 }
 
-std::string step_sentence(double time_step_s) {
-  return joined({"the time step of ", short_number(1e3 * time_step_s),
-                 " ms is too long for this end; write simulation.time_step_s = ", short_number(0.5 * time_step_s),
-                 " or less"});
-}
-
-}  // namespace
-
-std::vector<KnownEnd> deciding_ends(const WindowTable& window, const WindowAnswer& answer) {
+/// The ends of the rows that set the common window of the best strategies (where none has a set-point: of the
+/// first with a window).
+void add_deciding_ends(const WindowTable& window, const WindowAnswer& answer, std::vector<KnownEnd>& ends) {
   const auto& all = answer.strategies;
   const bool any_best = std::any_of(all.begin(), all.end(), [](const StrategyWindow& s) { return s.is_best; });
-  std::vector<KnownEnd> ends;
   for (const StrategyWindow& strategy : all) {
     if (any_best ? !strategy.is_best : !strategy.exists) continue;
     add_end(window, strategy.hold_row, WindowEnd::hold, ends);
     add_end(window, strategy.damage_row, WindowEnd::damage, ends);
     if (!any_best) break;
   }
+}
+
+void add_ends_on_impacts(const WindowTable& window, std::vector<KnownEnd>& ends) {
+  for (std::size_t i = 0; i < window.rows.size(); ++i) {
+    const WindowRow& row = window.rows[i];
+    if (row.exists && row.hold_on_impact) add_end(window, i, WindowEnd::hold, ends);
+    if (row.exists && row.damage_on_impact) add_end(window, i, WindowEnd::damage, ends);
+  }
+}
+
+std::vector<KnownEnd> ends_to_look_at(LookAt which, const WindowTable& window, const WindowAnswer& answer) {
+  std::vector<KnownEnd> ends;
+  if (which == LookAt::deciding_ends) add_deciding_ends(window, answer, ends);
+  add_ends_on_impacts(window, ends);
   return ends;
 }
 
+/// Does a run lie on the safe side of an end?
 bool is_safe(const GripSample& sample, WindowEnd end) {
   return (end == WindowEnd::hold ? sample.holds : sample.undamaged) == Verdict::yes;
+}
+
+std::optional<std::vector<bool>> safe_sides(const HalfStepLook& look, const StudyWindow& window,
+                                            const std::vector<KnownEnd>& ends,
+                                            const std::vector<EndRequest>& asked) {
+  std::vector<ForceRequest> requests;
+  for (const EndRequest& each : asked) {
+    const std::size_t point = window.points[ends[each.end].row];
+    requests.push_back({each.id, point, each.grip_force_N, StepSize::half});
+  }
+  const auto rows = look.run(requests);
+  if (!rows) return std::nullopt;
+  const std::vector<GripSample> samples = samples_of(look.study, requests, *rows);
+  std::vector<bool> safe;
+  for (std::size_t i = 0; i < asked.size(); ++i) safe.push_back(is_safe(samples[i], ends[asked[i].end].end));
+  return safe;
 }
 
 void keep_half_step(WindowTable& window, const std::vector<KnownEnd>& ends, const std::vector<double>& safe_N) {
@@ -63,16 +88,51 @@ void keep_half_step(WindowTable& window, const std::vector<KnownEnd>& ends, cons
   }
 }
 
-std::vector<std::string> half_step_warnings(const WindowTable& window, double tolerance,
-                                            const std::vector<double>& time_step_s) {
+std::string step_sentence(double time_step_s) {
+  return joined({"the time step of ", short_number(1e3 * time_step_s),
+                 " ms is too long for this end; write simulation.time_step_s = ", short_number(0.5 * time_step_s),
+                 " or less"});
+}
+
+}  // namespace
+
+std::vector<GripSample> samples_of(const Study& study, const std::vector<ForceRequest>& requests,
+                                   const std::vector<ScenarioRow>& rows) {
+  std::vector<GripSample> samples;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const Scenario scenario = study.scenario(requests[i].combination);
+    samples.push_back(grip_sample(rows[i].result, scenario, requests[i].grip_force_N));
+  }
+  return samples;
+}
+
+std::optional<WindowAnswer> look_at_half_step(const HalfStepLook& look, StudyWindow& window) {
+  WindowAnswer answer = look.answer();
+  if (varies_time_step(look.study)) return answer;
+  EndSearchSettings settings = look.range;
+  for (auto ends = ends_to_look_at(look.ends, window.table, answer); !ends.empty();
+       ends = ends_to_look_at(look.ends, window.table, answer)) {
+    const EndSearchResult result = search_ends(ends, settings, [&](const std::vector<EndRequest>& asked) {
+      return safe_sides(look, window, ends, asked);
+    });
+    if (result.interrupted) return std::nullopt;
+    settings.first_id += result.evaluation_count;
+    keep_half_step(window.table, ends, result.safe_N);
+    answer = look.answer();
+  }
+  return answer;
+}
+
+std::vector<std::string> half_step_warnings(const Study& study, const StudyWindow& window, double tolerance) {
   std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < window.rows.size(); ++i) {
-    for (const EndMove& move : half_step_moves(window.rows[i])) {
+  for (std::size_t i = 0; i < window.table.rows.size(); ++i) {
+    for (const EndMove& move : half_step_moves(window.table.rows[i])) {
       if (!(std::abs(move.relative) > tolerance)) continue;
-      const std::string at = inputs_text(window.inputs, window.rows[i].inputs);
+      const std::string at = inputs_text(window.table.inputs, window.table.rows[i].inputs);
+      const double time_step_s = study.scenario(window.points[i]).simulation.time_step_s;
       warnings.push_back(
           joined({move_text(move), " at half the time step", at.empty() ? "" : " (", at, at.empty() ? "" : ")",
-                  ": ", step_sentence(time_step_s[i]), ". The set-point allows for it"}));
+                  ": ", step_sentence(time_step_s), ". The set-point allows for it"}));
     }
   }
   return warnings;

@@ -1,9 +1,11 @@
 #pragma once
 
 /// @file
-/// Does the answer of a window study depend on the time step? The ends that decide it are looked for again at half
-/// of it.
+/// Does the answer of a study with grip windows depend on the time step? The ends that decide it, and those next
+/// to a run whose impact the step does not resolve, are looked for again at half of it.
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,20 +14,31 @@
 
 namespace unbruised::studies {
 
-/// The ends of the rows that set the common window of the best strategies (where none has a set-point: of the
-/// first with a window) and were not looked at yet.
-std::vector<KnownEnd> deciding_ends(const WindowTable& window, const WindowAnswer& answer);
+/// Rows in the order of the requests, from the journal or run now; nothing: interrupted.
+using ForceRunner = std::function<std::optional<std::vector<ScenarioRow>>(const std::vector<ForceRequest>&)>;
 
-/// Does a run lie on the safe side of an end?
-bool is_safe(const GripSample& sample, WindowEnd end);
+/// What a run of these forces says, in the order of the requests.
+std::vector<GripSample> samples_of(const Study& study, const std::vector<ForceRequest>& requests,
+                                   const std::vector<ScenarioRow>& rows);
 
-/// Writes what was found at half the time step into the table: infinite (F_hold) or zero (F_damage) where no force
-/// of the range is on the safe side any more.
-void keep_half_step(WindowTable& window, const std::vector<KnownEnd>& ends, const std::vector<double>& safe_N);
+/// Ends to look at beside those on unresolved impacts.
+enum class LookAt { deciding_ends, impacts_only };
+
+struct HalfStepLook {
+  const Study& study;
+  LookAt ends = LookAt::deciding_ends;
+  EndSearchSettings range;               ///< first_id: of the first run
+  const ForceRunner& run;                ///< makes the runs
+  std::function<WindowAnswer()> answer;  ///< anew from the table as it is
+};
+
+/// Until the answer rests on no ends that were not looked at; writes what is found into the table: infinite
+/// (F_hold) or zero (F_damage) where no force of the range is on the safe side any more. Nothing is looked at
+/// where the study varies the time step.
+/// @return the answer; nothing: interrupted
+std::optional<WindowAnswer> look_at_half_step(const HalfStepLook& look, StudyWindow& window);
 
 /// One sentence for each end that moves by more than the tolerance.
-/// @param time_step_s as the study has it, of each row
-std::vector<std::string> half_step_warnings(const WindowTable& window, double tolerance,
-                                            const std::vector<double>& time_step_s);
+std::vector<std::string> half_step_warnings(const Study& study, const StudyWindow& window, double tolerance);
 
 }  // namespace unbruised::studies

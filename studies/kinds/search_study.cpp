@@ -7,6 +7,9 @@
 #include <utility>
 #include <variant>
 
+#include "studies/findings/balances.hpp"
+#include "studies/findings/check_warnings.hpp"
+#include "studies/findings/front_check.hpp"
 #include "studies/kinds/pareto_plan.hpp"
 #include "studies/statistics/design.hpp"
 #include "studies/statistics/seed_purpose.hpp"
@@ -22,6 +25,9 @@ namespace {
 constexpr double kMoreCells = 1.25;
 /// Products on which the time step and the mesh are checked.
 constexpr std::size_t kCheckedProducts = 32;
+
+/// Of the checks: behind those of the best strategy.
+constexpr std::size_t kFrontGeneration = 4;
 
 constexpr const char* kCellSizeKey = "product.cell_size_m";
 
@@ -200,6 +206,8 @@ class SearchStudy {
       Candidate candidate = judge_.judge(points[p], own, products.structure());
       candidate.place = {place.search, place.generation, p};
       candidate.first_scenario = journal_id(questions[p * each].place);
+      candidate.unresolved_impact = std::any_of(
+          own.begin(), own.end(), [](const ScenarioResult& result) { return impact_is_unresolved(result); });
       candidates.push_back(std::move(candidate));
     }
     return candidates;
@@ -242,21 +250,32 @@ class SearchStudy {
     const Candidate* best = winner(study_, found_.candidates);
     if (best == nullptr) return;
     const std::vector<Point> points = {best->values};
-    run_stage({[&] { check_all(points); }});
+    run_stage({[&] {
+      if (check_all(points) && has_several_objectives(study_.kind())) check_front();
+    }});
     if (interrupted_) found_.checks.clear();
   }
 
-  void check_all(const std::vector<Point>& points) {
+  [[nodiscard]] Change half_step() const { return {kTimeStepKey, 0.5 * study_.base_value(kTimeStepKey).value()}; }
+
+  /// Points of the front that rest on impacts, at half the time step.
+  void check_front() {
+    const std::vector<const Candidate*> front = front_of(found_.candidates);
+    std::vector<Point> points;
+    for (const std::size_t i : points_on_impacts(front)) points.push_back(front[i]->values);
+    if (points.empty()) return;
+    auto again = ask({check_number(), kFrontGeneration, 0}, points, {}, half_step());
+    if (again) found_.front_again = *std::move(again);
+  }
+
+  /// @return false: interrupted
+  bool check_all(const std::vector<Point>& points) {
     ProductSample products;
     if (found_.products) products = found_.products->first(kCheckedProducts);
     const bool is_sample = found_.products.has_value();
     std::size_t generation = 0;
     bool going_on = check("as found", {}, points, products, generation++);
-    if (going_on) {
-      const double time_step_s = study_.base_value(kTimeStepKey).value();
-      going_on =
-          check("half the time step", Change{kTimeStepKey, 0.5 * time_step_s}, points, products, generation++);
-    }
+    if (going_on) going_on = check(kHalfStep, half_step(), points, products, generation++);
     const std::optional<double> cell_m = study_.base_value(kCellSizeKey);
     const bool has_mesh = std::find(keys_.begin(), keys_.end(), kCellSizeKey) != keys_.end() && cell_m;
     if (going_on && has_mesh) {
@@ -266,15 +285,17 @@ class SearchStudy {
     if (going_on && is_sample) {
       const ProductSample others =
           draw_products(study_, study_.sampling().count, seed_for(study_.seed(), SeedPurpose::other_products));
-      check("other products", {}, points, others, generation++);
+      going_on = check("other products", {}, points, others, generation++);
     }
+    return going_on;
   }
+
+  /// Behind the last search; the strategy as written counts as one.
+  [[nodiscard]] std::size_t check_number() const { return std::max<std::size_t>(1, found_.searches.size()); }
 
   bool check(const std::string& name, const std::optional<Change>& change, const std::vector<Point>& points,
              const ProductSample& products, std::size_t generation) {
-    // Behind the last search; the strategy as written counts as one.
-    const std::size_t number = std::max<std::size_t>(1, found_.searches.size());
-    const auto candidates = ask({number, generation, 0}, points, products, change);
+    const auto candidates = ask({check_number(), generation, 0}, points, products, change);
     if (!candidates) return false;
     Check done{.name = name, .what = {}, .candidate = candidates->front()};
     if (change) done.what = joined({change->key, " = ", short_number(change->value)});

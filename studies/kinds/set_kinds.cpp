@@ -6,6 +6,7 @@
 #include "studies/execution/batch_runner.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/grid_answer.hpp"
+#include "studies/kinds/set_half_step.hpp"
 #include "studies/kinds/study_answer.hpp"
 #include "studies/kinds/window_findings.hpp"
 
@@ -54,18 +55,21 @@ KindAnswer run_simulate(const KindInput& input) {
 
 KindAnswer run_sweep(const KindInput& input) {
   const Study& study = input.study;
-  return run_set_and(input, [&study](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
     const std::vector<ColumnInfo> columns = input_columns(study);
     if (std::optional<StudyWindow> window = window_of_sweep(study, rows)) {
-      const WindowAnswer found = answer_of(study, *window, columns, rows);
-      answer.found = {set_points_table(found)};
-      answer.strategy = window_strategy(study, *window, found);
+      const auto found = sweep_window_answer(input, columns, rows, *window, answer.warnings);
+      answer.interrupted = !found;
+      if (!found) return;
+      answer.found = {set_points_table(*found)};
+      answer.strategy = window_strategy(study, *window, *found);
       answer.window = std::move(window->table);
       return;
     }
-    GridAnswer found = grid_answer(columns, rows);
+    const GridAnswer found = grid_answer(columns, rows);
     answer.strategy = grid_strategy(study, found);
-    answer.found = {std::move(found.table)};
+    answer.found = {found.table};
+    answer.interrupted = !check_grid_winner(input, found, rows, answer);
   });
 }
 
@@ -79,6 +83,7 @@ KindAnswer run_compare(const KindInput& input) {
   return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
     answer.found = compare_tables(input.study, rows);
     answer.strategy = compare_strategy(input.study, answer.found);
+    answer.interrupted = !check_compare_winner(input, rows, answer);
   });
 }
 

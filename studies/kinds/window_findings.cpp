@@ -1,9 +1,11 @@
 #include "studies/kinds/window_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include "studies/findings/balances.hpp"
 #include "studies/goals/verdict.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/key_names.hpp"
@@ -42,7 +44,8 @@ GripSample grip_sample(const ScenarioResult& result, const Scenario& scenario, d
           .holds = holds(result.metrics, result.outcome, scenario.limits),
           .undamaged = undamaged(result.metrics, result.outcome, scenario.limits),
           .peak_finger_force_N = result.metrics[Metric::peak_finger_force_N],
-          .damage = damage_claim(scenario)};
+          .damage = damage_claim(scenario),
+          .unresolved_impact = impact_is_unresolved(result)};
 }
 
 Scenario window_scenario(const Study& study, std::size_t point, double grip_force_N, StepSize step) {
@@ -88,6 +91,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
   const std::optional<std::size_t> force_column = column_of(study, kGripForceKey);
   if (!force_column) return std::nullopt;
   // Points that agree in all other keys stand together, in the order of the study.
+  StudyWindow window;
   std::map<std::vector<std::size_t>, std::vector<GripSample>> samples;
   std::map<std::vector<std::size_t>, std::uint64_t> a_point_of;
   for (const ScenarioRow& row : rows) {
@@ -96,11 +100,12 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
       if (i != *force_column) others.push_back(study.input_index(row.id, i));
     }
     const double force_N = study.input_number(row.id, *force_column);
+    window.from_N = std::fmin(window.from_N, force_N);
+    window.to_N = std::fmax(window.to_N, force_N);
     samples[others].push_back(grip_sample(row.result, study.scenario(row.id), force_N));
     a_point_of.try_emplace(std::move(others), row.id);
   }
   if (!has_two_forces(samples)) return std::nullopt;
-  StudyWindow window;
   window.table.inputs = without(scenario_set(study).columns, *force_column);
   for (auto& [others, group] : samples) {
     const std::uint64_t point = a_point_of.at(others);

@@ -22,6 +22,7 @@ namespace unbruised::studies {
 struct StudyWindow {
   WindowTable table;
   std::vector<std::size_t> points;
+  double from_N = kAbsent, to_N = kAbsent;  ///< of a sweep: the least and the greatest force of its grid
 };
 
 GripSample grip_sample(const ScenarioResult& result, const Scenario& scenario, double grip_force_N);

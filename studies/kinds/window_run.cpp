@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "studies/kinds/half_step.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 
 namespace unbruised::studies {
@@ -16,8 +15,8 @@ class WindowStudy {
       : study_(study), factor_group_(factor_group), columns_(columns), run_(run) {}
 
   std::optional<WindowRun> execute() {
-    if (!search() || !look_at_half_step()) return std::nullopt;
-    found_.warnings = half_step_warnings(found_.window.table, study_.window().tolerance, time_steps());
+    if (!search() || !look_again()) return std::nullopt;
+    found_.warnings = half_step_warnings(study_, found_.window, study_.window().tolerance);
     return std::move(found_);
   }
 
@@ -29,7 +28,7 @@ class WindowStudy {
     const WindowSearchResult result = search_windows(settings, [this](const std::vector<ForceRequest>& requests) {
       const auto rows = run_(requests);
       if (rows) rows_.insert(rows_.end(), rows->begin(), rows->end());
-      return rows ? std::optional(samples_of(requests, *rows)) : std::nullopt;
+      return rows ? std::optional(samples_of(study_, requests, *rows)) : std::nullopt;
     });
     if (result.interrupted) return false;
     next_id_ = result.evaluation_count;
@@ -42,63 +41,18 @@ class WindowStudy {
     return true;
   }
 
-  /// Until the answer rests on no ends that were not looked at.
-  bool look_at_half_step() {
-    find_answer();
-    if (varies_time_step(study_)) return true;
-    for (auto ends = deciding_ends(found_.window.table, found_.answer); !ends.empty();
-         ends = deciding_ends(found_.window.table, found_.answer)) {
-      const EndSearchResult result = search_again(ends);
-      if (result.interrupted) return false;
-      next_id_ += result.evaluation_count;
-      keep_half_step(found_.window.table, ends, result.safe_N);
-      find_answer();
-    }
-    return true;
-  }
-
-  /// Cycle times are those of the time step as written.
-  void find_answer() { found_.answer = answer_of(study_, found_.window, columns_, rows_); }
-
-  EndSearchResult search_again(const std::vector<KnownEnd>& ends) {
+  /// At half the time step. Cycle times are those of the time step as written.
+  bool look_again() {
     const WindowSettings& range = study_.window();
-    const EndSearchSettings settings{
-        .from_N = range.from_N, .to_N = range.to_N, .tolerance = range.tolerance, .first_id = next_id_};
-    return search_ends(ends, settings,
-                       [&](const std::vector<EndRequest>& asked) { return safe_sides(ends, asked); });
-  }
-
-  std::optional<std::vector<bool>> safe_sides(const std::vector<KnownEnd>& ends,
-                                              const std::vector<EndRequest>& asked) {
-    std::vector<ForceRequest> requests;
-    for (const EndRequest& each : asked) {
-      const std::size_t point = found_.window.points[ends[each.end].row];
-      requests.push_back({each.id, point, each.grip_force_N, StepSize::half});
-    }
-    const auto rows = run_(requests);
-    if (!rows) return std::nullopt;
-    const std::vector<GripSample> samples = samples_of(requests, *rows);
-    std::vector<bool> safe;
-    for (std::size_t i = 0; i < asked.size(); ++i) safe.push_back(is_safe(samples[i], ends[asked[i].end].end));
-    return safe;
-  }
-
-  [[nodiscard]] std::vector<GripSample> samples_of(const std::vector<ForceRequest>& requests,
-                                                   const std::vector<ScenarioRow>& rows) const {
-    std::vector<GripSample> samples;
-    for (std::size_t i = 0; i < requests.size(); ++i) {
-      const Scenario scenario = study_.scenario(requests[i].combination);
-      samples.push_back(grip_sample(rows[i].result, scenario, requests[i].grip_force_N));
-    }
-    return samples;
-  }
-
-  [[nodiscard]] std::vector<double> time_steps() const {
-    std::vector<double> steps;
-    for (const std::size_t point : found_.window.points) {
-      steps.push_back(study_.scenario(point).simulation.time_step_s);
-    }
-    return steps;
+    auto answer =
+        look_at_half_step({.study = study_,
+                           .ends = LookAt::deciding_ends,
+                           .range = {range.from_N, range.to_N, range.tolerance, next_id_},
+                           .run = run_,
+                           .answer = [this] { return answer_of(study_, found_.window, columns_, rows_); }},
+                          found_.window);
+    if (answer) found_.answer = *std::move(answer);
+    return answer.has_value();
   }
 
   const Study& study_;

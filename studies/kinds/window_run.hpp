@@ -5,18 +5,15 @@
 /// that decide the answer again at half the time step.
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/kinds/half_step.hpp"
 #include "studies/kinds/window_findings.hpp"
 
 namespace unbruised::studies {
-
-/// Rows in the order of the requests, from the journal or run now; nothing: interrupted.
-using ForceRunner = std::function<std::optional<std::vector<ScenarioRow>>(const std::vector<ForceRequest>&)>;
 
 struct WindowRun {
   StudyWindow window;

@@ -76,6 +76,8 @@ struct WindowRow {
   std::string intervals{};                    ///< all forces that hold unmarked, "[0.98, 1.09], [1.4, 2]" N
   double hold_force_half_step_N = kAbsent;    ///< at half the time step; NaN where that was not looked at
   double damage_force_half_step_N = kAbsent;  ///< at half the time step; NaN where that was not looked at
+  bool hold_on_impact = false;    ///< a run at that end has an impact that the step does not resolve; not kept
+  bool damage_on_impact = false;  ///< likewise
   bool set_point_exists = false;
   double set_point_N = kAbsent;            ///< findings/set_point.hpp; NaN where there is none
   double set_point_tolerance_N = kAbsent;  ///< the setting may be off by it either way

@@ -65,6 +65,49 @@ TEST(CompareStudy, FindsAPlantedDifferenceOfFivePercent) {
   EXPECT_EQ(text_attribute(comparison, "winner"), "b");
 }
 
+/// b is better by 5 %, but its impacts are not resolved, and it is held no more at half the step by products whose
+/// friction is above the bound.
+FormulaSimulator quick_by_impacts(double dropped_above_friction) {
+  return FormulaSimulator([=](const Scenario& s) {
+    ScenarioResult result = noisy_time(s);
+    const bool is_b = s.strategy.grip_force_N == 2.1;
+    result.metrics[Metric::peak_rise_steps] = is_b ? 2.0 : 8.0;
+    result.metrics[Metric::peak_finger_force_N] = s.simulation.time_step_s < 0.9e-3 ? 3.0 : 2.5;
+    const bool is_half = s.simulation.time_step_s < 0.9e-3;
+    if (is_b && is_half && std::get<LatticeParameters>(s.product).friction > dropped_above_friction) {
+      result.outcome = Outcome::dropped;
+    }
+    return result;
+  });
+}
+
+TEST(CompareStudy, LooksAgainAtAWinnerThatRestsOnImpacts) {
+  const Study study = study_of(compare_text("2.1", 40));
+  const StudyReport stays = run_fresh(study, quick_by_impacts(1.0));
+  const ResultTable& checks = table_of(stays, "verification");
+  EXPECT_EQ(number_in(checks, "feasible", 1), 1.0);
+  EXPECT_EQ(number_attribute(checks, "repeated"), 40.0) << "those of b alone";
+  EXPECT_EQ(number_in(checks, "peak_finger_force_N", 0), 2.5);
+  EXPECT_EQ(number_in(checks, "peak_finger_force_N", 1), 3.0);
+  EXPECT_TRUE(text_in(checks, "says", 1).starts_with("b stays the winner; mean cycle_time_s 0.9"))
+      << text_in(checks, "says", 1);
+  ASSERT_EQ(stays.warnings.size(), 1U);  // that impacts are not resolved
+  const std::vector<std::string> lines = found_lines(stays.tables.found, "held");
+  EXPECT_TRUE(lines.back().starts_with("checked, half the time step: b stays the winner")) << lines.back();
+}
+
+TEST(CompareStudy, SaysThatAWinnerDoesNotSurviveHalfTheStepAndKeepsItsAnswer) {
+  const StudyReport report = run_fresh(study_of(compare_text("2.1", 40)), quick_by_impacts(0.5));
+  EXPECT_EQ(text_attribute(table_of(report, "comparison"), "winner"), "b");
+  const ResultTable& checks = table_of(report, "verification");
+  EXPECT_EQ(number_in(checks, "feasible", 1), 0.0);
+  EXPECT_TRUE(text_in(checks, "says", 1).starts_with("b is not the winner any more (winner: a, held on 40 of 40"))
+      << text_in(checks, "says", 1);
+  EXPECT_TRUE(report.warnings[0].starts_with(
+      "the winner does not stand a check: with half the time step (simulation.time_step_s = 0.0005) b is not"))
+      << report.warnings[0];
+}
+
 TEST(CompareStudy, ComparesOnTheSameProductsSoThatAnUnpairedSpreadDoesNotHideTheDifference) {
   // Eight products: unpaired, a spread of 10 % hides 5 %.
   const StudyReport report = run_fresh(study_of(compare_text("2.1", 8)), FormulaSimulator(noisy_time));

@@ -266,6 +266,45 @@ TEST(ParetoStudy, FindsTheKneeOfTheFront) {
   EXPECT_NEAR(knee, 0.25, 0.03);
 }
 
+TEST(ParetoStudy, LooksAgainAtEveryPointOfTheFrontThatRestsOnAnImpact) {
+  // At half the step the second objective is a tenth higher: points between 0.727 and 0.8 break the bound.
+  const auto on_impacts = [](double rise_steps) {
+    return FormulaSimulator([=](const Scenario& s) {
+      ScenarioResult result = zdt1_formula(s);
+      result.metrics[Metric::peak_rise_steps] = rise_steps;
+      if (s.simulation.time_step_s < 0.9e-3) result.metrics[Metric::peak_finger_force_N] *= 1.1;
+      return result;
+    });
+  };
+  const std::string search =
+      "objectives = [\"cycle_time_s\", \"peak_finger_force_N\"]\nconstraints = [\"peak_finger_force_N <= "
+      "0.8\"]\npoints = 3\nbudget = 200\n";
+  std::string text = study_text("pareto", search);
+  text.replace(text.find("from = 0.5\nto = 8.0\nscale = \"log\""), 34, "from = 1.0\nto = 3.0\n");
+  text.replace(text.find("from = 0.5\nto = 20.0\nscale = \"log\""), 35, "from = 1.0\nto = 2.0\n");
+  const Study study = study_of(text);
+  const StudyReport report = run_fresh(study, on_impacts(1.0));
+  const ResultTable& front = table_of(report, "pareto");
+  double broken = 0.0;
+  for (std::size_t i = 0; i < row_count(front); ++i) {
+    // A ratio of two products of doubles.
+    EXPECT_NEAR(number_in(front, "half_step_objective_2", i), 1.1 * number_in(front, "objective_2", i), 1e-12);
+    broken += number_in(front, "half_step_violation", i) > 0.0 ? 1.0 : 0.0;
+  }
+  EXPECT_GT(broken, 0.0);
+  const bool is_told = std::any_of(report.warnings.begin(), report.warnings.end(), [](const std::string& warning) {
+    return warning.find("of the front break a constraint at half the time step") != std::string::npos ||
+           warning.find("of the front breaks a constraint at half the time step") != std::string::npos;
+  });
+  EXPECT_TRUE(is_told);
+  const std::vector<std::string> lines = summary_lines(report.tables, "pareto");
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("peak_finger_force_N moves by at most 10 %") != std::string::npos;
+  }));
+  const StudyReport resolved = run_fresh(study, on_impacts(8.0));
+  EXPECT_TRUE(std::isnan(number_in(table_of(resolved, "pareto"), "half_step_objective_2", 0)));
+}
+
 const std::string kFrictionVaries = R"(
 [[random]]
 key = "product.friction"

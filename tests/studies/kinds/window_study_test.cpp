@@ -1,6 +1,7 @@
 /// @file
 /// Window studies and sweeps over formulas: set-points, half the time step, the answer as a strategy file.
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -22,6 +23,8 @@ constexpr double kTimeStep = 1e-3;
 /// What differs from 1 N of F_hold and 4 N of F_damage.
 struct Physics {
   double half_step_damage_N = 4.0;
+  /// Of the products of 1 MPa; below kFewestRiseSteps an impact is not resolved.
+  double rise_steps = 8.0;
 };
 
 /// Held from 1 N on (a product of 2 MPa: 1.5 N), marked above 4 N; the faster the approach the shorter the cycle.
@@ -35,7 +38,8 @@ Formula formula_of(const Physics& physics, std::atomic<int>* left = nullptr, std
     ScenarioResult result = held_with({{Metric::cycle_time_s, 3.0 - s.strategy.approach_speed_m_s},
                                        {Metric::friction_margin_min, force_N - hold_N},
                                        {Metric::slip_max_m, force_N < hold_N ? 1.0 : 0.0},
-                                       {Metric::peak_finger_force_N, 4.0 * force_N / damage_N}});
+                                       {Metric::peak_finger_force_N, 4.0 * force_N / damage_N},
+                                       {Metric::peak_rise_steps, stiffness > 1.5e6 ? 8.0 : physics.rise_steps}});
     if (force_N > damage_N) result.outcome = Outcome::damaged;
     if (force_N < hold_N) result.outcome = Outcome::slipped;
     return result;
@@ -82,6 +86,15 @@ TEST(WindowStudy, LooksForTheEndsAgainAtHalfTheTimeStep) {
   EXPECT_TRUE(report.warnings[0].starts_with("F_damage falls from ")) << report.warnings[0];
   EXPECT_NE(report.warnings[0].find("simulation.time_step_s = 0.0005 or less"), std::string::npos);
   for (std::size_t i = 0; i < report.tables.rows.size(); ++i) EXPECT_EQ(report.tables.rows[i].id, i);
+}
+
+TEST(WindowStudy, LooksAgainAtEveryEndThatRestsOnAnImpactWhichTheStepDoesNotResolve) {
+  const StudyReport report = run_fresh(
+      window_study(kTwoModuli), FormulaSimulator(formula_of({.half_step_damage_N = 3.0, .rise_steps = 1.0})));
+  const WindowTable& window = report.tables.window.value();
+  EXPECT_EQ(window.rows[0].hold_force_half_step_N, window.rows[0].hold_bracket_high_N)
+      << "it does not set the common window, but rests on an impact";
+  EXPECT_TRUE(std::isnan(window.rows[1].damage_force_half_step_N)) << "resolved, and not the end that decides";
 }
 
 TEST(WindowStudy, SaysWhenNothingIsLeftAtHalfTheTimeStep) {
@@ -182,6 +195,60 @@ TEST(SweepStudy, AnswersWithASetPointAndNotWithTheEdgeOfDamageOnTheSoftestProduc
   EXPECT_EQ(number_in(answer, "set_point_N", 0), 2.5);
   const std::vector<std::string> lines = summary_lines(report.tables, "sweep");
   EXPECT_EQ(lines.back(), "set-point: set 2.5 N, may be off by 1 N either way, for all youngs_modulus_Pa");
+}
+
+const std::string kForces = "[[vary]]\nkey = \"strategy.grip_force_N\"\nfrom = 0.5\nto = 5.0\ncount = 10\n";
+
+TEST(SweepStudy, LooksAgainAtEndsThatRestOnAnImpactWhichTheStepDoesNotResolve) {
+  const Study study = study_of(head("sweep", "sweep") + kForces + kTwoModuli);
+  const StudyReport report =
+      run_fresh(study, FormulaSimulator(formula_of({.half_step_damage_N = 3.0, .rise_steps = 2.0})));
+  const WindowTable& window = report.tables.window.value();
+  // Known as well as the grid has it: half a newton.
+  EXPECT_LE(window.rows[0].damage_force_half_step_N, 3.0);
+  EXPECT_GE(window.rows[0].damage_force_half_step_N, 2.5);
+  EXPECT_EQ(window.rows[0].hold_force_half_step_N, 1.0);
+  EXPECT_TRUE(std::isnan(window.rows[1].damage_force_half_step_N)) << "its impacts are resolved";
+  EXPECT_EQ(window.rows[0].damage_force_N, 4.0) << "the answer of the step as written stays";
+  EXPECT_LT(number_in(table_of(report, "set_points"), "set_point_N", 0), 2.5) << "between 1.5 and 3 N";
+  ASSERT_EQ(report.warnings.size(), 2U);
+  EXPECT_TRUE(report.warnings[0].starts_with("F_damage falls from 4 to ")) << report.warnings[0];
+  EXPECT_EQ(report.tables.rows.size(), study.scenario_count()) << "what is run again is no row of the study";
+  const std::vector<std::string> lines = summary_lines(report.tables, "sweep");
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.starts_with("checked at half the time step, ") &&
+           line.find(": F_hold stays at 1 N, F_damage falls from 4 to ") != std::string::npos;
+  })) << ::testing::PrintToString(lines);
+}
+
+TEST(SweepStudy, LeavesEndsAloneWhoseImpactsAreResolved) {
+  const StudyReport report = run_fresh(study_of(head("sweep", "sweep") + kForces + kTwoModuli),
+                                       FormulaSimulator(formula_of({.half_step_damage_N = 3.0})));
+  EXPECT_TRUE(std::isnan(report.tables.window->rows[0].damage_force_half_step_N));
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+TEST(SweepStudy, SaysThatItsBestStrategyDoesNotSurviveHalfTheStep) {
+  const std::string speeds = "[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nvalues = [0.05, 0.2]\n";
+  const Study study = study_of(head("sweep", "sweep") + speeds + kTwoModuli, {"strategy.grip_force_N=3.5"});
+  const StudyReport marked =
+      run_fresh(study, FormulaSimulator(formula_of({.half_step_damage_N = 3.0, .rise_steps = 1.0})));
+  // Of its two runs the one on 1 MPa has an impact.
+  const ResultTable& checks = table_of(marked, "verification");
+  EXPECT_EQ(text_in(checks, "change", 1), "simulation.time_step_s = 0.0005");
+  EXPECT_EQ(number_in(checks, "feasible", 1), 0.0);
+  EXPECT_EQ(text_in(checks, "outcomes", 1), "held 1, damaged 1");
+  EXPECT_NEAR(number_in(checks, "peak_finger_force_N", 1), 4.0 * 3.5 / 3.0, 1e-12);
+  EXPECT_TRUE(marked.warnings[0].starts_with(
+      "the winner does not stand a check: with half the time step (simulation.time_step_s = 0.0005) the best "
+      "strategy is held in 1 of 2 runs only (held 1, damaged 1)"))
+      << marked.warnings[0];
+  EXPECT_EQ(number_in(table_of(marked, "best"), "strategy.approach_speed_m_s", 0), 0.2) << "it is not replaced";
+  const StudyReport stays = run_fresh(study, FormulaSimulator(formula_of({.rise_steps = 1.0})));
+  EXPECT_EQ(summary_lines(stays.tables, "sweep").back(),
+            "checked, half the time step: the best strategy stays held; cycle_time_s 2.8 (2.8 as found), largest "
+            "peak_finger_force_N 3.5 (3.5 as found); 1 run repeated, whose impact the step does not resolve");
+  EXPECT_EQ(find_table(run_fresh(study, FormulaSimulator(formula_of({}))).tables.found, "verification"), nullptr);
 }
 
 TEST(SweepStudy, WithoutGripForcesAnswersWithTheFastestStrategyThatHoldsOverAllProducts) {

@@ -110,9 +110,9 @@ void measure_lattice_patch(const Model& model, const Scenario& scenario, const T
       const double force = normal_stiffness_N_m(c, layer) / kReliefPlaces * depth;
       const auto offset = relief_offset(q);
       const double at_y =
-          c.tributary[0].place_m + offset[0] * c.tributary[0].extent_m - contact.patch_form[0].pole_m[0];
+          c.tributary[0].place_m + offset[0] * c.tributary[0].extent_m - contact.patch_form[0].middle_m[0];
       const double at_z =
-          c.tributary[1].place_m + offset[1] * c.tributary[1].extent_m - contact.patch_form[0].pole_m[1];
+          c.tributary[1].place_m + offset[1] * c.tributary[1].extent_m - contact.patch_form[0].middle_m[1];
       sum += force;
       y += force * at_y;
       z += force * at_z;
@@ -205,8 +205,7 @@ double elastic_yield_force_N(const PatchForm& form, double layer_N_m3) {
   double low = 0.01, high = 1000.0;
   for (int i = 0; i < 100; ++i) {
     const double force = 0.5 * (low + high);
-    const double hertz = form.hertz_area_m2_N23 * std::cbrt(force * force);
-    const double area = std::sqrt(hertz * hertz + form.layer_area_m * force / layer_N_m3);
+    const double area = form.area.ellipse_m2(force, layer_N_m3);
     (force < form.yield_factor * kYield_Pa * area ? low : high) = force;
   }
   return low;

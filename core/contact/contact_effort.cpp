@@ -31,13 +31,13 @@ CouplingLaw coupling_law(const LatticeParameters& product, const Scenario& scena
   CouplingLaw largest;
   if (jaw != nullptr) {
     const LayeredFace side = side_at_pad(product, *jaw, scenario.cell);
-    const double both = 2.0 * side.layer_per_area_Pa_m * side.patch_m2(scenario.strategy.grip_force_N);
+    const double both = 2.0 * side.layer_N_m(scenario.strategy.grip_force_N);
     largest = law_of(both, jaw->pad_relaxation_time_s, mass_kg, theta);
   }
   if (scenario.cell.support) {
     const LayeredFace base = side_at_support(product, scenario.cell);
     const double weight_N = mass_kg * std::abs(scenario.cell.gravity_m_s2[2]);
-    const double layer = base.layer_per_area_Pa_m * base.patch_m2(weight_N);
+    const double layer = base.layer_N_m(weight_N);
     const CouplingLaw law = law_of(layer, scenario.cell.support_relaxation_time_s, mass_kg, theta);
     const double dt = scenario.simulation.time_step_s;
     if (coupling_at(law, dt) > coupling_at(largest, dt)) largest = law;

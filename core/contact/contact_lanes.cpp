@@ -43,7 +43,12 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
   for (Lane* value : {&dissipated_, &patch_pressure_, &layer_strain_}) value->set(lane, 0.0);
-  surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m});
+  const auto at = static_cast<std::size_t>(lane);
+  pad_layer_[at] = layer_at_pad(scenario);
+  support_layer_[at] = layer_at_support(scenario);
+  const double of_pads = pad_layer_N_m3(scenario, pad_layer_[at]);
+  surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m},
+                 {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
 }
 
 void ContactLanes::set_rest(int lane, const StaticRest& rest) {
@@ -299,7 +304,7 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   const Mask measures =
       step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
   const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
-  const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * Lane(candidate.cell_compliance_m_Pa));
+  const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c));
   layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
 }
 
@@ -351,10 +356,21 @@ Lane ContactLanes::lowest_place_m(int surface, const LaneArray& u) const {
   return lowest;
 }
 
+Lane ContactLanes::layer_under_force_N_m3(int surface) const {
+  Lane stiffness = surfaces_[surface].stiffness_N_m3;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const FaceLayer& layer = (is_pad(surface) ? pad_layer_ : support_layer_)[static_cast<std::size_t>(lane)];
+    const double force_N = tally_[surface].normal[lane];
+    if (layer.layer.is_springs() || !(force_N > 0.0)) continue;
+    stiffness.set(lane, layer.stiffness_N_m3(force_N));
+  }
+  return stiffness;
+}
+
 Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   const auto at = static_cast<std::size_t>(surface);
   return unbruised::yield_ratio(tally_[at], model_.patch_form[at], model_.cell_extent_m[at], surfaces_[surface],
-                                yield_stress);
+                                layer_under_force_N_m3(surface), yield_stress);
 }
 
 std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {

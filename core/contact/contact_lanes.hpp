@@ -18,6 +18,7 @@
 #include "core/contact/contact_model.hpp"
 #include "core/contact/contact_register.hpp"
 #include "core/contact/contact_sweep.hpp"
+#include "core/contact/layered_face.hpp"
 #include "core/contact/pad_slip.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
@@ -126,6 +127,8 @@ class ContactLanes {
     return 0.1 * std::min(model_.cell_extent_m[kLeftPad][0], model_.cell_extent_m[kLeftPad][1]);
   }
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
+  /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
+  [[nodiscard]] Lane layer_under_force_N_m3(int surface) const;
 
   const ContactModel& model_;
   const BodyModel& body_;
@@ -133,6 +136,7 @@ class ContactLanes {
   Lane near_margin_;
 
   SurfaceLanes surfaces_;
+  std::array<FaceLayer, kLanes> pad_layer_, support_layer_;
   ContactRegister register_;
   ContactSweep sweep_;
   std::vector<WindowPressure> window_;  ///< over each surface

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "core/algebra/lane_solve.hpp"
-#include "core/contact/half_space.hpp"
 #include "core/contact/tributary_face.hpp"
 #include "core/door/require.hpp"
 #include "core/scenario/pad_meeting.hpp"
@@ -23,41 +21,6 @@ constexpr std::array<std::size_t, kSurfaceCount> kFacingSide = {0, 1, 4};
 /// pole (docs/validation.md); without it a stiff plate meets 1.4 to 1.7 times that force. It vanishes with the
 /// cell size.
 constexpr double kCellCompliance = 0.4;
-
-/// Of the pressure of Hertz's patch.
-constexpr double kHertzPeakOverMean = 1.5;
-
-double plane_strain_modulus(const LatticeParameters& p) {
-  return p.youngs_modulus_Pa / (1.0 - p.poisson_ratio * p.poisson_ratio);
-}
-
-/// Pressed flat against a plane: a doubly curved side makes a Hertz ellipse that yields first where its peak
-/// stress of about 0.62 p0 is Y (Johnson 1985, 4.2), at p_mean = 1.07 Y for a Poisson ratio of 0.3, and its
-/// moments are a^2/5, b^2/5; a singly curved one a Hertz strip, p0 = 1.67 Y, p_mean = 1.31 Y, moments a^2/4 and
-/// L^2/12; a flat one a uniform pressure that yields at Y, moments L^2/12.
-PatchForm patch_form(const LatticeParameters& parameters, const Lattice& lattice, const FacePlane& plane) {
-  PatchForm strip, flat;
-  strip.area_factor = 4.0 * std::sqrt(12.0);
-  strip.yield_factor = 1.31;
-  flat.area_factor = 12.0;
-  flat.yield_factor = 1.0;
-  strip.traction = TractionFactor::of_curved(parameters.poisson_ratio);
-  const TrueShape shape(parameters);
-  const int curvatures = shape.curvatures(plane.axis);
-  if (curvatures == 0) return flat;
-  if (curvatures == 1) return strip;
-  PatchForm ellipse = hertz_patch(
-      {shape.pole_radius_m(plane.axis, plane.tangent[0]), shape.pole_radius_m(plane.axis, plane.tangent[1])},
-      plane_strain_modulus(parameters));
-  const EllipticPatch patch{ellipse.semi_axis[0], ellipse.semi_axis[1], parameters.poisson_ratio};
-  ellipse.yield_factor = 1.0 / (kHertzPeakOverMean * peak_stress_below(patch));
-  ellipse.traction = TractionFactor::of_curved(parameters.poisson_ratio);
-  ellipse.field = PatchField(parameters.poisson_ratio);
-  const std::array<double, 3>& size_m = parameters.size_m;
-  ellipse.cross_section_m2 = 0.25 * std::numbers::pi * size_m[plane.tangent[0]] * size_m[plane.tangent[1]];
-  for (std::size_t t = 0; t < 2; ++t) ellipse.pole_m[t] = lattice.center_m[plane.tangent[t]];
-  return ellipse;
-}
 
 /// Heights of the true surface around the particle; places outside the body never touch.
 void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis,
@@ -85,7 +48,7 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
     c.relief_m.fill(0.0);
   } else {
     c.cell_compliance_m_Pa = kCellCompliance * std::sqrt(c.tributary[0].extent_m * c.tributary[1].extent_m) /
-                             plane_strain_modulus(parameters);
+                             plane_strain_modulus_Pa(parameters);
   }
   c.least_relief_m = *std::min_element(c.relief_m.begin(), c.relief_m.end());
 }
@@ -182,38 +145,6 @@ void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slo
   }
 }
 
-}  // namespace
-
-PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa) {
-  const double flatter = std::max(radius_m[0], radius_m[1]), sharper = std::min(radius_m[0], radius_m[1]);
-  // Axis ratio q = b / a <= 1 from sharper / flatter = (K - E) / (E / q^2 - K), eccentricity e = sqrt(1 - q^2).
-  const auto K = [](double q) { return std::comp_ellint_1(std::sqrt(1.0 - q * q)); };
-  const auto E = [](double q) { return std::comp_ellint_2(std::sqrt(1.0 - q * q)); };
-  double q = 1.0, shape = 1.0;  // shape: sqrt(a b)^3 / (3 F sqrt(R' R'') / (4 E*))
-  if (flatter > 1.0001 * sharper) {
-    double low = 1e-3, high = 1.0 - 1e-6;
-    for (int i = 0; i < 60; ++i) {
-      q = 0.5 * (low + high);
-      ((K(q) - E(q)) / (E(q) / (q * q) - K(q)) < sharper / flatter ? low : high) = q;
-    }
-    shape = 4.0 / (std::numbers::pi * (1.0 - q * q)) * std::pow(q, 1.5) *
-            std::sqrt((E(q) / (q * q) - K(q)) * (K(q) - E(q)));
-  }
-  const double mean_radius = std::sqrt(flatter * sharper);
-  PatchForm form;
-  form.hertz_area_m2_N23 =
-      std::numbers::pi * std::pow(0.75 * mean_radius / plane_strain_modulus_Pa * shape, 2.0 / 3.0);
-  // Solved ring by ring for a body with a layer: the peak stress below is that of a Hertz patch of this area,
-  // within 1 % while the layer gives less than the body, within 8 % for any layer (docs/theory.md, "First yield").
-  form.layer_area_m = 0.9 * std::numbers::pi * std::numbers::pi * mean_radius;
-  const bool y_flatter = radius_m[0] >= radius_m[1];
-  form.semi_axis = {std::sqrt((y_flatter ? 1.0 / q : q) / std::numbers::pi),
-                    std::sqrt((y_flatter ? q : 1.0 / q) / std::numbers::pi)};
-  return form;
-}
-
-namespace {
-
 /// The particles of one side that can touch a surface.
 void add_candidates(const LatticeParameters& parameters, const Lattice& lattice, int surface,
                     const FacePlane& plane, double pole_m, ContactModel& contact) {
@@ -231,6 +162,9 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
     candidate.surface_m = point.position_m;
     candidate.area_m2 = face.area_m2(position_m);
     for (std::size_t t = 0; t < 2; ++t) candidate.tributary[t] = face.piece(position_m, t);
+    for (std::size_t t = 0; t < 2; ++t) {
+      candidate.edge_compliance_m_Pa[t] = candidate.tributary[t].extent_m / plane_strain_modulus_Pa(parameters);
+    }
     fill_relief(parameters, lattice, plane.axis, candidate);
     contact.candidate.push_back(candidate);
   }
@@ -251,7 +185,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
     const double pole = lattice.center_m[axis] - normal_sign(surface) * 0.5 * parameters.size_m[axis];
     const auto at = static_cast<std::size_t>(surface);
     if (is_pad(surface)) contact.pole_m[at] = pole;
-    contact.patch_form[at] = patch_form(parameters, lattice, plane.back());
+    contact.patch_form[at] = patch_form(parameters, axis, plane.back().tangent, lattice.center_m);
     contact.cell_extent_m[at] = plane.back().extent_m;
     add_candidates(parameters, lattice, surface, plane.back(), pole, contact);
   }

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
-#include "core/contact/patch_field.hpp"
-#include "core/contact/patch_traction.hpp"
+#include "core/contact/patch_form.hpp"
 #include "core/contact/tributary.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
@@ -36,6 +35,8 @@ struct ContactCandidate {
   /// stiffer than the cell would touch the highest place of a rectangle only, and the cell cannot flatten within
   /// itself.
   double cell_compliance_m_Pa = 0;
+  /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
+  std::array<double, 2> edge_compliance_m_Pa{};
 };
 
 /// Normal stiffness of a layer over the whole rectangle of a curved or flat contact, A / (1 / k + c) [N/m].
@@ -43,26 +44,6 @@ struct ContactCandidate {
 inline double normal_stiffness_N_m(const ContactCandidate& candidate, double layer_stiffness_N_m3) {
   return candidate.area_m2 / (1.0 / layer_stiffness_N_m3 + candidate.cell_compliance_m_Pa);
 }
-
-/// How a patch pressed against a flat surface is shaped, and where it yields first (docs/theory.md, "First
-/// yield").
-struct PatchForm {
-  /// Area of the patch = area_factor x sqrt(det of the second moments of its pressure).
-  double area_factor = 5.0 * 3.14159265358979323846;
-  /// Mean pressure at first yield / yield stress, of a patch that carries no traction.
-  double yield_factor = 1.07;
-  TractionFactor traction = TractionFactor::of_flat();
-  /// Area a doubly curved elastic body makes on a rigid plane, A = hertz_area x F^(2/3); 0: no such pole.
-  double hertz_area_m2_N23 = 0.0;
-  /// What a layer of stiffness k per area adds to it: A^2 = A_Hertz^2 + layer_area x F / k.
-  double layer_area_m = 0.0;
-  /// Semi-axes along the tangents / sqrt(A), and the pole they are centred on.
-  std::array<double, 2> semi_axis{0.0, 0.0};
-  std::array<double, 2> pole_m{0.0, 0.0};
-  /// Stress around such a pole, and the body's cross-section in its middle, along the face [m2]; 0: no such pole.
-  PatchField field{0.3};
-  double cross_section_m2 = 0.0;
-};
 
 /// The candidates of one surface as a grid over the face.
 struct FaceGrid {
@@ -90,11 +71,6 @@ struct ContactModel {
 constexpr std::array<double, 2> relief_offset(int q) {
   return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};
 }
-
-/// The patch of an elastic ellipsoid of the given principal radii pressed against a plane (Johnson 1985, 4.2).
-/// @param radius_m radii of curvature at the pole along the two tangents
-/// @param plane_strain_modulus_Pa E / (1 - nu^2)
-PatchForm hertz_patch(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa);
 
 /// Candidates of a lattice body against both pads and the support.
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice, double pressure_patch_m);

@@ -9,10 +9,11 @@ namespace unbruised {
 
 ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
   const std::size_t n = model.candidate.size();
-  for (LaneArray* rows : {&normal,           &tangent[0],     &tangent[1],        &normal_theta, &tangent_theta[0],
-                          &tangent_theta[1], &penetration,    &penetration_theta, &viscous,      &stretch[0],
-                          &stretch[1],       &anchor[0],      &anchor[1],         &share,        &mean[0],
-                          &mean[1],          &mean_square[0], &mean_square[1],    &gap_now,      &gap_free}) {
+  for (LaneArray* rows : {&normal,           &tangent[0],  &tangent[1],        &normal_theta,   &tangent_theta[0],
+                          &tangent_theta[1], &penetration, &penetration_theta, &viscous,        &stretch[0],
+                          &stretch[1],       &anchor[0],   &anchor[1],         &share,          &edge_compliance,
+                          &mean[0],          &mean[1],     &mean_square[0],    &mean_square[1], &gap_now,
+                          &gap_free}) {
     *rows = LaneArray(n);
   }
   for (LaneArray& rows : place_weight) {
@@ -24,9 +25,10 @@ ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
 }
 
 void ContactRegister::clear(int lane) {
-  for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
-                          &penetration, &penetration_theta, &viscous, &stretch[0], &stretch[1], &anchor[0],
-                          &anchor[1], &share, &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
+  for (LaneArray* rows :
+       {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1], &penetration,
+        &penetration_theta, &viscous, &stretch[0], &stretch[1], &anchor[0], &anchor[1], &share, &edge_compliance,
+        &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
     rows->clear_lane(lane);
   }
   for (LaneArray& weights : place_weight) {
@@ -68,14 +70,13 @@ void ContactRegister::set_anchors(int lane, const LaneArray& u) {
 Lane ContactRegister::layer_stiffness(std::size_t c, const SurfaceLane& surface) const {
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
-  return surface.stiffness_N_m3 * Lane(candidate.area_m2) * share.get(c);
+  return surface.springs_N_m3 * Lane(candidate.area_m2) * share.get(c);
 }
 
 Lane ContactRegister::normal_stiffness(std::size_t c, const SurfaceLane& surface) const {
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
-  return Lane(candidate.area_m2) * share.get(c) /
-         (Lane(1.0) / surface.stiffness_N_m3 + Lane(candidate.cell_compliance_m_Pa));
+  return Lane(candidate.area_m2) * share.get(c) / (Lane(1.0) / surface.stiffness_N_m3 + body_compliance(c));
 }
 
 Lane ContactRegister::elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& p) const {
@@ -89,6 +90,9 @@ PlaceCover ContactRegister::cover(std::size_t c) const {
 
 void ContactRegister::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes) {
   share.put(c, select(lanes, piece[0].share * piece[1].share, share.get(c)));
+  const std::array<double, 2>& unit = model_.candidate[c].edge_compliance_m_Pa;
+  const Lane softer = Lane(unit[0]) * piece[0].softness + Lane(unit[1]) * piece[1].softness;
+  edge_compliance.put(c, select(lanes, softer, edge_compliance.get(c)));
   bool whole = true;
   for (std::size_t t = 0; t < 2; ++t) {
     if (!model_.candidate[c].tributary[t].curved) {

@@ -40,10 +40,15 @@ class ContactRegister {
   /// Does the contact carry force at t + theta dt?
   [[nodiscard]] Mask is_closed(std::size_t c) const { return normal_theta.get(c) > Lane(0.0); }
 
-  /// Stiffness of the layer over the part of the rectangle that the surface covers; a third of it in shear [N/m].
+  /// Stiffness of the layer's springs over the part of the rectangle that the surface covers; a third of it in
+  /// shear, of rubber too [N/m].
   [[nodiscard]] Lane layer_stiffness(std::size_t c, const SurfaceLane& surface) const;
-  /// The same along the normal, with the compliance of the cell in series [N/m].
+  /// Stiffness along the normal, with the compliance of the body within a cell in series [N/m].
   [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
+  /// Of the body within the cell, per pressure [m/Pa].
+  [[nodiscard]] Lane body_compliance(std::size_t c) const {
+    return Lane(model_.candidate[c].cell_compliance_m_Pa) + edge_compliance.get(c);
+  }
   /// Force of the layer at rest at this penetration [N].
   [[nodiscard]] Lane elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& penetration) const;
   /// The weights of its places.
@@ -70,6 +75,7 @@ class ContactRegister {
   std::array<LaneArray, 2> anchor;
   // Of the part of its tributary piece that the surface covers.
   LaneArray share;                             ///< of its area
+  LaneArray edge_compliance;                   ///< of the body beside an edge of the surface, per pressure [m/Pa]
   std::array<LaneArray, 2> mean, mean_square;  ///< offset from the particle along flat tangents
   std::array<LaneArray, 2> place_weight;       ///< along curved tangents, kReliefSide rows each
   std::vector<char> cut;                       ///< does an edge of the surface cut the places, in any lane?

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// How near a product is to yielding below a surface (docs/theory.md, "First yield"), all lanes at once.
+/// How near a product is to yielding below a surface (docs/theory.md, "First yield").
 
 #include "core/contact/contact_model.hpp"
 #include "core/contact/surface_tally.hpp"
@@ -9,11 +9,13 @@
 
 namespace unbruised {
 
-/// Mean pressure of a surface's patch / mean pressure at first yield, times what the traction of its resultants
-/// adds to the stress below (patch_traction.hpp); 0 where it carries nothing.
+/// Largest von Mises stress below a surface's patch over the yield stress: of its mean pressure, times what the
+/// edges of a pad and the traction of its resultants add (pad_edge.hpp, patch_traction.hpp); 0 where it carries
+/// nothing.
 /// @param extent_m of a contact's cell, along the tangents
+/// @param layer_N_m3 stiffness of the surface's layer per area, under this force
 /// @param yield_stress of the product [Pa]
 Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,
-                 const SurfaceLane& surface, const Lane& yield_stress);
+                 const SurfaceLane& surface, const Lane& layer_N_m3, const Lane& yield_stress);
 
 }  // namespace unbruised

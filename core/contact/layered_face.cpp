@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
+#include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -16,6 +18,20 @@ double covered_m(double offset_m, double pad_m, double face_m) {
   const double high = std::min(offset_m + 0.5 * pad_m, 0.5 * face_m);
   const double low = std::max(offset_m - 0.5 * pad_m, -0.5 * face_m);
   return std::max(0.0, high - low);
+}
+
+/// Springs ask for no patch.
+FaceLayer face_layer(const LayerParameters& layer, const LatticeParameters& product, std::size_t axis,
+                     const std::array<double, 2>& covered) {
+  if (layer.is_springs()) return {layer, {}, covered};
+  const std::array<std::size_t, 2> tangent = {axis == 0 ? std::size_t{1} : 0, axis == 2 ? std::size_t{1} : 2};
+  return {layer, patch_area(product, axis, tangent), covered};
+}
+
+std::array<double, 2> under_pad_m(const LatticeParameters& product, const ParallelJawParameters& gripper,
+                                  const CellParameters& cell) {
+  return {covered_m(cell.grip_offset_m, gripper.pad_size_m[0], product.size_m[1]),
+          covered_m(cell.grip_height_m, gripper.pad_size_m[1], product.size_m[2])};
 }
 
 }  // namespace
@@ -34,22 +50,22 @@ double LayeredFace::patch_m2(double force_N) const {
 }
 
 double LayeredFace::stiffness_N_m(double force_N) const {
-  const double of_layer = layer_per_area_Pa_m * patch_m2(force_N);
+  const double of_layer = layer_N_m(force_N);
   if (is_flat) return series(of_layer, youngs_modulus_Pa * flat_area_m2 / half_depth_m);
   return series(of_layer, 2.0 * plane_strain_modulus_Pa() * std::sqrt(radius_m * hertz_depth_m(force_N)));
 }
 
 LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParameters& gripper,
                         const CellParameters& cell) {
+  const std::array<double, 2> covered = under_pad_m(product, gripper, cell);
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[0],
           .is_flat = TrueShape(product).curvatures(0) == 0,
-          .flat_area_m2 = covered_m(cell.grip_offset_m, gripper.pad_size_m[0], product.size_m[1]) *
-                          covered_m(cell.grip_height_m, gripper.pad_size_m[1], product.size_m[2]),
+          .flat_area_m2 = covered[0] * covered[1],
           .radius_m = 0.25 * (product.size_m[1] + product.size_m[2]),
           .largest_patch_m2 = gripper.pad_size_m[0] * gripper.pad_size_m[1],
-          .layer_per_area_Pa_m = gripper.pad_modulus_Pa / gripper.pad_thickness_m};
+          .layer = face_layer(pad_layer(gripper), product, 0, covered)};
 }
 
 LayeredFace side_at_support(const LatticeParameters& product, const CellParameters& cell) {
@@ -61,7 +77,51 @@ LayeredFace side_at_support(const LatticeParameters& product, const CellParamete
           .flat_area_m2 = base_m2,
           .radius_m = 0.25 * (product.size_m[0] + product.size_m[1]),
           .largest_patch_m2 = base_m2,
-          .layer_per_area_Pa_m = cell.support_modulus_Pa / cell.support_thickness_m};
+          .layer = face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]})};
+}
+
+namespace {
+
+FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameters& jaw,
+                    const CellParameters& cell) {
+  return face_layer(pad_layer(jaw), product, 0, under_pad_m(product, jaw, cell));
+}
+/// Its particles have layers of their own.
+FaceLayer pad_under(const NetworkParameters&, const ParallelJawParameters& jaw, const CellParameters&) {
+  return {pad_layer(jaw), {}, {}};
+}
+
+FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
+  return face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]});
+}
+FaceLayer support_under(const NetworkParameters&, const CellParameters& cell) {
+  return {support_layer(cell), {}, {}};
+}
+
+double weight_N(const LatticeParameters& product, const CellParameters& cell) {
+  return lattice_mass_kg(product) * std::abs(cell.gravity_m_s2[2]);
+}
+double weight_N(const NetworkParameters&, const CellParameters&) { return 0.0; }
+
+}  // namespace
+
+FaceLayer layer_at_pad(const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr) return {};
+  return std::visit([&](const auto& kind) { return pad_under(kind, *jaw, scenario.cell); }, scenario.product);
+}
+
+FaceLayer layer_at_support(const Scenario& scenario) {
+  return std::visit([&](const auto& kind) { return support_under(kind, scenario.cell); }, scenario.product);
+}
+
+double pad_layer_N_m3(const Scenario& scenario, const FaceLayer& layer) {
+  return layer.stiffness_N_m3(scenario.strategy.grip_force_N);
+}
+
+double support_layer_N_m3(const Scenario& scenario, const FaceLayer& layer) {
+  return layer.stiffness_N_m3(
+      std::visit([&](const auto& kind) { return weight_N(kind, scenario.cell); }, scenario.product));
 }
 
 }  // namespace unbruised

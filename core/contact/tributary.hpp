@@ -5,10 +5,9 @@
 /// under a surface that ends (docs/theory.md, "Areas of contact").
 ///
 /// Along a flat direction the piece is weighted by the hat function of the cells beside the particle: 1 at the
-/// particle, 0 at its neighbours. In a cell that the surface ends within, the line is carried on from the two
-/// particles under the surface instead, as long as less than half of the cell is covered, and from there on more
-/// and more by the particle beyond the edge: that one stands where nothing presses. Either way a uniform pressure
-/// on any part of the face acts with its force and its moment, whatever the cell size. Along a curved direction
+/// particle, 0 at its neighbours, so that a uniform pressure on any part of the face acts with its force and its
+/// moment, whatever the cell size. Where the surface ends within the face, the particles beside its edge have a
+/// softness of their own: the body sags there within a cell, which its particles cannot. Along a curved direction
 /// the piece is one cell wide and cut into places that each have a depth of their own.
 
 #include <array>
@@ -27,7 +26,10 @@ inline constexpr int kReliefSide = 4;
 struct CoveredPiece {
   Lane share{1.0};  ///< of its weight
   Lane mean_m{0.0},
-      mean_square_m2{0.0};              ///< offset from the particle, over the covered weight of a flat direction
+      mean_square_m2{0.0};  ///< offset from the particle, over the covered weight of a flat direction
+  /// Of the body beside an edge of the surface: compliance per pressure x E / (1 - nu^2) / extent of a cell; flat
+  /// directions.
+  Lane softness{0.0};
   std::array<Lane, kReliefSide> place;  ///< share of each place of a curved direction
 };
 
@@ -38,9 +40,8 @@ struct Tributary {
   std::array<int, 2> cells{2,
                            2};  ///< of the face beside the particle, below and above; more than two count as two
 
-  /// The weight within a window that lies in the covered stretch [m]; negative where a line is carried on. @param
-  /// moved of the particle from its place
-  [[nodiscard]] Lane weight_m(const Stretch& window, const Stretch& covered, const Lane& moved) const;
+  /// The weight within a window [m]. @param moved of the particle from its place
+  [[nodiscard]] Lane weight_m(const Stretch& window, const Lane& moved) const;
   [[nodiscard]] CoveredPiece covered_by(const Stretch& covered, const Lane& moved) const;
 };
 

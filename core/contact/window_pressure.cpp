@@ -54,15 +54,15 @@ void WindowPressure::lay_windows(std::size_t t) {
   if (axis.share.rows() < axis.windows * pieces.size()) axis.share = LaneArray(axis.windows * pieces.size());
   axis.piece.assign(axis.windows, {pieces.size(), 0});
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Lane whole = pieces[i].weight_m(covered, covered, Lane(0.0));
+    const Lane whole = pieces[i].weight_m(covered, Lane(0.0));
     const Lane inverse = select(whole > Lane(0.0), Lane(1.0) / max(whole, Lane(1e-300)), Lane(0.0));
     for (std::size_t k = 0; k < axis.windows; ++k) {
       // A lane with fewer windows has its last one again.
       const Lane middle = first + step * min(Lane(static_cast<double>(k)), count - Lane(1.0));
       const Stretch window{max(middle - half, covered.low), min(middle + half, covered.high)};
-      const Lane share = pieces[i].weight_m(window, covered, Lane(0.0)) * inverse;
+      const Lane share = pieces[i].weight_m(window, Lane(0.0)) * inverse;
       axis.share.put(k * pieces.size() + i, share);
-      if (none((share > Lane(0.0)) | (share < Lane(0.0)))) continue;
+      if (none(share > Lane(0.0))) continue;
       axis.piece[k] = {std::min(axis.piece[k][0], i), i + 1};
     }
   }

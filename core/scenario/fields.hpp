@@ -30,6 +30,7 @@ inline constexpr Range kIndex{.min = 0.0, .max = 2147483647.0};
 inline constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
 /// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
 inline constexpr Range kTheta{.min = 1.37, .max = 3.0};
+inline constexpr Range kRubberPoissonRatio{.min = 0.0, .max = 0.5};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
 /// Is T, const or not, the parameter struct S?
@@ -102,14 +103,17 @@ void visit_fields(T&, Visit&&) {}
 
 template <FieldsOf<ParallelJawParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_relaxation_time_s,
-         drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N, max_speed_m_s, coupling, min_force_N, force_accuracy,
-         force_step_N, opening_m] = p;
+  auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_poisson_ratio, pad_bulge,
+         pad_edge_radius_m, pad_relaxation_time_s, drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N,
+         max_speed_m_s, coupling, min_force_N, force_accuracy, force_step_N, opening_m] = p;
   visit({"finger_mass_kg", Decides::run, kPositive}, finger_mass_kg);
   visit({"stroke_m", Decides::run, kPositive}, stroke_m);
   visit({"pad_size_m", Decides::run, kPositive}, pad_size_m);
   visit({"pad_thickness_m", Decides::run, kPositive}, pad_thickness_m);
   visit({"pad_modulus_Pa", Decides::run, kPositive}, pad_modulus_Pa);
+  visit({"pad_poisson_ratio", Decides::run, kRubberPoissonRatio}, pad_poisson_ratio);
+  visit({"pad_bulge", Decides::run}, pad_bulge);
+  visit({"pad_edge_radius_m", Decides::run, kNotNegative}, pad_edge_radius_m);
   visit({"pad_relaxation_time_s", Decides::run, kNotNegative}, pad_relaxation_time_s);
   visit({"drive_gain_N_s_m", Decides::run, kPositive}, drive_gain_N_s_m);
   visit({"drive_viscous_N_s_m", Decides::run, kNotNegative}, drive_viscous_N_s_m);
@@ -124,7 +128,7 @@ void visit_fields(T& p, Visit&& visit) {
 
 template <FieldsOf<CellParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m,
+  auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m, support_poisson_ratio,
          support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
          place_height_m] = p;
   visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
@@ -132,6 +136,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"support_friction", Decides::run, kNotNegative}, support_friction);
   visit({"support_modulus_Pa", Decides::run, kPositive}, support_modulus_Pa);
   visit({"support_thickness_m", Decides::run, kPositive}, support_thickness_m);
+  visit({"support_poisson_ratio", Decides::run, kRubberPoissonRatio}, support_poisson_ratio);
   visit({"support_relaxation_time_s", Decides::run, kNotNegative}, support_relaxation_time_s);
   visit({"approach_gap_m", Decides::run, kPositive}, approach_gap_m);
   visit({"grip_height_m", Decides::run, kAnyNumber}, grip_height_m);

@@ -92,6 +92,12 @@ struct NetworkParameters {
 
 using ProductParameters = std::variant<LatticeParameters, NetworkParameters>;
 
+/// May a pressed layer of rubber move along the face of the product?
+enum class PadBulge {
+  free,  ///< it slides along it
+  held,  ///< it sticks to it
+};
+
 enum class FingerCoupling {
   centric,      ///< rack and pinion: both fingers stay at equal distance from the palm centre
   independent,  ///< each finger is driven alone
@@ -110,8 +116,15 @@ struct ParallelJawParameters {
   std::array<double, 2> pad_size_m{0.03, 0.03};
   /// > 0; thickness of the compliant layer
   double pad_thickness_m = 0.003;
-  /// > 0; Young's modulus of the layer. Stiffness per area: E / thickness, tangential E / (3 thickness).
+  /// > 0; Young's modulus of the layer. Stiffness per area: E / thickness, of rubber more; tangential E / (3
+  /// thickness).
   double pad_modulus_Pa = 0.4e6;
+  /// >= 0, <= 0.5; of rubber bonded to the finger 0.49 or so, by which it is stiffer than that. 0: springs, as
+  /// foam.
+  double pad_poisson_ratio = 0.0;
+  PadBulge pad_bulge = PadBulge::free;
+  /// >= 0; radius of the edges of a pad's face
+  double pad_edge_radius_m = 0.0;
   /// >= 0; Kelvin-Voigt relaxation time of the layer
   double pad_relaxation_time_s = 0.0;
   /// > 0; drive force = clamp(gain x (v_set - v), +-limit)
@@ -148,6 +161,8 @@ struct CellParameters {
   double support_modulus_Pa = 2e6;
   /// > 0
   double support_thickness_m = 0.005;
+  /// >= 0, <= 0.5; as that of a pad
+  double support_poisson_ratio = 0.0;
   /// >= 0
   double support_relaxation_time_s = 0.0;
   /// > 0; from each pad face to the nearest point of the undeformed product at the start. None: what the gripper's

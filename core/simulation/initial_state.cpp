@@ -2,23 +2,26 @@
 
 #include <span>
 
+#include "core/contact/layered_face.hpp"
+
 namespace unbruised {
 
 InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
   InitialState state{written_state(scenario.product, model_.body), nullptr};
   if (model_.body.is_solid) {
-    lay_down_or_drop(scenario.cell, state);
+    lay_down_or_drop(scenario, state);
   } else if (scenario.simulation.initial_acceleration == InitialAcceleration::consistent) {
     accelerate(scenario, plastic_load_N, state.body);
   }
   return state;
 }
 
-void InitialStates::lay_down_or_drop(const CellParameters& cell, InitialState& state) {
+void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& state) {
+  const CellParameters& cell = scenario.cell;
   const double down = -cell.gravity_m_s2[2];
   const bool rests = cell.support && down > 0.0;
   if (rests) {
-    const std::array<double, 2> key = {down, cell.support_modulus_Pa / cell.support_thickness_m};
+    const std::array<double, 2> key = {down, support_layer_N_m3(scenario, layer_at_support(scenario))};
     if (key != rest_key_) {
       rest_ = model_.rest->under_gravity(key[0], key[1]);
       rest_key_ = key;

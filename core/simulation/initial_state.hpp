@@ -27,7 +27,7 @@ class InitialStates {
   InitialState of(const Scenario& scenario, const std::vector<double>& plastic_load_N);
 
  private:
-  void lay_down_or_drop(const CellParameters& cell, InitialState& state);
+  void lay_down_or_drop(const Scenario& scenario, InitialState& state);
   /// Fills the accelerations from the balance of all forces.
   void accelerate(const Scenario& scenario, const std::vector<double>& plastic_load_N, BodyState& state) const;
 

@@ -12,7 +12,8 @@ constexpr double kFar_m = 1e6;
 
 }  // namespace
 
-void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product) {
+void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product,
+                        const std::array<double, kSurfaceCount>& layer_N_m3) {
   require(is_lane(lane), "SurfaceLanes::load: there is no such lane");
   const CellParameters& cell = scenario.cell;
   const auto* jaw = parallel_jaw(scenario);
@@ -23,7 +24,9 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
     surface.center_m[0].set(lane, product.center_m[1] + cell.grip_offset_m);
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
     if (jaw == nullptr) continue;
-    surface.stiffness_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    surface.stiffness_N_m3.set(lane, layer_N_m3[static_cast<std::size_t>(pad)]);
+    surface.springs_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    surface.edge_radius_m.set(lane, jaw->pad_edge_radius_m);
     surface.thickness_m.set(lane, jaw->pad_thickness_m);
     surface.relaxation_s.set(lane, jaw->pad_relaxation_time_s);
     surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
@@ -32,7 +35,8 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   SurfaceLane& support = surface_[kSupport];
   support.present.set(lane, cell.support);
   support.friction.set(lane, cell.support_friction);
-  support.stiffness_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
+  support.stiffness_N_m3.set(lane, layer_N_m3[kSupport]);
+  support.springs_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
   support.thickness_m.set(lane, cell.support_thickness_m);
   support.relaxation_s.set(lane, cell.support_relaxation_time_s);
   for (Lane& size_m : support.size_m) size_m.set(lane, 2.0 * kFar_m);

@@ -22,7 +22,9 @@ struct SurfaceLane {
   Mask present{false};
   Lane friction{1.0};
   Lane stiffness_N_m3{1.0};  ///< of the layer, per area
+  Lane springs_N_m3{1.0};    ///< E / thickness of the layer; a third of it in shear
   Lane thickness_m{1.0};     ///< of the layer
+  Lane edge_radius_m{0.0};   ///< of a pad
   Lane relaxation_s{0.0};    ///< of the layer
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
   std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< along the tangent axes
@@ -37,8 +39,9 @@ struct ProductPlace {
 
 class SurfaceLanes {
  public:
-  /// Sets the surfaces of a lane up for a scenario.
-  void load(int lane, const Scenario& scenario, const ProductPlace& product);
+  /// Sets the surfaces of a lane up for a scenario. @param layer_N_m3 stiffness of each one's layer per area
+  void load(int lane, const Scenario& scenario, const ProductPlace& product,
+            const std::array<double, kSurfaceCount>& layer_N_m3);
 
   [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
 

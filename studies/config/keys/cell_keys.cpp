@@ -33,6 +33,11 @@ Table support_keys() {
        .meaning = "Thickness of that layer.",
        .use = Use::lattice_support,
        .field = cell<&C::support_thickness_m>},
+      {.path = "cell.support_poisson_ratio",
+       .type = number,
+       .meaning = "Of a mat of rubber that is bonded to its table, 0.49 or so; 0: springs. As that of a pad.",
+       .use = Use::lattice_support,
+       .field = cell<&C::support_poisson_ratio>},
       {.path = "cell.support_relaxation_time_s",
        .type = number,
        .meaning = "Relaxation time of that layer; 0: it bounces for ever. The default is a loss ratio of 0.2 at "

@@ -43,9 +43,31 @@ Table finger_and_pad_keys() {
        .field = parallel_jaw<&G::pad_thickness_m>},
       {.path = "gripper.pad_modulus_Pa",
        .type = number,
-       .meaning = "Young's modulus of the layer; its stiffness per area is modulus / thickness.",
+       .meaning = "Young's modulus of the layer; its stiffness per area is modulus / thickness, of rubber more.",
        .use = use,
        .field = parallel_jaw<&G::pad_modulus_Pa>},
+      {.path = "gripper.pad_poisson_ratio",
+       .type = number,
+       .meaning =
+           "Of rubber that is bonded to the finger, 0.49 or so: it cannot shrink where it is pressed, which "
+           "makes it two to four times as stiff below a fruit as its modulus alone. 0: springs, as thin foam.",
+       .use = use,
+       .field = parallel_jaw<&G::pad_poisson_ratio>},
+      {.path = "gripper.pad_bulge",
+       .type = choice,
+       .meaning =
+           "May the pressed layer move along the product, or does it stick to it and is stiffer still? Asked "
+           "of rubber only.",
+       .choices = {"free", "held"},
+       .use = use,
+       .field = parallel_jaw<&G::pad_bulge>},
+      {.path = "gripper.pad_edge_radius_m",
+       .type = number,
+       .meaning =
+           "Radius of the edges of a pad's face. Asked where a pad that ends within a flat or straight face "
+           "begins to mark it.",
+       .use = use,
+       .field = parallel_jaw<&G::pad_edge_radius_m>},
       {.path = "gripper.pad_relaxation_time_s",
        .type = number,
        .meaning = "Kelvin-Voigt relaxation time of the layer; 0: it bounces for ever. The default is a loss "

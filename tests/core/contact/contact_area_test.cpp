@@ -7,7 +7,9 @@
 
 #include "core/motion/motion_plan.hpp"
 #include "core/scenario/opening.hpp"
+#include "tests/comparison.hpp"
 #include "tests/core/simulation/scenes.hpp"
+#include "tests/reference_data.hpp"
 
 namespace unbruised {
 namespace {
@@ -95,6 +97,32 @@ TEST(ContactArea, OfARoundFlatFaceIsTheEllipse) {
         closed_form_approach_m(scenario, pressed.force_N, area) + pressed.force_N * 0.05 / (1e9 * area);
     // The cylinder's own give is 0.3 per cent of the pads', on cells that stand for more or less of its section.
     EXPECT_NEAR(pressed.approach_m, expected, 1e-3 * expected) << cell;
+  }
+}
+
+/// Presses the block of a row of fe_blocks.csv with 2 N, and says how stiff it is [N/mm].
+double block_stiffness(const TableRow& row, double cell_size_m) {
+  Scenario scenario =
+      pressed_block(cell_size_m, {1e-3 * number(row, "pad_mm"), 1e-3 * number(row, "pad_mm")}, 2.0);
+  lattice_of(scenario).youngs_modulus_Pa = 1e6 * number(row, "youngs_modulus_MPa");
+  lattice_of(scenario).poisson_ratio = number(row, "poisson_ratio");
+  jaw_of(scenario).pad_modulus_Pa = 1e9 * number(row, "springs_MPa_mm") * jaw_of(scenario).pad_thickness_m;
+  scenario.simulation.time_step_s = 1e-3;
+  const Pressed pressed = press(scenario);
+  return 1e-3 * pressed.force_N / pressed.approach_m;
+}
+
+TEST(ContactArea, UnderAPadThatEndsWithinTheFaceTheBlockIsAsStiffAsFiniteElements) {
+  for (const TableRow& row : read_table("fe_blocks.csv")) {
+    for (const int cells : {5, 7}) {
+      if (cells == 5 && row.at("pad_mm") != "30") continue;
+      const std::string quantity = "pad " + row.at("pad_mm") + " mm, springs " + row.at("springs_MPa_mm") +
+                                   " MPa/mm, nu " + row.at("poisson_ratio") + ", " + std::to_string(cells) +
+                                   " cells: N/mm";
+      // Within a cell the edge of a pad is known by a calibrated softness only.
+      expect_agreement({"pads", quantity, block_stiffness(row, 0.05 / cells), number(row, "stiffness_N_mm")},
+                       0.05);
+    }
   }
 }
 

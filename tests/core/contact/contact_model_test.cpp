@@ -131,13 +131,12 @@ TEST(ContactModel, ARoundFlatFaceIsSharedOutInFullHoweverCoarse) {
 TEST(ContactModel, TheHertzPatchOfABallIsItsCircle) {
   // a^3 = 3 F R / (4 E*), so A = pi (3 F R / (4 E*))^(2/3).
   const double radius_m = 0.02, modulus_Pa = 1e6;
-  const PatchForm form = hertz_patch({radius_m, radius_m}, modulus_Pa);
-  EXPECT_NEAR(form.hertz_area_m2_N23, std::numbers::pi * std::pow(0.75 * radius_m / modulus_Pa, 2.0 / 3.0),
-              kSum * form.hertz_area_m2_N23);
-  EXPECT_DOUBLE_EQ(form.semi_axis[0], form.semi_axis[1]);
+  const PatchArea area = ellipse_area({radius_m, radius_m}, modulus_Pa);
+  EXPECT_NEAR(area.body, std::numbers::pi * std::pow(0.75 * radius_m / modulus_Pa, 2.0 / 3.0), kSum * area.body);
+  EXPECT_DOUBLE_EQ(area.semi_axis[0], area.semi_axis[1]);
   // Turned by a quarter, the ellipse is the same one turned.
-  const PatchForm flat = hertz_patch({0.04, 0.02}, modulus_Pa), turned = hertz_patch({0.02, 0.04}, modulus_Pa);
-  EXPECT_EQ(flat.hertz_area_m2_N23, turned.hertz_area_m2_N23);
+  const PatchArea flat = ellipse_area({0.04, 0.02}, modulus_Pa), turned = ellipse_area({0.02, 0.04}, modulus_Pa);
+  EXPECT_EQ(flat.body, turned.body);
   EXPECT_EQ(flat.semi_axis[0], turned.semi_axis[1]);
   EXPECT_GT(flat.semi_axis[0], flat.semi_axis[1]) << "longer along the flatter side";
 }

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/contact/half_space.hpp"
+#include "tests/comparison.hpp"
 
 namespace unbruised {
 namespace {
+
+using namespace testing;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -120,9 +124,15 @@ TEST(TractionFactor, LowersTheForceAtFirstYieldOfAKiwiByTheReferencesNumbers) {
   // Force goes with the cube of pressure. An independent computation for nu = 0.35 says 0.92, 0.82 and 0.71.
   const TractionFactor factor = TractionFactor::of_curved(0.35);
   const auto force = [&](double traction) { return std::pow(factor.at(traction), -3.0); };
-  EXPECT_NEAR(force(0.2), 0.92, 0.01);
-  EXPECT_NEAR(force(0.3), 0.82, 0.01);
-  EXPECT_NEAR(force(0.4), 0.71, 0.015);
+  struct Case {
+    double traction, independent;
+  };
+  for (const Case& each : {Case{0.2, 0.92}, Case{0.3, 0.82}, Case{0.4, 0.71}}) {
+    const std::string ratio = std::to_string(each.traction).substr(0, 3);
+    expect_agreement({"traction", "force at first yield with T/N = " + ratio + " over that without",
+                      force(each.traction), each.independent},
+                     0.02);
+  }
 }
 
 TEST(TractionFactor, OfTheSurfaceItselfIsLargerFromATractionOfOneThirdOn) {

@@ -30,7 +30,7 @@ TEST(Tributary, PiecesUnderAStretchAddUpToItInForceAndMoment) {
         for (const Tributary& piece : face(cells)) {
           const CoveredPiece covered = piece.covered_by({Lane(from), Lane(to)}, Lane(0.0));
           const double weight = covered.share[0] * full_weight_m(piece);
-          EXPECT_NEAR(weight, piece.weight_m({Lane(from), Lane(to)}, {Lane(from), Lane(to)}, Lane(0.0))[0], kSum);
+          EXPECT_NEAR(weight, piece.weight_m({Lane(from), Lane(to)}, Lane(0.0))[0], kSum);
           force += weight;
           moment += weight * piece.place_m;
           by_pieces += weight * (piece.place_m + covered.mean_m[0]);
@@ -76,19 +76,28 @@ TEST(Tributary, ACurvedPieceIsOneCellWideAndCutPlaceByPlace) {
   EXPECT_NEAR(covered.share[0], 2.5 / 4.0, 1e-12);
 }
 
-TEST(Tributary, AParticleBeyondTheEdgeCarriesNothingUntilHalfItsCellIsCovered) {
+TEST(Tributary, ThePiecesBesideAnEdgeAreSofterWithoutAJump) {
   const std::vector<Tributary> pieces = face(4);  // at 0, 10, 20, 30, 40 mm
-  const auto share = [&](std::size_t i, double to) {
-    return pieces[i].covered_by({Lane(-1.0), Lane(to)}, Lane(0.0)).share[0];
+  const auto covered = [&](std::size_t i, double to) {
+    return pieces[i].covered_by({Lane(-1.0), Lane(to)}, Lane(0.0));
   };
-  EXPECT_EQ(share(3, 0.0249), 0.0);
-  EXPECT_GT(share(3, 0.026), 0.0);
-  EXPECT_NEAR(share(2, 0.025), 0.5 + 0.5 + 0.125, 1e-12) << "half a hat, and the line carried on over half a cell";
-  EXPECT_NEAR(share(1, 0.025), 1.0 - 0.125, 1e-12);
+  EXPECT_EQ(covered(1, 0.025).softness[0], 0.0) << "a cell and a half within";
+  EXPECT_GT(covered(2, 0.021).softness[0], 0.0) << "a tenth of a cell within";
+  EXPECT_GT(covered(3, 0.025).softness[0], covered(3, 0.029).softness[0]) << "the farther beyond, the softer";
   // A pad slides over a particle without a jump.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for (const double edge : {0.02, 0.025, 0.03})
-      EXPECT_NEAR(share(i, edge - 1e-9), share(i, edge + 1e-9), 1e-6) << i;
+    for (const double edge : {0.02, 0.025, 0.03, 0.04}) {
+      const CoveredPiece before = covered(i, edge - 1e-9), after = covered(i, edge + 1e-9);
+      EXPECT_NEAR(before.share[0], after.share[0], 1e-6) << i;
+      EXPECT_NEAR(before.softness[0] * before.share[0], after.softness[0] * after.share[0], 1e-5) << i;
+    }
+  }
+}
+
+TEST(Tributary, ThereIsNoSoftnessWhereFaceAndSurfaceEndTogether) {
+  for (const Tributary& piece : face(4)) {
+    EXPECT_EQ(piece.covered_by({Lane(0.0), Lane(0.04)}, Lane(0.0)).softness[0], 0.0);
+    EXPECT_EQ(piece.covered_by({Lane(-0.003), Lane(0.07)}, Lane(0.0)).softness[0], 0.0);
   }
 }
 
@@ -99,10 +108,10 @@ TEST(Tributary, WindowsAddUpToWhatIsCovered) {
     for (const Stretch& window : {lower, upper}) {
       double sum = 0.0;
       for (const Tributary& piece : face(cells)) {
-        const Lane lower_part = piece.weight_m(lower, covered, Lane(0.0));
-        const Lane upper_part = piece.weight_m(upper, covered, Lane(0.0));
-        EXPECT_NEAR((lower_part + upper_part)[0], piece.weight_m(covered, covered, Lane(0.0))[0], kSum) << cells;
-        sum += piece.weight_m(window, covered, Lane(0.0))[0];
+        const Lane lower_part = piece.weight_m(lower, Lane(0.0));
+        const Lane upper_part = piece.weight_m(upper, Lane(0.0));
+        EXPECT_NEAR((lower_part + upper_part)[0], piece.weight_m(covered, Lane(0.0))[0], kSum) << cells;
+        sum += piece.weight_m(window, Lane(0.0))[0];
       }
       EXPECT_NEAR(sum, (window.high - window.low)[0], kSum) << cells;
     }

@@ -7,8 +7,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "tests/core/integration/reference_data.hpp"
 #include "tests/core/simulation/scenes.hpp"
+#include "tests/reference_data.hpp"
 
 namespace unbruised {
 namespace {

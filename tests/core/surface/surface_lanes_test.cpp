@@ -27,7 +27,7 @@ Scenario scene() {
 
 SurfaceLanes loaded() {
   SurfaceLanes surfaces;
-  surfaces.load(kLane, scene(), {{0.0, 0.0, 0.025}, {-0.025, 0.025}});
+  surfaces.load(kLane, scene(), {{0.0, 0.0, 0.025}, {-0.025, 0.025}}, {1e8, 1e8, 4e8});
   return surfaces;
 }
 
@@ -41,18 +41,19 @@ CarrierMotion at_rest() { return {}; }
 
 TEST(SurfaceLanes, AreLoadedIntoALaneThatThereIs) {
   SurfaceLanes surfaces;
-  EXPECT_THROW(surfaces.load(-1, scene(), {}), std::logic_error);
-  EXPECT_THROW(surfaces.load(kLanes, scene(), {}), std::logic_error);
+  EXPECT_THROW(surfaces.load(-1, scene(), {}, {}), std::logic_error);
+  EXPECT_THROW(surfaces.load(kLanes, scene(), {}, {}), std::logic_error);
 }
 
 TEST(SurfaceLanes, EachSurfaceHasItsOwnLayerAndFriction) {
   const SurfaceLanes surfaces = loaded();
   for (const int pad : {kLeftPad, kRightPad}) {
     EXPECT_EQ(surfaces[pad].friction[kLane], 0.4);
-    EXPECT_DOUBLE_EQ(surfaces[pad].stiffness_N_m3[kLane], 1e8);
+    EXPECT_EQ(surfaces[pad].stiffness_N_m3[kLane], 1e8);
     EXPECT_TRUE(surfaces[pad].present[kLane]);
   }
   EXPECT_EQ(surfaces[kSupport].friction[kLane], 0.7);
+  EXPECT_EQ(surfaces[kSupport].stiffness_N_m3[kLane], 4e8);
   EXPECT_FALSE(surfaces[kLeftPad].present[kLane + 1]) << "another lane";
 }
 

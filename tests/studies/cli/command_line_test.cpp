@@ -160,7 +160,7 @@ TEST_F(CommandLine, CheckWarnsWhereAContactGetsTooFewSteps) {
         "= \"grippers/parallel_jaw.toml\"\n[simulation]\ntime_step_s = 0.01\n");
   const Answer answer = call("check study.toml");
   EXPECT_EQ(answer.status, 0) << answer.err;
-  EXPECT_NE(answer.err.find("use simulation.time_step_s <= 0.001125"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("use simulation.time_step_s <= 0.001035"), std::string::npos) << answer.err;
 }
 
 }  // namespace

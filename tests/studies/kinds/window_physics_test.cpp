@@ -85,7 +85,10 @@ TEST(WindowPhysics, RipeKiwiIsHeldFromTheClosedFormOn) {
   const double exact = product_mass(study) * (kGravity + 2.0) / (2.0 * product_friction(study));
   ASSERT_EQ(table.rows.size(), 4U);
   double gentlest_N = 7.0;  // of the slower approaches
-  for (const WindowRow& row : table.rows) {
+  // At 0.3 m/s the impact alone marks a ripe kiwi between pads of bonded silicone.
+  EXPECT_FALSE(table.rows.back().exists);
+  for (std::size_t i = 0; i + 1 < table.rows.size(); ++i) {
+    const WindowRow& row = table.rows[i];
     EXPECT_LE(row.damage_force_N, gentlest_N) << "a faster approach never allows more";
     gentlest_N = row.damage_force_N;
     // The slip limit of 2 mm forgives a moment of sliding at the peak of a minimum-jerk profile: a few per cent

@@ -27,7 +27,7 @@ inline std::vector<TableRow> read_table(const std::string& name) {
     return fields;
   };
   std::string line;
-  std::getline(file, line);
+  while (std::getline(file, line) && line.starts_with('#')) continue;  // where it is from
   const std::vector<std::string> head = split(line);
   std::vector<TableRow> rows;
   while (std::getline(file, line)) {

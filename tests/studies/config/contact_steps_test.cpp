@@ -59,7 +59,7 @@ TEST(ChosenTimeStep, OfAFlatFaceKnowsTheTimeOfItsSurfaceOnTheLayerWhereTheImpact
     return study_of(
         "[study]\nname = \"t\"\nkind = \"simulate\"\n[product]\nuse = "
         "\"products/silicone_block.toml\"\n[gripper]\nuse = \"grippers/parallel_jaw.toml\"\n"
-        "[strategy]\ngrip_force_N = 3.0\n" +
+        "pad_poisson_ratio = 0.0\n[strategy]\ngrip_force_N = 3.0\n" +
         strategy);
   };
   const Study fast = block("approach_speed_m_s = 0.2\n");

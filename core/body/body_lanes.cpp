@@ -9,11 +9,16 @@
 
 namespace unbruised {
 
-BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson) : body_(body), w_(wilson) {
+BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame)
+    : body_(body), w_(wilson) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
   for (LaneArray* array : {&u_, &v_, &a_, &u_theta_, &viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
   for (LaneArray* array : {&rhs_, &x_, &x_reach_}) *array = LaneArray(static_cast<std::size_t>(body.factor.size));
+  if (frame == ProductFrame::upright) return;
+  require(!body.is_anchored(), "BodyLanes: a body that is held has no floating frame");
+  frame_.emplace(body.position_m, body.mass_kg, wilson);
+  rate_ = LaneArray(freedoms);
 }
 
 void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
@@ -38,37 +43,57 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_u_[i].set(lane, sum_u);
     mass_a_[i].set(lane, sum_a);
   }
+  if (frame_) frame_->load(lane, motion());
   fresh_.set(lane, true);
   damping_power_.set(lane, 0.0);
   damped_.set(lane, 0.0);
 }
 
 void BodyLanes::begin_step(const Mask& running) {
-  const std::size_t freedoms = 3 * body_.particle_count;
-  for (std::size_t i = 0; i < freedoms; ++i) viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
+  if (frame_) {
+    frame_->predict(motion(), viscous_, rate_, running);
+    const LaneVector gravity = frame_->to_frame({gravity_});
+    put_right_hand_side(
+        rate_, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
+  } else {
+    for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+      viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
+    }
+    put_right_hand_side(
+        v_, [&](std::size_t) { return LaneVector{gravity_}; }, running);
+  }
+  for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
+    if (body_.slot[i] < 0) continue;
+    const auto at = static_cast<std::size_t>(body_.slot[i]);
+    rhs_.put(at, rhs_.get(at) + Lane(body_.rest_force_N[i]));
+  }
+}
+
+template <class Acceleration>
+[[gnu::always_inline]] inline void BodyLanes::put_right_hand_side(const LaneArray& rate,
+                                                                  const Acceleration& outer_m_s2,
+                                                                  const Mask& running) {
   const bool proportional = body_.C.value.empty();
-  multiply_two(proportional ? body_.K : body_.C, viscous_, v_, c_viscous_, c_v_);
+  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_);
   const Lane factor(proportional ? body_.relaxation_time_s : 1.0);
   Lane power(0.0);
-  for (std::size_t i = 0; i < freedoms; ++i) {
-    const int slot = body_.slot[i];
-    if (slot < 0) continue;
-    const Lane mass(body_.mass_kg[i / 3]);
-    const Lane vi = v_.get(i);
-    power += factor * vi * c_v_.get(i);
-    rhs_.put(static_cast<std::size_t>(slot),
-             mass * (w_.inertial(u_.get(i), vi, a_.get(i)) + gravity_[i % 3]) + factor * c_viscous_.get(i));
+  for (std::size_t p = 0; p < body_.particle_count; ++p) {
+    const Lane mass(body_.mass_kg[p]);
+    const LaneVector outer = outer_m_s2(p);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t i = 3 * p + axis;
+      const int slot = body_.slot[i];
+      if (slot < 0) continue;
+      power += factor * rate.get(i) * c_v_.get(i);
+      rhs_.put(static_cast<std::size_t>(slot),
+               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + factor * c_viscous_.get(i));
+    }
   }
   // v'Cv by the trapezoid rule over time.
   damped_ = select(fresh_, Lane(-0.5 * w_.dt) * power, damped_);
   fresh_ = Mask(false);
   damped_ += select(running, Lane(w_.dt) * power, Lane(0.0));
   damping_power_ = power;
-  for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
-    if (body_.slot[i] < 0) continue;
-    const auto at = static_cast<std::size_t>(body_.slot[i]);
-    rhs_.put(at, rhs_.get(at) + Lane(body_.rest_force_N[i]));
-  }
 }
 
 void BodyLanes::add_forces(int lane, std::span<const double> force_N) {
@@ -139,6 +164,20 @@ void BodyLanes::finish_solve(const Mask& lanes) {
 }
 
 void BodyLanes::advance(const Mask& running) {
+  if (frame_) {
+    frame_->advance(motion(), u_theta_, running);
+    take_sums_of_frame();
+  } else {
+    advance_upright(running);
+  }
+}
+
+void BodyLanes::take_sums_of_frame() {
+  mass_a_ = frame_->mass_acceleration_N().at;
+  mass_u_ = (Lane(body_.total_mass_kg) * frame_->center_motion_m()).at;
+}
+
+void BodyLanes::advance_upright(const Mask& running) {
   for (std::size_t i = 0; i < 3; ++i) mass_u_[i] = mass_a_[i] = turn_[i] = Lane(0.0);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     const Lane mass(body_.mass_kg[p]);
@@ -179,7 +218,28 @@ double BodyLanes::rotation_rad(int lane) const {
   return std::sqrt(square);
 }
 
+BodyState BodyLanes::state(int lane) const {
+  const std::size_t freedoms = 3 * body_.particle_count;
+  BodyState state{std::vector<double>(freedoms), std::vector<double>(freedoms), std::vector<double>(freedoms)};
+  for (std::size_t i = 0; i < freedoms; ++i) {
+    state.displacement_m[i] = u_.at(i, lane);
+    state.velocity_m_s[i] = v_.at(i, lane);
+    state.acceleration_m_s2[i] = a_.at(i, lane);
+  }
+  for (std::size_t p = 0; frame_ && p < body_.particle_count; ++p) {
+    const std::array<LaneVector, 3> along = {frame_->displacement_m(p, u_), frame_->to_world(get_vector(v_, p)),
+                                             frame_->to_world(get_vector(a_, p))};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      state.displacement_m[3 * p + axis] = along[0][axis][lane];
+      state.velocity_m_s[3 * p + axis] = along[1][axis][lane];
+      state.acceleration_m_s2[3 * p + axis] = along[2][axis][lane];
+    }
+  }
+  return state;
+}
+
 std::array<double, 3> BodyLanes::momentum(int lane) const {
+  if (frame_) return of_lane(frame_->momentum_kg_m_s(), lane);
   std::array<double, 3> sum{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t p = 0; p < body_.particle_count; ++p) sum[i] += body_.mass_kg[p] * v_.at(3 * p + i, lane);

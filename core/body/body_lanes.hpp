@@ -5,19 +5,23 @@
 /// others add to the right-hand side.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/body/body_model.hpp"
 #include "core/body/body_state.hpp"
+#include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
 
 class BodyLanes {
  public:
-  /// Both have to outlive this.
-  BodyLanes(const BodyModel& body, const WilsonTheta& wilson);
+  /// Both have to outlive this. In a floating frame u, v and a are along its axes; sums, momentum, `state` and
+  /// gravity are along x, y, z whatever the frame.
+  BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright);
 
   void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2);
 
@@ -48,20 +52,34 @@ class BodyLanes {
   /// sum m u and sum m a.
   [[nodiscard]] const std::array<Lane, 3>& mass_u() const { return mass_u_; }
   [[nodiscard]] const std::array<Lane, 3>& mass_a() const { return mass_a_; }
-  /// Small rotation of the body about its centre of mass [rad].
+  /// The frame of a body that turns far; null: it is upright.
+  [[nodiscard]] const FrameLanes* frame() const { return frame_ ? &*frame_ : nullptr; }
+  /// Displacements, velocities and accelerations of a lane along x, y, z.
+  [[nodiscard]] BodyState state(int lane) const;
+  /// Small rotation of the body about its centre of mass; 0 in a floating frame, which goes with it [rad].
   [[nodiscard]] double rotation_rad(int lane) const;
   /// sum m v.
   [[nodiscard]] std::array<double, 3> momentum(int lane) const;
   [[nodiscard]] double kinetic_energy_J(int lane) const;
-  /// v'Cv since load, by the trapezoid rule.
+  /// v'Cv since load, by the trapezoid rule; of the deformation's v in a floating frame.
   [[nodiscard]] double damped_J(int lane) const;
 
  private:
+  [[nodiscard]] LaneMotion motion() { return {u_, v_, a_}; }
+  /// Begins the right-hand side. @param rate velocity that is damped
+  /// @param outer_m_s2 gives a particle's acceleration by what acts on all of them
+  template <class Acceleration>
+  void put_right_hand_side(const LaneArray& rate, const Acceleration& outer_m_s2, const Mask& running);
+  void advance_upright(const Mask& running);
+  void take_sums_of_frame();
+
   const BodyModel& body_;
   const WilsonTheta& w_;
   LaneArray u_, v_, a_, u_theta_;        ///< [3n]
   LaneArray viscous_, c_viscous_, c_v_;  ///< a1 u + 2 v + a3 a; C times it; C v
   LaneArray rhs_, x_, x_reach_;          ///< elimination order
+  std::optional<FrameLanes> frame_;
+  LaneArray rate_;  ///< velocity with which a body in a floating frame deforms, [3n]
   std::array<Lane, 3> gravity_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};

@@ -14,8 +14,8 @@ constexpr double kTolerance = 1e-8;
 
 }  // namespace
 
-CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell)
-    : lattice_(lattice), volume_m3_(cell.volume_m3) {
+CellPlasticity::CellPlasticity(const Lattice& lattice, const CellStiffness& cell, ProductFrame frame)
+    : lattice_(lattice), volume_m3_(cell.volume_m3), measures_rotation_(frame == ProductFrame::floating) {
   for (std::size_t axis = 0; axis < 3; ++axis) gradient_[axis] = 1.0 / (4.0 * lattice.cell_extent_m[axis]);
   shear_modulus_ = Lane(cell.D[21]);  // D_44
   const std::size_t cells = lattice.cell.size();
@@ -66,11 +66,10 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {
   }
 }
 
-/// Mean strain of a cell from its mean displacement gradient: differences of opposite faces,
+/// Mean displacement gradient of a cell: differences of opposite faces,
 /// du_i/dx_j = (sum_+ u_i - sum_- u_i) / (4 h_j).
-[[gnu::always_inline]] inline void CellPlasticity::mean_strain(std::size_t cell, const LaneArray& u_theta,
-                                                               Lane (&e)[6]) const {
-  Lane gradient[3][3];
+[[gnu::always_inline]] inline void CellPlasticity::mean_gradient(std::size_t cell, const LaneArray& u_theta,
+                                                                 Lane (&gradient)[3][3]) const {
   for (int i = 0; i < 3; ++i) {
     Lane u[8];
     for (int corner = 0; corner < 8; ++corner) {
@@ -82,6 +81,10 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {
     gradient[i][1] = Lane(gradient_[1]) * ((s23 - s01) + (s67 - s45));
     gradient[i][2] = Lane(gradient_[2]) * ((s45 + s67) - (s01 + s23));
   }
+}
+
+/// Its symmetric part.
+[[gnu::always_inline]] static inline void mean_strain(const Lane (&gradient)[3][3], Lane (&e)[6]) {
   const Lane half(0.5);
   for (int i = 0; i < 3; ++i) e[i] = gradient[i][i];
   e[3] = half * (gradient[1][2] + gradient[2][1]);
@@ -89,12 +92,20 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {
   e[5] = half * (gradient[0][1] + gradient[1][0]);
 }
 
-void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change,
-                              Lane& strain2) {
-  Lane e[6];
-  mean_strain(cell, u_theta, e);
+/// Square of the angle by which its other part turns.
+[[gnu::always_inline]] static inline Lane mean_rotation2(const Lane (&gradient)[3][3]) {
+  const Lane x = gradient[2][1] - gradient[1][2], y = gradient[0][2] - gradient[2][0],
+             z = gradient[1][0] - gradient[0][1];
+  return Lane(0.25) * (x * x + y * y + z * z);
+}
+
+void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Largest& largest) {
+  Lane gradient[3][3], e[6];
+  mean_gradient(cell, u_theta, gradient);
+  mean_strain(gradient, e);
+  if (measures_rotation_) largest.rotation2 = max(largest.rotation2, mean_rotation2(gradient));
   const Lane shear2 = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
-  strain2 = max(strain2, e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + shear2 + shear2);
+  largest.strain2 = max(largest.strain2, e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + shear2 + shear2);
   const Lane mean = (e[0] + e[1] + e[2]) * Lane(1.0 / 3.0);
   for (int i = 0; i < 3; ++i) e[i] -= mean;
   const bool touched = touched_[cell] != 0;
@@ -128,7 +139,7 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
   const Lane after = select(active, accumulated + flow, before);
   accumulated_theta_.put(cell, after);
   const Lane moved = abs(after - before);
-  change = max(change, moved);
+  largest.flow = max(largest.flow, moved);
   Mask any_stress = Mask(false);
   for (const Lane& s : stress) any_stress = any_stress | (abs(s) > Lane(0.0));
   if (any(any_stress)) {
@@ -139,10 +150,11 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
 
 Mask CellPlasticity::update(const LaneArray& u_theta, const Mask& active) {
   require(u_theta.rows() == load_.rows(), "CellPlasticity::update: displacements of another body");
-  Lane change(0.0), strain2(0.0);
-  for (std::size_t cell = 0; cell < touched_.size(); ++cell) map_cell(cell, u_theta, active, change, strain2);
-  largest_strain_ = select(active, sqrt(strain2), largest_strain_);
-  return active & (change > Lane(kTolerance));
+  Largest largest;
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) map_cell(cell, u_theta, active, largest);
+  largest_strain_ = select(active, sqrt(largest.strain2), largest_strain_);
+  largest_cell_rotation_ = select(active, sqrt(largest.rotation2), largest_cell_rotation_);
+  return active & (largest.flow > Lane(kTolerance));
 }
 
 void CellPlasticity::end_step(const WilsonTheta& w, const Mask& running) {

@@ -18,7 +18,7 @@ namespace unbruised {
 
 class CellPlasticity final : public Material {
  public:
-  CellPlasticity(const Lattice& lattice, const CellStiffness& cell);
+  CellPlasticity(const Lattice& lattice, const CellStiffness& cell, ProductFrame frame);
 
   void load(int lane, const Scenario& scenario) override;
   [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
@@ -33,8 +33,12 @@ class CellPlasticity final : public Material {
   [[nodiscard]] std::optional<double> volume_above_m3(int lane, double threshold) const override;
 
  private:
-  void mean_strain(std::size_t cell, const LaneArray& u_theta, Lane (&e)[6]) const;
-  void map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Lane& change, Lane& strain2);
+  /// Of all cells, at t + theta dt.
+  struct Largest {
+    Lane flow{0.0}, strain2{0.0}, rotation2{0.0};  ///< change of plastic strain; squares
+  };
+  void mean_gradient(std::size_t cell, const LaneArray& u_theta, Lane (&gradient)[3][3]) const;
+  void map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Largest& largest);
   void add_load(std::size_t cell, const Lane (&stress)[6]);
 
   const Lattice& lattice_;
@@ -47,6 +51,7 @@ class CellPlasticity final : public Material {
   LaneArray accumulated_, accumulated_theta_;
   LaneArray load_, load_theta_;
   bool flowing_ = false;
+  bool measures_rotation_;
 };
 
 }  // namespace unbruised

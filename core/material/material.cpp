@@ -31,8 +31,8 @@ class ElasticMaterial final : public Material {
 
 }  // namespace
 
-std::unique_ptr<Material> make_material(const BodyModel& body) {
-  if (body.cell) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell);
+std::unique_ptr<Material> make_material(const BodyModel& body, ProductFrame frame) {
+  if (body.cell) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell, frame);
   if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body);
   return std::make_unique<ElasticMaterial>(body.particle_count);
 }

@@ -11,7 +11,7 @@
 #include "core/body/body_model.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
-#include "core/scenario/scenario.hpp"
+#include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
 
@@ -34,6 +34,8 @@ class Material {
 
   /// Largest strain, sqrt(e:e), at the last update; 0 where it is not measured.
   [[nodiscard]] const Lane& largest_strain() const { return largest_strain_; }
+  /// Largest rotation of a cell against the body's frame at the last update [rad]; 0 where it is not measured.
+  [[nodiscard]] const Lane& largest_cell_rotation() const { return largest_cell_rotation_; }
   /// Largest accumulated plastic strain.
   [[nodiscard]] const Lane& largest_plastic_strain() const { return largest_plastic_; }
   /// Plastic work, and the part of it that hardening stores.
@@ -62,14 +64,18 @@ class Material {
     return values;
   }
   void clear_account(int lane) {
-    for (Lane* value : {&largest_strain_, &largest_plastic_, &plastic_work_, &hardening_energy_})
+    for (Lane* value :
+         {&largest_strain_, &largest_cell_rotation_, &largest_plastic_, &plastic_work_, &hardening_energy_}) {
       value->set(lane, 0.0);
+    }
   }
-  Lane largest_strain_{0.0}, largest_plastic_{0.0}, plastic_work_{0.0}, hardening_energy_{0.0};
+  Lane largest_strain_{0.0}, largest_cell_rotation_{0.0}, largest_plastic_{0.0}, plastic_work_{0.0},
+      hardening_energy_{0.0};
 };
 
 /// The material of a body: plasticity at cells or springs, or none.
 /// @param body has to outlive the material
-std::unique_ptr<Material> make_material(const BodyModel& body);
+/// @param frame of the body; in a floating one the rotations of cells are measured
+std::unique_ptr<Material> make_material(const BodyModel& body, ProductFrame frame = ProductFrame::upright);
 
 }  // namespace unbruised

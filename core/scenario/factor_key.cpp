@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/scenario/fields.hpp"
+#include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
 namespace {
@@ -53,6 +54,7 @@ std::string factor_key(const Scenario& scenario) {
   }
   visit_parameters(scenario,
                    [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, key); });
+  key.add(product_frame(scenario));
   return key.take();
 }
 

@@ -10,7 +10,7 @@
 namespace unbruised {
 
 /// Everything that fixes the model, as bytes that compare equal exactly when it can be shared: all fields that
-/// core/scenario/fields.hpp marks with `Decides::model`.
+/// core/scenario/fields.hpp marks with `Decides::model`, and in which frame the product moves.
 std::string factor_key(const Scenario& scenario);
 
 }  // namespace unbruised

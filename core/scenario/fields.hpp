@@ -43,7 +43,7 @@ template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [shape, size_m, axis, cell_size_m, mass_kg, density_kg_m3, youngs_modulus_Pa, poisson_ratio,
          yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio, at_frequency_Hz, friction,
-         initial_velocity_m_s] = p;
+         initial_velocity_m_s, initial_spin_rad_s] = p;
   visit({"shape", Decides::model}, shape);
   visit({"size_m", Decides::model, kPositive}, size_m);
   visit({"axis", Decides::model}, axis);
@@ -59,6 +59,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"at_frequency_Hz", Decides::model, kPositive}, at_frequency_Hz);
   visit({"friction", Decides::run, kNotNegative}, friction);
   visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
+  visit({"initial_spin_rad_s", Decides::run, kAnyNumber}, initial_spin_rad_s);
 }
 
 template <FieldsOf<NetworkParticle> T, class Visit>

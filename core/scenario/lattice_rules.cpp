@@ -114,6 +114,17 @@ void sphere_is_round(const Scenario& s, Violations& out) {
   out.push_back({"product.size_m", "", "a sphere has three equal extents; else write shape = \"ellipsoid\""});
 }
 
+void spins_freely(const Scenario& s, Violations& out) {
+  const auto* p = lattice_of(s);
+  if (p == nullptr || (!has_gripper(s) && !s.cell.support)) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (p->initial_spin_rad_s[i] == 0.0) continue;
+    out.push_back({"product.initial_spin_rad_s[" + std::to_string(i) + "]", spelled(p->initial_spin_rad_s[i]),
+                   std::string("must be 0 with ") + (has_gripper(s) ? "a gripper" : "cell.support = true") +
+                       ": only a product that nothing can touch may spin"});
+  }
+}
+
 }  // namespace
 
 std::vector<Rule> lattice_rules() {
@@ -139,6 +150,9 @@ std::vector<Rule> lattice_rules() {
        "goes with loss_ratio",
        loss_complete,
        "goes with at_frequency_Hz"},
+      {{"product.initial_spin_rad_s", "cell.support", "gripper"},
+       "0 with a gripper or a support: only a product that nothing can touch may spin",
+       spins_freely},
   };
 }
 

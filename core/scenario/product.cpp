@@ -24,6 +24,9 @@ bool yields(const NetworkParameters& p) {
                      [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
 }
 
+std::array<double, 3> spin_of(const LatticeParameters& p) { return p.initial_spin_rad_s; }
+std::array<double, 3> spin_of(const NetworkParameters&) { return {0.0, 0.0, 0.0}; }
+
 bool is_loaded(const LatticeParameters&) { return false; }
 bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
 
@@ -47,6 +50,10 @@ std::optional<YieldLaw> yield_law(const ProductParameters& product) {
 
 bool can_yield(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return yields(kind); }, product);
+}
+
+std::array<double, 3> initial_spin_rad_s(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return spin_of(kind); }, product);
 }
 
 bool has_loads(const ProductParameters& product) {

@@ -32,6 +32,9 @@ std::optional<YieldLaw> yield_law(const ProductParameters& product);
 /// Can it keep a deformation?
 bool can_yield(const ProductParameters& product);
 
+/// Its angular velocity at the start, along x, y, z [rad/s].
+std::array<double, 3> initial_spin_rad_s(const ProductParameters& product);
+
 /// Do its parameters say of forces that act on it?
 bool has_loads(const ProductParameters& product);
 

@@ -47,6 +47,8 @@ struct LatticeParameters {
   /// >= 0; Coulomb coefficient against the pads.
   double friction = 0.5;
   std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
+  /// Angular velocity at the start, deformed as it is by that; all zero where a gripper or a support may touch it.
+  std::array<double, 3> initial_spin_rad_s{0.0, 0.0, 0.0};
 };
 
 struct NetworkParticle {

@@ -18,11 +18,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   const auto at = static_cast<std::size_t>(lane);
   impulse_[at] = Impulse{};
   impulse_[at].initial_momentum = view.body.momentum(lane);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t p = 0; p < view.model.body.particle_count; ++p) {
-      impulse_[at].outer_force_N[i] += view.model.body.mass_kg[p] * view.body.a().at(3 * p + i, lane);
-    }
-  }
+  for (std::size_t i = 0; i < 3; ++i) impulse_[at].outer_force_N[i] = view.body.mass_a()[i][lane];
   initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
   double kinetic = view.body.kinetic_energy_J(lane);
   if (has_gripper(scenario)) kinetic += view.gripper.energy()[lane];

@@ -2,7 +2,9 @@
 
 #include <span>
 
+#include "core/body/steady_spin.hpp"
 #include "core/contact/layered_face.hpp"
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 
@@ -10,6 +12,9 @@ InitialState InitialStates::of(const Scenario& scenario, const std::vector<doubl
   InitialState state{written_state(scenario.product, model_.body), nullptr};
   if (model_.body.is_solid) {
     lay_down_or_drop(scenario, state);
+    if (model_.frame == ProductFrame::floating) {
+      add_steady_spin(model_.body, initial_spin_rad_s(scenario.product), state.body);
+    }
   } else if (scenario.simulation.initial_acceleration == InitialAcceleration::consistent) {
     accelerate(scenario, plastic_load_N, state.body);
   }

@@ -22,7 +22,8 @@ class InitialStates {
  public:
   explicit InitialStates(const Model::Parts& model) : model_(model) {}
 
-  /// Solids start at rest on their support, or in free fall where there is none; networks as they are written.
+  /// Solids start at rest on their support, or in free fall where there is none, and may spin; networks as they
+  /// are written.
   /// @param plastic_load_N of what yields as it is mounted, [3 x particles]
   InitialState of(const Scenario& scenario, const std::vector<double>& plastic_load_N);
 

@@ -79,8 +79,8 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       parts(model->parts()),
       w(*parts.wilson),
       initial(parts),
-      body(parts.body, w),
-      material(make_material(parts.body)),
+      body(parts.body, w, parts.frame),
+      material(make_material(parts.body, parts.frame)),
       contact(parts.contact, parts.body, w),
       view{parts, body, *material, contact, gripper, now, yield_ratio},
       base(3 * parts.contact.node_count()) {

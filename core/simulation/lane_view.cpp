@@ -90,7 +90,6 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
 TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {
   TraceRow row;
   row.time_s = time_s;
-  row.lane = lane;
   row.gripper = has_gripper(scenario);
   row.yields = can_yield(scenario);
   for (std::size_t surface = 0; surface < kSurfaceCount; ++surface) {
@@ -106,6 +105,10 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   row.plastic_strain = material.largest_plastic_strain()[lane];
   row.stored_energy_J = stored_energy_J(lane, scenario);
   row.contact_energy_J = contact.stored_energy()[lane];
+  if (const FrameLanes* frame = body.frame()) {
+    row.attitude = frame->attitude().of_lane(lane);
+    row.spin_rad_s = of_lane(frame->to_world(frame->spin_rad_s()), lane);
+  }
   return row;
 }
 

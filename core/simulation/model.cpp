@@ -30,6 +30,7 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   std::shared_ptr<Model> model(new Model());
   Parts& parts = *model->parts_;
   parts.key = factor_key(scenario);
+  parts.frame = product_frame(scenario);
   parts.wilson.emplace(scenario.simulation.time_step_s, scenario.simulation.theta);
   try {
     std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error);

@@ -10,6 +10,7 @@
 #include "core/contact/contact_model.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/integration/wilson_theta.hpp"
+#include "core/scenario/product_frame.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised {
@@ -17,6 +18,7 @@ namespace unbruised {
 struct Model::Parts {
   std::string key;  ///< factor_key of every scenario this model is for
   std::optional<WilsonTheta> wilson;
+  ProductFrame frame = ProductFrame::upright;
   BodyModel body;
   ContactModel contact;
   std::optional<SupportRest> rest;  ///< solids

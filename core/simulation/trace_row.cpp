@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/outcome/damage_limits.hpp"
+#include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
 namespace {
@@ -56,6 +57,11 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
     declare(trace, "support_yield_ratio", "1",
             "mean pressure of the support's contact patch over the one at first yield above it", {}, {});
   }
+  if (product_frame(scenario) == ProductFrame::floating) {
+    declare(trace, "attitude", "1", "rotation of the product since the start: a unit quaternion w, x, y, z",
+            {"quaternion"}, {4});
+    declare(trace, "spin_rad_s", "rad s-1", "angular velocity of the product as a whole", {"component"}, {3});
+  }
   if (!has_gripper(scenario)) return;
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
           {kFingerCount, 3});
@@ -77,13 +83,16 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
           {kFingerCount});
 }
 
-void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace) {
+/// Appends values to a row of a trace.
+void append(const std::vector<double>& values, std::vector<double>& to) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   trace.time_s.push_back(row.time_s);
-  for (std::size_t i = 0; i < u.rows(); ++i) {
-    trace.displacement_m.push_back(u.at(i, row.lane));
-    trace.velocity_m_s.push_back(v.at(i, row.lane));
-    trace.acceleration_m_s2.push_back(a.at(i, row.lane));
-  }
+  append(state.displacement_m, trace.displacement_m);
+  append(state.velocity_m_s, trace.velocity_m_s);
+  append(state.acceleration_m_s2, trace.acceleration_m_s2);
   SignalWriter signals(trace);
   signals.put(row.surface_force_N[kSupport]);
   signals.put(row.closed);
@@ -93,6 +102,10 @@ void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, con
   signals.put(row.stored_energy_J);
   signals.put(row.contact_energy_J);
   if (row.yields) signals.put(row.support_yield_ratio);
+  if (row.attitude) {
+    signals.put(*row.attitude);
+    signals.put(row.spin_rad_s);
+  }
   if (!row.gripper) return;
   std::array<double, 3 * kFingerCount> fingers{};
   for (std::size_t f = 0; f < kFingerCount; ++f) {

@@ -4,9 +4,10 @@
 /// The rows of a `Trace` and its signals.
 
 #include <array>
+#include <optional>
 #include <vector>
 
-#include "core/lanes/lane.hpp"
+#include "core/body/body_state.hpp"
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
@@ -17,7 +18,6 @@ namespace unbruised {
 /// The signals of one row; forces act on the product and hold at the end of their step.
 struct TraceRow {
   double time_s = 0;
-  int lane = 0;
   bool gripper = false;
   bool yields = false;  ///< the product can keep a deformation
   std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
@@ -31,6 +31,9 @@ struct TraceRow {
   double plastic_strain = 0;
   double absorbed_energy_J = 0;
   double stored_energy_J = 0;
+  /// Where the product has a floating frame: a unit quaternion w, x, y, z, and the angular velocity of the whole.
+  std::optional<std::array<double, 4>> attitude;
+  std::array<double, 3> spin_rad_s{};
   double contact_energy_J = 0;
 };
 
@@ -38,6 +41,6 @@ struct TraceRow {
 void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace);
 
 /// Appends one row.
-void append_row(const TraceRow& row, const LaneArray& u, const LaneArray& v, const LaneArray& a, Trace& trace);
+void append_row(const TraceRow& row, const BodyState& state, Trace& trace);
 
 }  // namespace unbruised

@@ -45,14 +45,15 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"surface", {"door", "scenario", "lanes"}},
     {"algebra", {"door", "lanes"}},
     {"motion", {"door", "scenario"}},
-    {"body", {"door", "scenario", "lanes", "algebra", "integration"}},
+    {"frame", {"door", "lanes", "integration"}},
+    {"body", {"door", "scenario", "lanes", "algebra", "integration", "frame"}},
     {"material", {"door", "scenario", "lanes", "integration", "body"}},
     {"gripper", {"door", "scenario", "lanes", "integration", "surface"}},
     {"contact", {"door", "scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
     {"outcome", {"scenario", "motion", "surface", "contact"}},
     {"simulation",
-     {"door", "scenario", "lanes", "algebra", "integration", "motion", "body", "material", "surface", "gripper",
-      "contact", "outcome"}},
+     {"door", "scenario", "lanes", "algebra", "integration", "frame", "motion", "body", "material", "surface",
+      "gripper", "contact", "outcome"}},
 };
 
 std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }

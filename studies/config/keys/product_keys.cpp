@@ -110,6 +110,12 @@ Table material_keys() {
        .size = 3,
        .use = use,
        .field = lattice<&L::initial_velocity_m_s>},
+      {.path = "product.initial_spin_rad_s",
+       .type = numbers,
+       .meaning = "Angular velocity of the product at the start; it begins as deformed as a steady spin keeps it.",
+       .size = 3,
+       .use = use,
+       .field = lattice<&L::initial_spin_rad_s>},
   };
 }
 

@@ -1,0 +1,99 @@
+#pragma once
+
+/// @file
+/// The floating frame of a body that turns, all lanes at once (docs/theory.md, "A product that turns"): an
+/// attitude R and a centre c, in whose axes K, M and C are constant. A particle stands at c + R (X + u), X from
+/// the centre of mass of the body at rest; u, v and a are kept in the axes of R, v and a being absolute.
+///
+/// A step is written in the frame predicted for t + theta dt, and the frame is fitted to the body again at its
+/// end: between the two calls of a step the same state stands in the axes of the predicted frame.
+
+#include <span>
+#include <vector>
+
+#include "core/frame/frame_sums.hpp"
+#include "core/frame/lane_rotation.hpp"
+#include "core/integration/wilson_theta.hpp"
+
+namespace unbruised {
+
+/// The state of a body, rows 3 x particle + axis.
+struct LaneMotion {
+  LaneArray& u;
+  LaneArray& v;
+  LaneArray& a;
+};
+
+class FrameLanes {
+ public:
+  /// @param position_m, mass_kg of the particles at rest, of shape [n]; not all on one line
+  /// @param wilson has to outlive this
+  FrameLanes(std::span<const std::array<double, 3>> position_m, std::span<const double> mass_kg,
+             const WilsonTheta& wilson);
+
+  /// Fits the frame of a lane to the state that was put into it, measured from the body at rest and along x, y, z.
+  void load(int lane, const LaneMotion& motion);
+
+  /// Predicts the frame for t + theta dt and turns the state into it.
+  /// @param viscous, rate become a1 u + 2 s + a3 q and s, the velocity and acceleration with which the body
+  /// deforms
+  void predict(const LaneMotion& motion, LaneArray& viscous, LaneArray& rate, const Mask& running);
+  /// What acts on a particle as if on a rigid body, per mass and beside gravity, in the axes of the frame.
+  [[nodiscard]] LaneVector rigid_load_m_s2(std::size_t particle) const {
+    return cross(beta_, to_lanes(X_[particle]));
+  }
+  /// Moves the state to t + dt, given u at t + theta dt, and fits the frame to it.
+  void advance(const LaneMotion& motion, const LaneArray& u_theta, const Mask& running);
+
+  [[nodiscard]] const LaneRotation& attitude() const { return attitude_; }
+  /// Components along x, y, z of a vector that is given in the axes of the frame, and back.
+  [[nodiscard]] LaneVector to_world(const LaneVector& vector) const { return R_ * vector; }
+  [[nodiscard]] LaneVector to_frame(const LaneVector& vector) const { return transposed(R_) * vector; }
+  /// How far the centre of mass is from where it is at rest.
+  [[nodiscard]] const LaneVector& center_motion_m() const { return center_; }
+  /// Displacement of a particle along x, y, z from where it is at rest.
+  [[nodiscard]] LaneVector displacement_m(std::size_t particle, const LaneArray& u) const {
+    const LaneVector X = to_lanes(X_[particle]);
+    return center_ + R_ * (X + get_vector(u, particle)) - X;
+  }
+  /// sum m v and sum m a, along x, y, z; at the ends of steps.
+  [[nodiscard]] LaneVector momentum_kg_m_s() const { return to_world(mass_v_); }
+  [[nodiscard]] LaneVector mass_acceleration_N() const { return to_world(mass_a_); }
+  /// About the centre of mass, along x, y, z.
+  [[nodiscard]] const LaneVector& angular_momentum_kg_m2_s() const { return angular_momentum_; }
+  /// What the steps since load would have lost of it by themselves, step by step; it is given back.
+  [[nodiscard]] const Lane& corrected_kg_m2_s() const { return corrected_; }
+  /// Angle by which the body turns within a step.
+  [[nodiscard]] double turn_rad(int lane) const { return w_.dt * sqrt(dot(omega_, omega_))[lane]; }
+  /// Angular velocity in the axes of the frame.
+  [[nodiscard]] const LaneVector& spin_rad_s() const { return omega_; }
+
+ private:
+  /// From the predicted frame to the one that fits.
+  struct Correction {
+    LaneVector shift;  ///< of the centre
+    LaneMatrix turn;
+    LaneVector spin;  ///< added to the rotation, in the axes that fit
+  };
+  void turn_frame(const LaneRotation& by);
+  void balance_moments(const BalanceSums& sums, const Mask& running);
+  Correction fit(StateSums sums, const Mask& running);
+  void apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const;
+
+  const WilsonTheta& w_;
+  std::vector<std::array<double, 3>> X_;  ///< from the centre of mass
+  std::vector<double> mass_kg_;
+  Lane total_mass_{0.0};
+
+  LaneRotation attitude_;
+  LaneMatrix R_;
+  LaneVector center_;
+  LaneVector beta_;              ///< rigid angular acceleration that takes back the moment of internal forces
+  LaneVector angular_momentum_;  ///< that the body must have, along x, y, z
+  Lane corrected_{0.0};
+  // At the last end of a step, in the axes of the frame that fits.
+  LaneVector mass_v_, mass_a_;  ///< sum m v, sum m a
+  LaneVector omega_, alpha_;    ///< of the body as a whole
+};
+
+}  // namespace unbruised

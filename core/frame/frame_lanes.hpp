@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/frame/frame_sums.hpp"
-#include "core/frame/lane_rotation.hpp"
 #include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane_rotation.hpp"
 
 namespace unbruised {
 

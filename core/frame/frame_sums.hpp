@@ -3,7 +3,7 @@
 /// @file
 /// What the frame needs to know of all particles of a body: sums over them, taken in the pass that moves them.
 
-#include "core/frame/lane_vector.hpp"
+#include "core/lanes/lane_vector.hpp"
 
 namespace unbruised {
 

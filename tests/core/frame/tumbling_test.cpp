@@ -73,7 +73,6 @@ TEST(Tumbling, FollowsTheRigidBodyAtSecondOrder) {
     EXPECT_LT((end.momentum_kg_m2_s - start.momentum_kg_m2_s).norm(), 1e-12 * start.momentum_kg_m2_s.norm());
     const std::vector<double> energy = column(trace, "stored_energy_J");
     EXPECT_LT(std::abs(energy.back() / energy.front() - 1.0), at.largest_energy_change) << at.time_step_s;
-    RecordProperty("angle_at_" + std::to_string(at.time_step_s), std::to_string(angle));
   }
 }
 

@@ -50,6 +50,10 @@ std::vector<Breach> lattice_breaches() {
       {"product.relaxation_time_s", "excludes", usual_grip, [](S s) { lattice_in(s).relaxation_time_s = 1e-3; }},
       {"product.at_frequency_Hz", "missing", usual_grip, [](S s) { lattice_in(s).at_frequency_Hz.reset(); }},
       {"product.at_frequency_Hz", "not used", usual_grip, [](S s) { lattice_in(s).loss_ratio.reset(); }},
+      {"product.initial_spin_rad_s[1]", "must be 0 with a gripper", usual_grip,
+       [](S s) {
+         lattice_in(s).initial_spin_rad_s = {0.0, 1.0, 0.0};
+       }},
   };
 }
 

@@ -204,6 +204,16 @@ std::vector<Arrival> network_arrivals() {
   };
 }
 
+/// Of a product that nothing can touch.
+std::vector<Arrival> flight_arrivals() {
+  return {
+      {"product.initial_spin_rad_s", "[1.0, 2.0, 3.0]",
+       [](S s) {
+         return lattice(s).initial_spin_rad_s == A3{1.0, 2.0, 3.0};
+       }},
+  };
+}
+
 std::vector<Arrival> lattice_arrivals() {
   std::vector<Arrival> all;
   for (const auto& part : {product_arrivals(), gripper_arrivals(), cell_arrivals(), strategy_arrivals(),
@@ -232,11 +242,19 @@ TEST(ScenarioKeys, EveryLatticeKeyReachesTheFieldItNames) {
   expect_arrivals(lattice_arrivals(), gripped_block("simulate"));
 }
 
+TEST(ScenarioKeys, EveryKeyOfAFreeFlightReachesTheFieldItNames) {
+  expect_arrivals(
+      flight_arrivals(),
+      "[study]\nname = \"test\"\nkind = \"simulate\"\n"
+      "[product]\nshape = \"box\"\nsize_m = [0.05, 0.06, 0.07]\nmass_kg = 0.1\nyoungs_modulus_Pa = 1e6\n"
+      "[cell]\nsupport = false\n[simulation]\nduration_s = 1.0\n");
+}
+
 TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
 
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
-  for (const auto& list : {lattice_arrivals(), network_arrivals()}) {
+  for (const auto& list : {lattice_arrivals(), flight_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

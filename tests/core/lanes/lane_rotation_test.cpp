@@ -1,6 +1,6 @@
 // Vectors, matrices and rotations with a value per lane, against their definitions.
 
-#include "core/frame/lane_rotation.hpp"
+#include "core/lanes/lane_rotation.hpp"
 
 #include <cmath>
 

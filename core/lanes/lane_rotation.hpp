@@ -3,7 +3,7 @@
 /// @file
 /// Rotations of all lanes at once, as unit quaternions: whatever is composed stays a rotation.
 
-#include "core/frame/lane_vector.hpp"
+#include "core/lanes/lane_vector.hpp"
 
 namespace unbruised {
 

@@ -8,11 +8,13 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::array<Unit, 14> kUnits = {{
+constexpr std::array<Unit, 16> kUnits = {{
+    {"_rad_s2", "rad/s2", "rad s-2"},
     {"_N_s_m", "N s/m", "N s m-1"},
     {"_m_s2", "m/s2", "m s-2"},
     {"_kg_m3", "kg/m3", "kg m-3"},
     {"_N_m", "N/m", "N m-1"},
+    {"_rad_s", "rad/s", "rad s-1"},
     {"_m_s", "m/s", "m s-1"},
     {"_rad", "rad", "rad"},
     {"_kg", "kg", "kg"},

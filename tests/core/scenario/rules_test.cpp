@@ -205,8 +205,8 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed",
-                                            "gripper"};
+  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed", "gripper",
+                                            "cell.support"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -67,8 +67,9 @@ void FrameLanes::load(int lane, const LaneMotion& motion) {
   apply(fit(sums, fresh), motion, fresh);
 }
 
-void FrameLanes::turn_frame(const LaneRotation& by) {
-  attitude_ = attitude_ * by;
+/// Lanes that do not take part keep every bit: composing rounds even with no turn.
+void FrameLanes::turn_frame(const LaneRotation& by, const Mask& running) {
+  attitude_ = select(running, attitude_ * by, attitude_);
   R_ = attitude_.matrix();
 }
 
@@ -80,7 +81,7 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   const LaneRotation turn = rotation_by(phi);
   const LaneMatrix back = transposed(turn.matrix());
   center_ += R_ * way;
-  turn_frame(turn);
+  turn_frame(turn, running);
   for (std::size_t p = 0; p < X_.size(); ++p) {
     const LaneVector X = to_lanes(X_[p]), u = get_vector(motion.u, p), v = get_vector(motion.v, p),
                      a = get_vector(motion.a, p), y = X + u;
@@ -134,7 +135,7 @@ FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& running) {
   center_ += R_ * correction.shift;
   sums.center(total_mass_);
   const LaneRotation turn = select(running, polar_rotation(sums.y_X), LaneRotation{});
-  turn_frame(turn);
+  turn_frame(turn, running);
   correction.turn = turn.matrix();
   sums.turn(correction.turn);
   const LaneVector momentum = to_frame(angular_momentum_);

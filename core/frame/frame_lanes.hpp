@@ -75,7 +75,7 @@ class FrameLanes {
     LaneMatrix turn;
     LaneVector spin;  ///< added to the rotation, in the axes that fit
   };
-  void turn_frame(const LaneRotation& by);
+  void turn_frame(const LaneRotation& by, const Mask& running);
   void balance_moments(const BalanceSums& sums, const Mask& running);
   Correction fit(StateSums sums, const Mask& running);
   void apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const;

@@ -28,8 +28,6 @@ const Slips kAcceleration = {{1e3, "mm/s2 taken for m/s2"}, {1.0 / 9.80665, "mul
 const Slips kTime = {{1e3, "milliseconds taken for seconds"}};
 const Slips kFraction = {{1e2, "per cent taken for a fraction"}};
 const Slips kAngle = {{57.29577951308232, "degrees taken for radians"}};
-const Slips kSpin = {{57.29577951308232, "degrees taken for radians"},
-                     {9.549296585513721, "1/min taken for rad/s"}};
 const Slips kEnergy = {{1e3, "millijoules taken for joules"}};
 const Slips kVolume = {{1e9, "mm3 taken for m3"}, {1e6, "cm3 taken for m3"}};
 
@@ -135,8 +133,7 @@ Rows product_rows() {
       plain("product.friction", "friction coefficient", "", 0.05, 2.0, kFraction,
             "fruit on rubber and steel 0.3 to 0.8 (Puchalski 2001), pear on silicone 1.13; wet skin 0.1"),
       plain("product.initial_velocity_m_s", "speed of the product", "m/s", 0.0, 10.0, kSpeed, "a fall from 5 m"),
-      plain("product.initial_spin_rad_s", "spin of the product", "rad/s", 0.0, 60.0, kSpin,
-            "up to ten turns a second; thrown fruit makes a few"),
+      plain("product.initial_spin_rad_s", "spin of the product", "rad/s", 0.0, 60.0, kAngle, "thrown fruit"),
   };
 }
 

@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-TESTS = ("patch_damage_test", "patch_traction_test", "rubber_layer_test", "pad_edge_test", "contact_area_test", "support_yield_test",
+TESTS = ("kiwi_force_test", "patch_damage_test", "patch_traction_test", "rubber_layer_test", "pad_edge_test", "contact_area_test", "support_yield_test",
          "support_yield_work_test")
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGE = os.path.join(ROOT, "docs", "validation.md")

@@ -304,7 +304,8 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   const Mask measures =
       step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
   const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
-  const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c));
+  const Lane of_layer =
+      Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface.stiffness_N_m3));
   layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
 }
 

@@ -31,18 +31,31 @@ struct ContactCandidate {
   bool flat = true;                              ///< no relief: the whole rectangle touches at once
   std::array<double, kReliefPlaces> relief_m{};  ///< how far the true surface lies behind the one at the particle
   double least_relief_m = 0;
-  /// Compliance per pressure in series with a surface's layer where the true surface is curved: a layer much
-  /// stiffer than the cell would touch the highest place of a rectangle only, and the cell cannot flatten within
-  /// itself.
+  /// Compliance per pressure in series with a surface's stiff layer where the true surface is curved: such a layer
+  /// would touch the highest place of a rectangle only, and the cell cannot flatten within itself.
   double cell_compliance_m_Pa = 0;
   /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
   std::array<double, 2> edge_compliance_m_Pa{};
 };
 
+/// Stiffness of a layer over that of a cell, k c, at which half of the cell's compliance acts. Calibrated on a
+/// kiwi between soft pads, where k c is 0.5 to 1 (docs/validation.md); at a plate's 5 and more all but 2 % act.
+inline constexpr double kHalfCompliance = 0.66;
+
+/// What of a cell's compliance acts under a layer of this stiffness per area: a soft layer touches the whole
+/// rectangle, and nothing is left to flatten.
+template <class Number>
+Number acting_compliance_m_Pa(const ContactCandidate& candidate, const Number& layer_stiffness_N_m3) {
+  const Number compliance(candidate.cell_compliance_m_Pa);
+  const Number ratio = layer_stiffness_N_m3 * compliance, square = ratio * ratio;
+  return compliance * square / (square + Number(kHalfCompliance * kHalfCompliance));
+}
+
 /// Normal stiffness of a layer over the whole rectangle of a curved or flat contact, A / (1 / k + c) [N/m].
 /// @param layer_stiffness_N_m3 of the surface's layer, per area
 inline double normal_stiffness_N_m(const ContactCandidate& candidate, double layer_stiffness_N_m3) {
-  return candidate.area_m2 / (1.0 / layer_stiffness_N_m3 + candidate.cell_compliance_m_Pa);
+  return candidate.area_m2 /
+         (1.0 / layer_stiffness_N_m3 + acting_compliance_m_Pa(candidate, layer_stiffness_N_m3));
 }
 
 /// The candidates of one surface as a grid over the face.

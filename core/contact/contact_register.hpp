@@ -45,9 +45,9 @@ class ContactRegister {
   [[nodiscard]] Lane layer_stiffness(std::size_t c, const SurfaceLane& surface) const;
   /// Stiffness along the normal, with the compliance of the body within a cell in series [N/m].
   [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
-  /// Of the body within the cell, per pressure [m/Pa].
-  [[nodiscard]] Lane body_compliance(std::size_t c) const {
-    return Lane(model_.candidate[c].cell_compliance_m_Pa) + edge_compliance.get(c);
+  /// Of the body within the cell under this layer, per pressure [m/Pa].
+  [[nodiscard]] Lane body_compliance(std::size_t c, const Lane& layer_N_m3) const {
+    return acting_compliance_m_Pa(model_.candidate[c], layer_N_m3) + edge_compliance.get(c);
   }
   /// Force of the layer at rest at this penetration [N].
   [[nodiscard]] Lane elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& penetration) const;

@@ -161,8 +161,8 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
     candidate.node = point.node;
     candidate.surface_m = point.position_m;
     candidate.area_m2 = face.area_m2(position_m);
-    for (std::size_t t = 0; t < 2; ++t) candidate.tributary[t] = face.piece(position_m, t);
     for (std::size_t t = 0; t < 2; ++t) {
+      candidate.tributary[t] = face.piece(position_m, t);
       candidate.edge_compliance_m_Pa[t] = candidate.tributary[t].extent_m / plane_strain_modulus_Pa(parameters);
     }
     fill_relief(parameters, lattice, plane.axis, candidate);

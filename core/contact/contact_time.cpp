@@ -44,18 +44,13 @@ double surface_mass_kg(const LatticeParameters& product, std::size_t axis, doubl
   return density_kg_m3 * area_m2 * 0.5 * lattice_cell_extent_m(product)[axis];
 }
 
-/// The layer's part of layer and product in series under a flat face.
-double layer_of_series_N_m(const LayeredFace& face, double whole_N_m) {
-  return 1.0 / (1.0 / whole_N_m - face.half_depth_m / (face.youngs_modulus_Pa * face.flat_area_m2));
-}
-
 /// A whole period of the surface of a flat face on the layer that stops it, so that the rise of its peak gets a
 /// quarter of the steps; never where the peak decides nothing, since the face is pressed with as much anyway.
 /// @param surface_kg that swings on the layer
 double surface_period_s(const LayeredFace& face, double surface_kg, const Impact& impact) {
   if (!face.is_flat || !(face.flat_area_m2 > 0.0)) return kNever;
   const double whole_N_m = face.stiffness_N_m(impact.least_force_N);
-  const double layer_N_m = layer_of_series_N_m(face, whole_N_m);
+  const double layer_N_m = face.layer_N_m(impact.least_force_N);
   const double peak_N = kSurfaceForce * impact.speed_m_s * std::sqrt(surface_kg * layer_N_m);
   const double anyway_N = std::max(impact.least_force_N, impact.speed_m_s * std::sqrt(impact.mass_kg * whole_N_m));
   return peak_N > anyway_N ? 2.0 * std::numbers::pi * std::sqrt(surface_kg / layer_N_m) : kNever;

@@ -34,6 +34,14 @@ std::array<double, 2> under_pad_m(const LatticeParameters& product, const Parall
           covered_m(cell.grip_height_m, gripper.pad_size_m[1], product.size_m[2])};
 }
 
+FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameters& jaw,
+                    const CellParameters& cell) {
+  return face_layer(pad_layer(jaw), product, 0, under_pad_m(product, jaw, cell));
+}
+FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
+  return face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]});
+}
+
 }  // namespace
 
 double LayeredFace::plane_strain_modulus_Pa() const {
@@ -65,7 +73,7 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
           .flat_area_m2 = covered[0] * covered[1],
           .radius_m = 0.25 * (product.size_m[1] + product.size_m[2]),
           .largest_patch_m2 = gripper.pad_size_m[0] * gripper.pad_size_m[1],
-          .layer = face_layer(pad_layer(gripper), product, 0, covered)};
+          .layer = pad_under(product, gripper, cell)};
 }
 
 LayeredFace side_at_support(const LatticeParameters& product, const CellParameters& cell) {
@@ -77,23 +85,16 @@ LayeredFace side_at_support(const LatticeParameters& product, const CellParamete
           .flat_area_m2 = base_m2,
           .radius_m = 0.25 * (product.size_m[0] + product.size_m[1]),
           .largest_patch_m2 = base_m2,
-          .layer = face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]})};
+          .layer = support_under(product, cell)};
 }
 
 namespace {
 
-FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameters& jaw,
-                    const CellParameters& cell) {
-  return face_layer(pad_layer(jaw), product, 0, under_pad_m(product, jaw, cell));
-}
 /// Its particles have layers of their own.
 FaceLayer pad_under(const NetworkParameters&, const ParallelJawParameters& jaw, const CellParameters&) {
   return {pad_layer(jaw), {}, {}};
 }
 
-FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
-  return face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]});
-}
 FaceLayer support_under(const NetworkParameters&, const CellParameters& cell) {
   return {support_layer(cell), {}, {}};
 }

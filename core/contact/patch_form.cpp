@@ -62,7 +62,6 @@ PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const s
       form.edge = PadEdge::of_strip();
       form.strip_peak = StripPeak(product.poisson_ratio);
       form.half_thickness_m = 0.5 * product.size_m[axis];
-      form.yield_factor = 1.0 / form.strip_peak.at(0.0);
       form.traction = TractionFactor::of_curved(product.poisson_ratio);
       return form;
     case PatchKind::ellipse:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace unbruised {
 namespace {
@@ -105,11 +106,29 @@ LayerParameters support_layer(const CellParameters& cell) {
   return {cell.support_modulus_Pa, cell.support_thickness_m, cell.support_poisson_ratio, PadBulge::free};
 }
 
+namespace {
+
+/// The thread's last table again where it serves: scenarios of a study seldom differ in it, and it costs as much
+/// as many steps.
+const RubberFactor& rubber_factor(PatchKind kind, double poisson_ratio, PadBulge bulge) {
+  using Key = std::tuple<PatchKind, double, PadBulge>;
+  thread_local Key last_key;
+  thread_local RubberFactor last;
+  const Key key{kind, poisson_ratio, bulge};
+  if (last.is_springs() || key != last_key) {
+    last = RubberFactor(kind, poisson_ratio, bulge);
+    last_key = key;
+  }
+  return last;
+}
+
+}  // namespace
+
 FaceLayer::FaceLayer(const LayerParameters& parameters, const PatchArea& patch,
                      const std::array<double, 2>& covered)
     : layer(parameters), area(patch), covered_m(covered) {
   if (layer.is_springs() || area.kind == PatchKind::flat) return;
-  rubber = RubberFactor(area.kind, layer.poisson_ratio, layer.bulge);
+  rubber = rubber_factor(area.kind, layer.poisson_ratio, layer.bulge);
 }
 
 double FaceLayer::patch_half_width_m(double force_N, double layer_N_m3) const {

@@ -7,8 +7,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "core/scenario/opening.hpp"
-#include "tests/core/simulation/scenes.hpp"
+#include "tests/core/contact/pads_at_rest.hpp"
 
 namespace unbruised::testing {
 
@@ -51,14 +50,9 @@ inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio
   scenario.simulation.trace_interval_s = 0.02;
   Trace trace;
   run(scenario, &trace);
-  const auto last = [&](const char* name, std::size_t at) {
-    const std::vector<double> values = column(trace, name, at);
-    return values.empty() ? std::nan("") : values[values.size() - 1];
-  };
   Pressed pressed;
-  EXPECT_NEAR(last("finger_force_N", 0), force_N, 1e-3 * force_N) << "at rest";
-  pressed.contact_count = last("contact_count", 0);
-  pressed.approach_m = 0.5 * (last("finger_way_m", 0) + last("finger_way_m", 1)) - approach_gap_m(scenario);
+  pressed.contact_count = last_of(trace, "contact_count");
+  pressed.approach_m = approach_at_rest_m(trace, scenario, 1e-3);
   // Hertz's largest pressure presses the layer by p0 / layer; small beside the approach for a stiff layer only.
   const double ideal_m = std::pow(0.75 * force_N / (plane * std::sqrt(R)), 2.0 / 3.0);
   const double p0 = 2.0 * plane / std::numbers::pi * std::sqrt(ideal_m / R);

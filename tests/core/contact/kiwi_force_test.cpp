@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scenario/opening.hpp"
 #include "tests/comparison.hpp"
 #include "tests/core/contact/kiwi_scenes.hpp"
+#include "tests/core/contact/pads_at_rest.hpp"
 
 namespace unbruised {
 namespace {
@@ -28,12 +28,7 @@ double approach_m(double force_N, double cell_size_m) {
   scenario.simulation.trace_interval_s = 0.02;
   Trace trace;
   run(scenario, &trace);
-  const auto last = [&](const char* name, std::size_t at) {
-    const std::vector<double> values = column(trace, name, at);
-    return values.empty() ? std::nan("") : values.back();
-  };
-  EXPECT_NEAR(last("finger_force_N", 0), force_N, 2e-3 * force_N) << "at rest";
-  return 0.5 * (last("finger_way_m", 0) + last("finger_way_m", 1)) - approach_gap_m(scenario);
+  return approach_at_rest_m(trace, scenario, 2e-3);
 }
 
 TEST(KiwiForce, BetweenSoftPadsIsThatOfFiniteElements) {

@@ -25,9 +25,9 @@ double support_contact_time_s(const Scenario& scenario);
 
 /// Where a flat pad meets a flat face, the surface is stopped before the product behind it: a whole period of the
 /// particles under the pad (with the finger, in relative motion) on the layer, 2 pi sqrt(m / (k A)), in which 20
-/// steps give the peak within 2 % (docs/contact.md). [s]; infinite where faces are curved, or where that peak
-/// decides nothing: damage is not considered, or the larger of grip force, the least that carries the weight and
-/// the finger's own impact is above it.
+/// steps give the peak within 2 %, of viscous layers within 7 % (docs/contact.md). [s]; infinite where faces are
+/// curved, or where that peak decides nothing: damage is not considered, or the larger of grip force, the least
+/// that carries the weight and the finger's own impact is above it.
 double finger_surface_time_s(const Scenario& scenario);
 
 /// The same for a flat base that hits the support, against the larger of weight and the product's own impact.

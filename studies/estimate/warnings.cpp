@@ -32,9 +32,10 @@ std::string contact_words(ContactPart part) {
 /// What too few steps do to the numbers.
 std::string harm_words(ContactPart part) {
   const bool is_surface = part == ContactPart::finger_surface || part == ContactPart::support_surface;
-  return is_surface ? "the peak of the impact comes out too low (at 7 steps by 4 %, at 2 by 20 %)"
-                    : "peak forces and damage are off, and F_damage may come out too high (a ripe kiwi at 15 "
-                      "steps: by a third)";
+  return is_surface
+             ? "the peak of the impact comes out too low (at 10 steps by up to 20 %, at 5 by 30 %, at 2 by half)"
+             : "peak forces and damage are off, and F_damage may come out too high (a ripe kiwi at 15 "
+               "steps: by a third)";
 }
 
 void warn_about_contact(const Study& study, std::vector<std::string>& warnings) {

@@ -78,7 +78,7 @@ TEST(ContactTime, OfAFastFlatFingerIsAWholePeriodOfTheSurfaceOnTheLayer) {
 }
 
 TEST(ContactTime, LeavesOutThePeakOfASurfaceThatDecidesNothing) {
-  Scenario slow = gripped_block();  // 2.5 v sqrt(m k) = 0.77 N, pressed with 2 N
+  Scenario slow = gripped_block();  // 2.2 v sqrt(m k) = 0.67 N, pressed with 2 N
   slow.strategy.approach_speed_m_s = 0.015;
   EXPECT_EQ(finger_surface_time_s(slow), kNever);
   slow.strategy.grip_force_N = 0.5;

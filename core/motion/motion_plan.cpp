@@ -4,13 +4,34 @@
 #include <cmath>
 
 #include "core/door/require.hpp"
+#include "core/scenario/conveyor.hpp"
 #include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 
 namespace unbruised {
+namespace {
+
+bool target_moves(const CellParameters& cell) {
+  return cell.place_velocity_m_s[0] != 0.0 || cell.place_velocity_m_s[1] != 0.0;
+}
+
+/// Is the way across more than one profile from rest to rest?
+bool crosses_in_motion(const Scenario& scenario) {
+  const StrategyParameters& s = scenario.strategy;
+  return s.pick_offset_m != 0.0 || target_moves(scenario.cell) ||
+         (s.pick == PickKind::tracking && has_belt(scenario.cell));
+}
+
+}  // namespace
 
 MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
-    : strategy_(scenario.strategy), place_height_m_(scenario.cell.place_height_m), ramp_start_s_(ramp_start_s) {
+    : strategy_(scenario.strategy),
+      place_height_m_(scenario.cell.place_height_m),
+      transfer_m_(scenario.cell.transfer_m),
+      place_velocity_m_s_(scenario.cell.place_velocity_m_s),
+      belt_(scenario.cell.conveyor),
+      target_differs_(place_height_m_ != 0.0 || has_belt(scenario.cell) || target_moves(scenario.cell)),
+      ramp_start_s_(ramp_start_s) {
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (has_gripper(scenario)) {
     const StrategyParameters& s = strategy_;
@@ -27,6 +48,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
                                     s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
     lower_ = MotionProfile::plan(s.profile, cell.place_height_m + s.release_height_m - cell.lift_height_m,
                                  s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+    if (crosses_in_motion(scenario)) moving_transfer_.emplace();
     if (ramp_start_s < kNever) schedule(scenario);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
@@ -37,7 +59,13 @@ void MotionPlan::schedule(const Scenario& scenario) {
   lift_start_s_ = ramp_start_s_ + s.grip_ramp_s + s.settle_s;
   lift_end_s_ = lift_start_s_ + lift_.duration_s();
   hold_end_s_ = lift_end_s_ + s.hold_s;
-  transfer_end_s_ = hold_end_s_ + transfer_.duration_s();
+  if (moving_transfer_) {
+    const MovingTransfer::State picked = across(hold_end_s_);
+    moving_transfer_ = MovingTransfer::plan(
+        s.profile, {picked.place_m, picked.velocity_m_s}, {target_m(hold_end_s_), place_velocity_m_s_},
+        s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+  }
+  transfer_end_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
   lower_end_s_ = transfer_end_s_ + lower_.duration_s();
   release_start_s_ = lower_end_s_ + s.place_settle_s;
   release_end_s_ = release_start_s_ + approach_gap_m(scenario) / s.release_speed_m_s;
@@ -53,19 +81,36 @@ CyclePhase MotionPlan::phase_after_contact(double time_s) const {
 
 PalmState MotionPlan::palm(double time_s) const {
   PalmState palm;
+  const MovingTransfer::State flat = across(time_s);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    palm.position_m[axis] = flat.place_m[axis];
+    palm.velocity_m_s[axis] = flat.velocity_m_s[axis];
+    palm.acceleration_m_s2[axis] = flat.acceleration_m_s2[axis];
+  }
   if (time_s <= lift_start_s_) return palm;
   const auto up = lift_.at(time_s - lift_start_s_);
-  const auto across = transfer_.at(time_s - hold_end_s_);
   const auto down = lower_.at(time_s - transfer_end_s_);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    palm.position_m[axis] = transfer_direction_[axis] * across.position_m;
-    palm.velocity_m_s[axis] = transfer_direction_[axis] * across.velocity_m_s;
-    palm.acceleration_m_s2[axis] = transfer_direction_[axis] * across.acceleration_m_s2;
-  }
   palm.position_m[2] = up.position_m + down.position_m;
   palm.velocity_m_s[2] = up.velocity_m_s + down.velocity_m_s;
   palm.acceleration_m_s2[2] = up.acceleration_m_s2 + down.acceleration_m_s2;
   return palm;
+}
+
+MovingTransfer::State MotionPlan::across(double time_s) const {
+  MovingTransfer::State state;
+  if (moving_transfer_ && time_s > hold_end_s_) return moving_transfer_->at(time_s - hold_end_s_);
+  const bool tracks = moving_transfer_ && strategy_.pick == PickKind::tracking;
+  const MotionProfile::State along = tracks             ? belt_.at(time_s - strategy_.tracking_lag_s)
+                                     : moving_transfer_ ? MotionProfile::State{}
+                                                        : transfer_.at(time_s - hold_end_s_);
+  const Horizontal& direction = moving_transfer_ ? belt_.direction() : transfer_direction_;
+  const double offset_m = moving_transfer_ ? strategy_.pick_offset_m : 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    state.place_m[axis] = direction[axis] * (along.position_m + offset_m);
+    state.velocity_m_s[axis] = direction[axis] * along.velocity_m_s;
+    state.acceleration_m_s2[axis] = direction[axis] * along.acceleration_m_s2;
+  }
+  return state;
 }
 
 double MotionPlan::force_limit_N(double time_s) const {
@@ -80,6 +125,31 @@ double MotionPlan::set_speed_m_s(double time_s) const {
   return time_s >= ramp_start_s_ ? pressing_speed_m_s_ : strategy_.approach_speed_m_s;
 }
 
-double MotionPlan::support_height_m(double time_s) const { return time_s >= lift_end_s_ ? place_height_m_ : 0.0; }
+SupportPlane MotionPlan::support_plane(double time_s) const {
+  return target_differs_ && time_s >= lift_end_s_ ? SupportPlane::target : SupportPlane::start;
+}
+
+PalmState MotionPlan::support(SupportPlane plane, double time_s) const {
+  PalmState state;
+  if (plane == SupportPlane::target) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      state.position_m[axis] = place_velocity_m_s_[axis] * time_s;
+      state.velocity_m_s[axis] = place_velocity_m_s_[axis];
+    }
+    state.position_m[2] = place_height_m_;
+    return state;
+  }
+  const MotionProfile::State along = belt_.at(time_s);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    state.position_m[axis] = belt_.direction()[axis] * along.position_m;
+    state.velocity_m_s[axis] = belt_.direction()[axis] * along.velocity_m_s;
+    state.acceleration_m_s2[axis] = belt_.direction()[axis] * along.acceleration_m_s2;
+  }
+  return state;
+}
+
+Horizontal MotionPlan::target_m(double time_s) const {
+  return {transfer_m_[0] + place_velocity_m_s_[0] * time_s, transfer_m_[1] + place_velocity_m_s_[1] * time_s};
+}
 
 }  // namespace unbruised

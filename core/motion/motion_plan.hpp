@@ -8,14 +8,18 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
+#include "core/motion/belt.hpp"
+#include "core/motion/moving_transfer.hpp"
 #include "core/motion/profile.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 
-/// Motion of the palm along x, y, z from where it stood during the approach.
+/// Motion along x, y, z from where the product's starting place has its palm and its plane: of the palm, of a
+/// plane.
 struct PalmState {
   std::array<double, 3> position_m{};
   std::array<double, 3> velocity_m_s{};
@@ -26,6 +30,12 @@ struct PalmState {
 enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover };
 inline constexpr std::array<std::string_view, 8> kCyclePhaseWords = {"approach", "grip",  "lift",    "hold",
                                                                      "transfer", "lower", "release", "recover"};
+
+/// The planes under the product.
+enum class SupportPlane {
+  start,   ///< what it stands on, a belt where there is one
+  target,  ///< what it is put down on; the same one where neither height nor motion differs
+};
 
 /// A time that does not come.
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -43,8 +53,12 @@ class MotionPlan {
   [[nodiscard]] double force_limit_N(double time_s) const;
   /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
   [[nodiscard]] double set_speed_m_s(double time_s) const;
-  /// Height of the plane under a product that follows the plan.
-  [[nodiscard]] double support_height_m(double time_s) const;
+  /// The plane under a product that follows the plan.
+  [[nodiscard]] SupportPlane support_plane(double time_s) const;
+  [[nodiscard]] PalmState support(SupportPlane plane, double time_s) const;
+  /// Where the product is to stand, from where it stood at the start, along x and y [m].
+  [[nodiscard]] Horizontal target_m(double time_s) const;
+  [[nodiscard]] const Belt& belt() const { return belt_; }
 
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
@@ -57,12 +71,18 @@ class MotionPlan {
 
  private:
   void schedule(const Scenario& scenario);
+  [[nodiscard]] MovingTransfer::State across(double time_s) const;
 
   StrategyParameters strategy_{};
   double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises
   double place_height_m_ = 0.0;
+  Horizontal transfer_m_{}, place_velocity_m_s_{};
+  Belt belt_;
+  bool target_differs_ = false;
   MotionProfile lift_, transfer_, lower_;
-  std::array<double, 2> transfer_direction_{0.0, 0.0};
+  Horizontal transfer_direction_{};
+  /// Instead of transfer_ where palm or target move during the pick or the placing.
+  std::optional<MovingTransfer> moving_transfer_;
   double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever, hold_end_s_ = kNever;
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;

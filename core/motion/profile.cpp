@@ -45,6 +45,20 @@ MotionProfile MotionProfile::plan(ProfileKind kind, double distance_m, double pe
   return profile;
 }
 
+MotionProfile MotionProfile::in_time(ProfileKind kind, double distance_m, double duration_s) {
+  if (!std::isfinite(distance_m)) throw std::invalid_argument("MotionProfile: distance_m must be finite");
+  if (!(duration_s > 0.0 && std::isfinite(duration_s))) {
+    throw std::invalid_argument("MotionProfile: duration_s must be > 0 and finite");
+  }
+  MotionProfile profile;
+  profile.kind_ = kind;
+  profile.distance_m_ = distance_m;
+  profile.duration_s_ = duration_s;
+  profile.ramp_s_ = duration_s / 3.0;
+  profile.acceleration_m_s2_ = distance_m / (profile.ramp_s_ * (duration_s - profile.ramp_s_));
+  return profile;
+}
+
 MotionProfile::State MotionProfile::at(double time_s) const {
   if (time_s >= duration_s_) return {.position_m = time_s >= 0.0 ? distance_m_ : 0.0};
   if (time_s < 0.0) return {};

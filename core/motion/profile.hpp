@@ -29,6 +29,10 @@ class MotionProfile {
   static MotionProfile plan(ProfileKind kind, double distance_m, double peak_acceleration_m_s2,
                             double speed_limit_m_s);
 
+  /// The profile that takes this time: of minimum jerk, or a trapezoid that speeds up for a third of it and brakes
+  /// for a third. @param distance_m finite @param duration_s > 0, finite
+  static MotionProfile in_time(ProfileKind kind, double distance_m, double duration_s);
+
   [[nodiscard]] double distance_m() const { return distance_m_; }
   [[nodiscard]] double duration_s() const { return duration_s_; }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/outcome/damage_limits.hpp"
+#include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/words.hpp"
 
@@ -40,6 +41,7 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
       friction_(product_friction(scenario.product)),
       hold_s_(scenario.strategy.hold_s),
       has_gripper_(has_gripper(scenario)),
+      has_belt_(has_belt(scenario.cell)),
       has_product_yield_(yield_stress_Pa(scenario.product).has_value()) {
   if (has_gripper_) {
     for (Metric metric :
@@ -51,6 +53,7 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
   }
   const bool touches_something = has_gripper_ || scenario.cell.support;
   if (has_product_yield_ && touches_something) metrics[Metric::contact_yield_ratio_max] = 0.0;
+  if (has_belt_) metrics[Metric::belt_slip_m] = 0.0;
 }
 
 void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
@@ -69,10 +72,12 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
   metrics[Metric::plastic_strain_max] = std::max(now.plastic_strain, patches.plastic_strain);
   metrics[Metric::absorbed_energy_J] = std::max(now.absorbed_energy_J, patches.absorbed_energy_J);
   check_limits({Metric::plastic_strain_max, Metric::absorbed_energy_J}, now.time_s);
+  observe_belt(now, cycle);
   if (!has_gripper_) {
     observe_support(now);
     return true;
   }
+  observe_places(now, cycle);
   observe_grip(now);
   observe_support(now);
   observe_impulse(now, cycle);
@@ -123,6 +128,25 @@ void HandlingRecord::observe_support(const StepObservation& now) {
   support_yield_ratio_ = std::max(support_yield_ratio_, now.support_yield_ratio);
   raise(Metric::contact_yield_ratio_max, now.support_yield_ratio);
   check_limits({Metric::contact_yield_ratio_max}, now.time_s, " at the support");
+}
+
+/// Until the lift starts; a belt that nobody picks from is looked at to the end.
+void HandlingRecord::observe_belt(const StepObservation& now, const HandlingCycle& cycle) {
+  if (!has_belt_ || now.time_s > cycle.plan().lift_start_s()) return;
+  const PalmState belt = cycle.plan().support(SupportPlane::start, now.time_s);
+  raise(Metric::belt_slip_m,
+        std::hypot(now.center_motion_m[0] - belt.position_m[0], now.center_motion_m[1] - belt.position_m[1]));
+}
+
+void HandlingRecord::observe_places(const StepObservation& now, const HandlingCycle& cycle) {
+  const auto& [x, y, z] = now.center_motion_m;
+  if (cycle.has_contact() && now.time_s <= cycle.plan().lift_start_s()) {
+    metrics[Metric::pick_error_m] = std::hypot(x - now.palm_m[0], y - now.palm_m[1]);
+  }
+  if (now.time_s < cycle.plan().release_end_s()) return;
+  const Horizontal target = cycle.plan().target_m(now.time_s);
+  metrics[Metric::place_error_m] = std::hypot(x - target[0], y - target[1]);
+  metrics[Metric::place_attitude_rad] = now.rotation_rad;
 }
 
 /// Of the finger that presses hardest; of the support where it comes nearer to yield than they.

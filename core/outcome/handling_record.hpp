@@ -38,6 +38,7 @@ struct StepObservation {
   std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass
   std::array<double, 3> center_acceleration_m_s2{};
   std::array<double, 3> palm_m{};
+  double rotation_rad = 0;  ///< of the product as a whole
   double compression_m = 0;
   double patch_pressure_Pa = 0;
   double support_N = 0;  ///< normal force of the support
@@ -87,11 +88,14 @@ class HandlingRecord {
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
   [[nodiscard]] double peak_rise_steps() const;
   void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
+  void observe_belt(const StepObservation& now, const HandlingCycle& cycle);
+  void observe_places(const StepObservation& now, const HandlingCycle& cycle);
 
   LimitParameters limits_{};
   double friction_ = 0;
   double hold_s_ = 0;
   bool has_gripper_ = false;
+  bool has_belt_ = false;
   bool has_product_yield_ = false;
   WorstPatches patches_;
   bool both_touched_ = false;  ///< at the last contacts within the grip phase

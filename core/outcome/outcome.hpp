@@ -62,6 +62,10 @@ enum class Metric : std::uint8_t {
   grip_impulse_N_s,
   slip_max_rad,
   peak_rise_steps,
+  belt_slip_m,
+  pick_error_m,
+  place_error_m,
+  place_attitude_rad,
   count_  // not a metric: the number of them
 };
 
@@ -128,6 +132,15 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::peak_rise_steps, "peak_rise_steps", "steps of the peak's rise", "1",
      "fewest time steps in which the force that decides rose by half of its peak, 8 where they are as many or "
      "more"},
+    {Metric::belt_slip_m, "belt_slip_m", "slip on the belt", "m",
+     "largest way of the product's centre of mass against the belt until the lift starts"},
+    {Metric::pick_error_m, "pick_error_m", "pick error", "m",
+     "horizontal way of the product's centre of mass against the palm from the start of the run to that of the "
+     "lift"},
+    {Metric::place_error_m, "place_error_m", "place error", "m",
+     "horizontal distance of the product's centre of mass from its place on the target, at the end of the run"},
+    {Metric::place_attitude_rad, "place_attitude_rad", "attitude when placed", "rad",
+     "angle by which the product has turned from the start to the end of the run"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -127,11 +127,12 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"opening_m", Decides::run, kPositive}, opening_m);
 }
 
+/// The conveyor has fields of its own.
 template <FieldsOf<CellParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m, support_poisson_ratio,
          support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
-         place_height_m] = p;
+         place_height_m, place_velocity_m_s, conveyor] = p;
   visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
   visit({"support", Decides::run}, support);
   visit({"support_friction", Decides::run, kNotNegative}, support_friction);
@@ -145,19 +146,35 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"lift_height_m", Decides::run, kNotNegative}, lift_height_m);
   visit({"transfer_m", Decides::run, kAnyNumber}, transfer_m);
   visit({"place_height_m", Decides::run, kAnyNumber}, place_height_m);
+  visit({"place_velocity_m_s", Decides::run, kAnyNumber}, place_velocity_m_s);
+}
+
+template <FieldsOf<ConveyorParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [speed_m_s, initial_speed_m_s, acceleration_m_s2, start_s, direction, length_m] = p;
+  visit({"speed_m_s", Decides::run, kNotNegative}, speed_m_s);
+  visit({"initial_speed_m_s", Decides::run, kNotNegative}, initial_speed_m_s);
+  visit({"acceleration_m_s2", Decides::run, kPositive}, acceleration_m_s2);
+  visit({"start_s", Decides::run, kNotNegative}, start_s);
+  visit({"direction", Decides::run, kAnyNumber}, direction);
+  visit({"length_m", Decides::run, kPositive}, length_m);
 }
 
 template <FieldsOf<StrategyParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, profile,
-         lift_acceleration_m_s2, transfer_acceleration_m_s2, lower_acceleration_m_s2, speed_m_s, hold_s,
-         release_height_m, place_settle_s, release_speed_m_s, recover_s] = p;
+  auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, pick,
+         pick_offset_m, tracking_lag_s, profile, lift_acceleration_m_s2, transfer_acceleration_m_s2,
+         lower_acceleration_m_s2, speed_m_s, hold_s, release_height_m, place_settle_s, release_speed_m_s,
+         recover_s] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
   visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
   visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
   visit({"grip_ramp_s", Decides::run, kNotNegative}, grip_ramp_s);
   visit({"ramp_from_start", Decides::run}, ramp_from_start);
   visit({"settle_s", Decides::run, kNotNegative}, settle_s);
+  visit({"pick", Decides::run}, pick);
+  visit({"pick_offset_m", Decides::run, kAnyNumber}, pick_offset_m);
+  visit({"tracking_lag_s", Decides::run, kNotNegative}, tracking_lag_s);
   visit({"profile", Decides::run}, profile);
   visit({"lift_acceleration_m_s2", Decides::run, kPositive}, lift_acceleration_m_s2);
   visit({"transfer_acceleration_m_s2", Decides::run, kPositive}, transfer_acceleration_m_s2);
@@ -217,6 +234,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
   }
   std::visit([&visit](auto& kind) { visit("gripper.", -1, kind); }, gripper);
   visit("cell.", -1, cell);
+  visit("cell.conveyor.", -1, cell.conveyor);
   visit("strategy.", -1, strategy);
   visit("limits.", -1, limits);
   visit("simulation.", -1, simulation);

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/scenario/conveyor.hpp"
 #include "core/scenario/rule_tables.hpp"
 #include "core/scenario/words.hpp"
 
@@ -30,6 +34,54 @@ void release_below_lift(const Scenario& s, Violations& out) {
                      " m: the product would be lowered upwards"});
 }
 
+void belt_runs_somewhere(const Scenario& s, Violations& out) {
+  const ConveyorParameters& belt = s.cell.conveyor;
+  if (!(std::hypot(belt.direction[0], belt.direction[1]) > 0.0)) {
+    out.push_back({"cell.conveyor.direction", "[0.0, 0.0]", "must not be zero: it says whereto the belt runs"});
+  }
+}
+
+void belt_needs_support(const Scenario& s, Violations& out) {
+  if (!has_belt(s.cell)) return;
+  if (!s.cell.support) {
+    out.push_back({"cell.conveyor.speed_m_s", spelled(s.cell.conveyor.speed_m_s),
+                   "needs cell.support = true: the belt is the support's surface"});
+  }
+  if (!std::holds_alternative<LatticeParameters>(s.product)) {
+    out.push_back({"cell.conveyor.speed_m_s", spelled(s.cell.conveyor.speed_m_s),
+                   "needs a product with a shape: a network of particles does not ride on a belt"});
+  }
+}
+
+void belt_can_change_speed(const Scenario& s, Violations& out) {
+  const ConveyorParameters& belt = s.cell.conveyor;
+  if (belt.acceleration_m_s2 || belt_start_speed_m_s(belt) == belt.speed_m_s) return;
+  out.push_back({"cell.conveyor.initial_speed_m_s", spelled(*belt.initial_speed_m_s),
+                 "differs from speed_m_s = " + spelled(belt.speed_m_s) +
+                     ": needs cell.conveyor.acceleration_m_s2, with which the belt gets from one to the other"});
+}
+
+/// A palm that meets a moving place has to be faster than it.
+void palm_keeps_up(const Scenario& s, Violations& out) {
+  if (!has_gripper(s)) return;
+  const double limit = s.strategy.speed_m_s;
+  const auto fits = [&](double speed_m_s, std::string_view what) {
+    if (limit >= kPalmRoom * speed_m_s) return;
+    out.push_back({"strategy.speed_m_s", spelled(limit),
+                   "must be >= " + for_people(kPalmRoom) + " x the speed of the " + std::string(what) + " = " +
+                       for_people(kPalmRoom * speed_m_s) + ": the palm has to catch up with it"});
+  };
+  if (s.strategy.pick == PickKind::tracking) {
+    fits(std::max(s.cell.conveyor.speed_m_s, belt_start_speed_m_s(s.cell.conveyor)), "belt");
+  }
+  fits(std::hypot(s.cell.place_velocity_m_s[0], s.cell.place_velocity_m_s[1]), "target");
+}
+
+void tracking_needs_belt(const Scenario& s, Violations& out) {
+  if (!has_gripper(s) || s.strategy.pick == PickKind::still || has_belt(s.cell)) return;
+  out.push_back({"strategy.pick", "\"tracking\"", "needs a belt that runs: cell.conveyor.speed_m_s > 0"});
+}
+
 void duration_known(const Scenario& s, Violations& out) {
   if (has_gripper(s) || s.simulation.duration_s) return;
   out.push_back({"simulation.duration_s", "", "missing; a study without [gripper] needs it"});
@@ -47,6 +99,22 @@ std::vector<Rule> motion_rules() {
       {{"strategy.release_height_m", "cell.lift_height_m", "cell.place_height_m"},
        "<= cell.lift_height_m - cell.place_height_m",
        release_below_lift},
+      {{"cell.conveyor.direction"}, "not zero", belt_runs_somewhere},
+      {{"cell.conveyor.speed_m_s", "cell.conveyor.initial_speed_m_s", "cell.conveyor.acceleration_m_s2",
+        "cell.support", "product.kind"},
+       "needs a lattice product on a support",
+       belt_needs_support},
+      {{"cell.conveyor.initial_speed_m_s", "cell.conveyor.acceleration_m_s2", "cell.conveyor.speed_m_s"},
+       "= speed_m_s without an acceleration",
+       belt_can_change_speed},
+      {{"strategy.speed_m_s", "cell.conveyor.speed_m_s", "cell.conveyor.initial_speed_m_s",
+        "cell.conveyor.acceleration_m_s2", "cell.place_velocity_m_s"},
+       ">= 1.5 x the speed of a belt that is tracked and of a moving target",
+       palm_keeps_up},
+      {{"strategy.pick", "cell.conveyor.speed_m_s", "cell.conveyor.initial_speed_m_s",
+        "cell.conveyor.acceleration_m_s2"},
+       "\"tracking\" needs a belt that runs",
+       tracking_needs_belt},
       {{"simulation.duration_s"}, "required without a gripper", duration_known},
       {{"simulation.duration_s", "simulation.time_step_s"},
        ">= time_step_s",

@@ -152,6 +152,22 @@ struct ParallelJawParameters {
 /// The kinds of gripper. Each is a struct of parameters with its fields in fields.hpp, and lanes that move it.
 using GripperParameters = std::variant<NoGripper, ParallelJawParameters>;
 
+/// A belt on the support: its points move in the plane, the plane does not. At rest where both speeds are 0.
+struct ConveyorParameters {
+  /// >= 0; the speed it runs at, or reaches
+  double speed_m_s = 0.0;
+  /// >= 0; at the start, when the product rides on it. None: 0 with an acceleration, else speed_m_s.
+  std::optional<double> initial_speed_m_s;
+  /// > 0; with which it changes its speed
+  std::optional<double> acceleration_m_s2;
+  /// >= 0; when it begins to
+  double start_s = 0.0;
+  /// Not zero; along x and y, of any length
+  std::array<double, 2> direction{0.0, 1.0};
+  /// > 0; from the product's starting place to the end of the belt. None: it does not end.
+  std::optional<double> length_m;
+};
+
 /// What stands around gripper and product.
 struct CellParameters {
   std::array<double, 3> gravity_m_s2{0.0, 0.0, -9.80665};
@@ -180,6 +196,14 @@ struct CellParameters {
   std::array<double, 2> transfer_m{0.0, 0.3};
   /// < lift_height_m when there is a lift, else <= 0; height of the target plane above the support
   double place_height_m = 0.0;
+  /// Of the target plane, along x and y; the target was at transfer_m when the run began.
+  std::array<double, 2> place_velocity_m_s{0.0, 0.0};
+  ConveyorParameters conveyor;
+};
+
+enum class PickKind {
+  still,     ///< the palm waits
+  tracking,  ///< the palm goes with the belt until the hold ends
 };
 
 enum class ProfileKind { trapezoid, minimum_jerk };
@@ -198,6 +222,11 @@ struct StrategyParameters {
   bool ramp_from_start = false;
   /// >= 0; rest after the ramp before the lift
   double settle_s = 0.05;
+  PickKind pick = PickKind::still;
+  /// How far along the belt from the product the palm stands at the start.
+  double pick_offset_m = 0.0;
+  /// >= 0; a tracking palm is where the belt was so long ago.
+  double tracking_lag_s = 0.0;
   ProfileKind profile = ProfileKind::minimum_jerk;
   /// > 0; peak of the profile (transfer_ and lower_ default to the lift's)
   double lift_acceleration_m_s2 = 2.0;

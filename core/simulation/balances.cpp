@@ -14,7 +14,8 @@ constexpr double kLeastInputShare = 1e-9;
 
 void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   for (Lane& force : palm_force_) force.set(lane, 0.0);
-  for (Lane* sum : {&palm_work_, &gravity_work_}) sum->set(lane, 0.0);
+  leave_support(lane);
+  for (Lane* sum : {&palm_work_, &belt_work_, &gravity_work_}) sum->set(lane, 0.0);
   const auto at = static_cast<std::size_t>(lane);
   impulse_[at] = Impulse{};
   impulse_[at].initial_momentum = view.body.momentum(lane);
@@ -25,21 +26,29 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   positive_work_.set(lane, kinetic);
 }
 
+void Balances::leave_support(int lane) {
+  for (Lane& force : cell_force_) force.set(lane, 0.0);
+}
+
 void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
                          const CarrierMotion& after, const Mask& running) {
-  Lane gravity(0.0), palm(0.0);
+  Lane gravity(0.0), palm(0.0), belt(0.0);
   for (std::size_t i = 0; i < 3; ++i) {
     gravity += view.body.gravity()[i] * (view.body.mass_u()[i] - old_mass_u[i]);
-    Lane force(0.0);
+    Lane force(0.0), below(0.0);
     for (int surface = 0; surface < kSurfaceCount; ++surface) {
-      if (is_pad(surface)) force += view.contact.tally()[surface].force(surface)[i];
+      (is_pad(surface) ? force : below) += view.contact.tally()[surface].force(surface)[i];
     }
     palm += Lane(0.5) * (palm_force_[i] + force) * (after.palm[i].place_m - before.palm[i].place_m);
+    belt += Lane(0.5) * (cell_force_[i] + below) * (after.cell[i].place_m - before.cell[i].place_m);
     palm_force_[i] = force;
+    cell_force_[i] = below;
   }
   gravity_work_ += select(running, gravity, Lane(0.0));
   palm_work_ += select(running, palm, Lane(0.0));
-  positive_work_ += select(running, max(gravity, Lane(0.0)) + max(palm, Lane(0.0)), Lane(0.0));
+  belt_work_ += select(running, belt, Lane(0.0));
+  positive_work_ +=
+      select(running, max(gravity, Lane(0.0)) + max(palm, Lane(0.0)) + max(belt, Lane(0.0)), Lane(0.0));
 }
 
 void Balances::book_impulse(int lane, const LaneView& view) {
@@ -80,6 +89,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
                             + (driven ? view.gripper.dissipated()[lane] : 0.0);
   const double work = gravity_work_[lane]  //
                       + palm_work_[lane]   //
+                      + belt_work_[lane]   //
                       + (driven ? view.gripper.work()[lane] : 0.0);
   const double put_in = positive_work_[lane] + (driven ? view.gripper.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;

@@ -14,8 +14,11 @@ class Balances {
   /// Opens the accounts of a lane whose state is loaded.
   void load(int lane, const LaneView& view, const Scenario& scenario);
 
-  /// Books what gravity and the palm did over the step that brought the carriers from `before` to `after`; forces
-  /// are linear over the step.
+  /// Another plane comes under the product of a lane.
+  void leave_support(int lane);
+
+  /// Books what gravity, the palm and a belt did over the step that brought the carriers from `before` to `after`;
+  /// forces are linear over the step.
   /// @param old_mass_u sum m u at the start of the step
   void book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
                  const CarrierMotion& after, const Mask& running);
@@ -35,8 +38,9 @@ class Balances {
 
   std::array<Impulse, kLanes> impulse_;
   std::array<double, kLanes> initial_energy_J_{};
-  std::array<Lane, 3> palm_force_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< of the pads on the product, at the start
-  Lane palm_work_{0.0}, gravity_work_{0.0}, positive_work_{0.0};
+  /// On the product, at the start of the step.
+  std::array<Lane, 3> palm_force_{Lane(0.0), Lane(0.0), Lane(0.0)}, cell_force_{Lane(0.0), Lane(0.0), Lane(0.0)};
+  Lane palm_work_{0.0}, belt_work_{0.0}, gravity_work_{0.0}, positive_work_{0.0};
 };
 
 }  // namespace unbruised

@@ -4,9 +4,22 @@
 
 #include "core/body/steady_spin.hpp"
 #include "core/contact/layered_face.hpp"
+#include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
+namespace {
+
+/// Gives a product that stands on a belt the belt's speed.
+void ride_along(const ConveyorParameters& conveyor, BodyState& state) {
+  const std::array<double, 2> direction = belt_direction(conveyor);
+  const double speed_m_s = belt_start_speed_m_s(conveyor);
+  for (std::size_t i = 0; i < state.velocity_m_s.size(); ++i) {
+    if (i % 3 < 2) state.velocity_m_s[i] += direction[i % 3] * speed_m_s;
+  }
+}
+
+}  // namespace
 
 InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
   InitialState state{written_state(scenario.product, model_.body), nullptr};
@@ -33,6 +46,7 @@ void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& sta
     }
     state.body.displacement_m = rest_.displacement_m;
     state.rest = &rest_;
+    ride_along(cell.conveyor, state.body);
   }
   for (std::size_t i = 0; i < state.body.acceleration_m_s2.size(); ++i) {
     const std::size_t axis = i % 3;

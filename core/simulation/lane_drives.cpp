@@ -2,13 +2,23 @@
 
 namespace unbruised {
 
-void set_carriers(int lane, const MotionPlan& plan, double time_s, double support_height_m,
-                  CarrierMotion& motion) {
-  const PalmState palm = plan.palm(time_s);
+namespace {
+
+void set_carrier(int lane, const PalmState& state, std::array<AxisMotion, 3>& carrier) {
   for (std::size_t i = 0; i < 3; ++i) {
-    set_motion(motion.palm[i], lane, {palm.position_m[i], palm.velocity_m_s[i], palm.acceleration_m_s2[i]});
+    set_motion(carrier[i], lane, {state.position_m[i], state.velocity_m_s[i], state.acceleration_m_s2[i]});
   }
-  set_motion(motion.cell[normal_axis(kSupport)], lane, {support_height_m, 0.0, 0.0});
+}
+
+}  // namespace
+
+void set_carriers(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion) {
+  set_carrier(lane, plan.palm(time_s), motion.palm);
+  set_support(lane, plan, time_s, plane, motion);
+}
+
+void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion) {
+  set_carrier(lane, plan.support(plane, time_s), motion.cell);
 }
 
 void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,

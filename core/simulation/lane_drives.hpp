@@ -9,8 +9,10 @@
 
 namespace unbruised {
 
-/// Puts the palm of a lane where the plan has it at `time_s`, and the support at its height.
-void set_carriers(int lane, const MotionPlan& plan, double time_s, double support_height_m, CarrierMotion& motion);
+/// Puts the palm of a lane and the plane under its product where the plan has them at `time_s`.
+void set_carriers(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion);
+/// The same for the plane alone.
+void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion);
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time

@@ -19,7 +19,7 @@ struct LaneRun {
   Scenario scenario;
   HandlingCycle cycle;
   std::int64_t step = 0;                                 ///< steps taken
-  double support_height_m = 0;                           ///< of the plane under the product
+  SupportPlane plane = SupportPlane::start;              ///< under the product
   OutcomeObserver* outcome = nullptr;                    ///< one of the observers
   std::vector<std::unique_ptr<LaneObserver>> observers;  ///< in the order in which they see a step
 

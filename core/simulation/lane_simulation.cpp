@@ -29,7 +29,7 @@ struct LaneSimulation::Impl {
 
   // The parts of a step, in order.
   void follow_plans();
-  double choose_support(int lane);
+  SupportPlane choose_support(int lane);
   void add_loads();
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
@@ -96,10 +96,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   r.busy = true;
   r.scenario = scenario;
   r.cycle = HandlingCycle(scenario);
-  for (std::size_t i = 0; i < 3; ++i) {
-    set_motion(now.palm[i], lane, {});
-    set_motion(now.cell[i], lane, {});
-  }
+  set_carriers(lane, r.cycle.plan(), 0.0, r.plane, now);
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
                r.cycle.plan().force_limit_N(0.0));
@@ -145,30 +142,31 @@ void LaneSimulation::Impl::follow_plans() {
   for (int lane = 0; lane < kLanes; ++lane) {
     const LaneRun& r = run_of(lane);
     if (!r.busy) continue;
-    const double plane_m = choose_support(lane);
-    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane_m, theta);
-    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane_m, next);
+    const SupportPlane plane = choose_support(lane);
+    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane, theta);
+    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane, next);
     if (!has_gripper(r.scenario)) continue;
     command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
 }
 
 /// The plane under a lifted product is another one from the end of the lift on, once the product hangs clear of
-/// the first and above the second: neither of them moves, and none appears within a product. Without a lift the
-/// first one ends there. @return height of the plane in the coming step [m]
-double LaneSimulation::Impl::choose_support(int lane) {
+/// the first and above the second: neither of them rises or sinks, and none appears within a product. Without a
+/// lift the first one ends there. @return the plane in the coming step
+SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   LaneRun& r = run_of(lane);
-  const double planned_m = r.cycle.plan().support_height_m(r.end_time_s(w));
-  if (planned_m == r.support_height_m) return planned_m;
+  const MotionPlan& plan = r.cycle.plan();
+  const SupportPlane planned = plan.support_plane(r.end_time_s(w));
+  if (planned == r.plane) return planned;
   const bool is_lifted = r.scenario.cell.lift_height_m > 0.0;
   const bool stands = contact.tally()[kSupport].closed[lane] > 0.0;
-  if (is_lifted && (stands || contact.lowest_place_m(kSupport, body.u())[lane] < planned_m)) {
-    return r.support_height_m;
-  }
+  const double height_m = plan.support(planned, r.time_s(w)).position_m[2];
+  if (is_lifted && (stands || contact.lowest_place_m(kSupport, body.u())[lane] < height_m)) return r.plane;
   contact.leave(kSupport, lane);
-  r.support_height_m = planned_m;
-  set_motion(now.cell[normal_axis(kSupport)], lane, {planned_m, 0.0, 0.0});
-  return planned_m;
+  balances.leave_support(lane);
+  r.plane = planned;
+  set_support(lane, plan, r.time_s(w), planned, now);
+  return planned;
 }
 
 void LaneSimulation::Impl::add_loads() {

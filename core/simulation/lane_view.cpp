@@ -58,6 +58,7 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     seen.center_acceleration_m_s2[i] = body.mass_a()[i][lane] / model.body.total_mass_kg;
     seen.palm_m[i] = carriers.palm[i].place_m[lane];
   }
+  seen.rotation_rad = model.body.is_solid ? body.rotation_rad(lane) : 0.0;
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
   seen.support_N = contact.tally()[kSupport].normal[lane];

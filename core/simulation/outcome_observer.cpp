@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/scenario/conveyor.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/words.hpp"
 
@@ -22,6 +23,15 @@ bool is_finite(const LaneStep& step) {
   return std::isfinite(size);
 }
 
+/// Has the belt carried the product beyond its end before anything lifted it?
+bool belt_has_ended(const LaneStep& step) {
+  const ConveyorParameters& conveyor = step.scenario.cell.conveyor;
+  if (!conveyor.length_m || step.time_s > step.cycle.plan().lift_start_s()) return false;
+  const std::array<double, 2> along = belt_direction(conveyor);
+  const auto& place = step.seen.center_motion_m;
+  return place[0] * along[0] + place[1] * along[1] > *conveyor.length_m;
+}
+
 /// What of a state the model does not describe; nothing where it describes it.
 std::optional<std::string> beyond_model(const LaneStep& step) {
   const LaneView& view = step.view;
@@ -38,6 +48,7 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestTurn_rad) {
     return "the product turns by more than 0.1 rad within a step; use a smaller simulation.time_step_s";
   }
+  if (belt_has_ended(step)) return "the belt carries the product beyond cell.conveyor.length_m before the lift";
   if (step.seen.layer_strain > kLargestLayerStrain) {
     return "a pad or the support is pressed in by more than " + in_per_cent(kLargestLayerStrain) +
            " of its thickness";

@@ -64,13 +64,15 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return support && lattice != nullptr;
     case Use::network_support:
       return support && lattice == nullptr;
+    case Use::tracking:
+      return has_gripper(scenario) && (scenario.strategy.pick == PickKind::tracking || varied("strategy.pick"));
     default:
       return true;
   }
 }
 
 std::string why_unused(Use use, const Scenario& scenario) {
-  if (use == Use::not_window && !has_gripper(scenario)) use = Use::gripper;
+  if ((use == Use::not_window || use == Use::tracking) && !has_gripper(scenario)) use = Use::gripper;
   switch (use) {
     case Use::always:
       return "";
@@ -92,6 +94,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only lattice products on a support have it";
     case Use::network_support:
       return "not used: only networks with cell.support = true have it";
+    case Use::tracking:
+      return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:
       return "not used: only studies of kind = " + listed_quoted(kinds_that_use(use), "or") + " have it";
   }

@@ -167,6 +167,7 @@ std::string resolved_text(const StudyData& data) {
     writer.sources("gripper");
   }
   writer.table("cell", base);
+  if (scenario_uses(Use::lattice_support, base, writer.varied_keys)) writer.table("cell.conveyor", base);
   if (has_gripper(base)) writer.table("strategy", base);
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);

@@ -171,6 +171,7 @@ enum class Use {
   support,
   lattice_support,
   network_support,
+  tracking,  ///< palms that go with a belt
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

@@ -83,6 +83,56 @@ Table path_keys() {
        .meaning = "Height of the target plane above the support.",
        .use = use,
        .field = cell<&C::place_height_m>},
+      {.path = "cell.place_velocity_m_s",
+       .type = numbers,
+       .meaning =
+           "Velocity of the target along x and y, which was at transfer_m when the run began: a belt to place on.",
+       .size = 2,
+       .use = use,
+       .field = cell<&C::place_velocity_m_s>},
+  };
+}
+
+Table conveyor_keys() {
+  using B = ConveyorParameters;
+  const Use use = Use::lattice_support;
+  return {
+      {.path = "cell.conveyor.speed_m_s",
+       .type = number,
+       .meaning =
+           "Speed of the belt on the support, on which the product rides: its points move, its plane does not.",
+       .use = use,
+       .field = conveyor<&B::speed_m_s>},
+      {.path = "cell.conveyor.initial_speed_m_s",
+       .type = optional_number,
+       .meaning = "Speed of belt and product at the start.",
+       .use = use,
+       .note = "absent: 0 with an acceleration, else speed_m_s",
+       .field = conveyor<&B::initial_speed_m_s>},
+      {.path = "cell.conveyor.acceleration_m_s2",
+       .type = optional_number,
+       .meaning = "Acceleration, or braking, with which the belt gets from its initial speed to speed_m_s.",
+       .use = use,
+       .field = conveyor<&B::acceleration_m_s2>},
+      {.path = "cell.conveyor.start_s",
+       .type = number,
+       .meaning = "When the belt begins to change its speed.",
+       .use = use,
+       .field = conveyor<&B::start_s>},
+      {.path = "cell.conveyor.direction",
+       .type = numbers,
+       .meaning = "Where it runs, along x (the grip axis) and y; of any length.",
+       .size = 2,
+       .use = use,
+       .field = conveyor<&B::direction>},
+      {.path = "cell.conveyor.length_m",
+       .type = optional_number,
+       .meaning =
+           "Way from the product's starting place to the end of the belt. A product that gets there before it is "
+           "lifted ends the run as out_of_range.",
+       .use = use,
+       .note = "absent: the belt does not end",
+       .field = conveyor<&B::length_m>},
   };
 }
 

@@ -69,6 +69,10 @@ FieldRef cell(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.cell.*member);
 }
 template <auto member>
+FieldRef conveyor(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.cell.conveyor.*member);
+}
+template <auto member>
 FieldRef strategy(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.strategy.*member);
 }

@@ -44,6 +44,31 @@ Table grip_keys() {
   };
 }
 
+Table pick_keys() {
+  using S = StrategyParameters;
+  const Use use = Use::gripper;
+  return {
+      {.path = "strategy.pick",
+       .type = choice,
+       .meaning = "Does the palm wait, or go with the belt from the start until the hold ends?",
+       .choices = {"still", "tracking"},
+       .use = use,
+       .field = strategy<&S::pick>},
+      {.path = "strategy.pick_offset_m",
+       .type = number,
+       .meaning =
+           "How far along the belt's direction the palm stands from the product at the start: where a palm that "
+           "waits meets it, or by how much one that tracks is off.",
+       .use = use,
+       .field = strategy<&S::pick_offset_m>},
+      {.path = "strategy.tracking_lag_s",
+       .type = number,
+       .meaning = "A palm that tracks is where the belt was so long ago.",
+       .use = Use::tracking,
+       .field = strategy<&S::tracking_lag_s>},
+  };
+}
+
 Table motion_keys() {
   using S = StrategyParameters;
   const Use use = Use::gripper;

@@ -113,8 +113,10 @@ TEST(MotionPlan, CarriesThePalmUpAcrossAndDown) {
   // Half way across a trapezoid that never reaches its limit the speed is sqrt(L a).
   const PalmState across = plan.palm(plan.hold_end_s() + 0.5 * way_s(0.5));
   EXPECT_NEAR(std::hypot(across.velocity_m_s[0], across.velocity_m_s[1]), std::sqrt(0.5 * 1.6), kSum);
-  EXPECT_EQ(plan.support_height_m(plan.lift_start_s()), 0.0);
-  EXPECT_EQ(plan.support_height_m(plan.lower_end_s()), 0.02);
+  EXPECT_EQ(plan.support_plane(plan.lift_start_s()), SupportPlane::start);
+  EXPECT_EQ(plan.support_plane(plan.lower_end_s()), SupportPlane::target);
+  EXPECT_EQ(plan.support(SupportPlane::start, 1.0).position_m[2], 0.0);
+  EXPECT_EQ(plan.support(SupportPlane::target, 1.0).position_m[2], 0.02);
 }
 
 TEST(MotionPlan, RaisesTheForceLimitLinearlyAndAimsAtASpeedThatReachesIt) {

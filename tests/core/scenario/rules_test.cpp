@@ -125,6 +125,30 @@ std::vector<Breach> handling_breaches() {
        }},
       {"strategy.release_height_m", "must be <= cell.lift_height_m - cell.place_height_m = 0.1", usual_grip,
        [](S s) { s.strategy.release_height_m = 0.5; }},
+      {"cell.conveyor.direction", "must not be zero", usual_grip,
+       [](S s) {
+         s.cell.conveyor.direction = {0.0, 0.0};
+       }},
+      {"cell.conveyor.speed_m_s", "needs cell.support", usual_grip,
+       [](S s) {
+         s.cell.support = false;
+         s.cell.conveyor.speed_m_s = 0.2;
+       }},
+      {"cell.conveyor.speed_m_s", "needs a product with a shape", usual_network,
+       [](S s) { s.cell.conveyor.speed_m_s = 0.2; }},
+      {"cell.conveyor.initial_speed_m_s", "differs", usual_grip,
+       [](S s) { s.cell.conveyor.initial_speed_m_s = 0.2; }},
+      {"strategy.speed_m_s", "must be >= 1.5 x the speed of the belt = 0.9", usual_grip,
+       [](S s) {
+         s.cell.conveyor.speed_m_s = 0.6;
+         s.strategy.pick = PickKind::tracking;
+         s.strategy.speed_m_s = 0.8;
+       }},
+      {"strategy.speed_m_s", "must be >= 1.5 x the speed of the target", usual_grip,
+       [](S s) {
+         s.cell.place_velocity_m_s = {0.6, 0.8};
+       }},
+      {"strategy.pick", "needs a belt", usual_grip, [](S s) { s.strategy.pick = PickKind::tracking; }},
       {"simulation.duration_s", "missing", usual_network, [](S s) { s.simulation.duration_s.reset(); }},
       {"simulation.duration_s", "must be >= simulation.time", usual_network,
        [](S s) { s.simulation.duration_s = 1e-4; }},
@@ -205,8 +229,8 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed", "gripper",
-                                            "cell.support"};
+  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed",
+                                            "gripper",       "cell.support", "strategy.pick"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -104,6 +104,22 @@ std::vector<Arrival> cell_arrivals() {
          return s.cell.transfer_m == A2{0.5, 0.25};
        }},
       {"cell.place_height_m", "-0.375", [](S s) { return s.cell.place_height_m == -0.375; }},
+      {"cell.place_velocity_m_s", "[0.125, 0.25]",
+       [](S s) {
+         return s.cell.place_velocity_m_s == A2{0.125, 0.25};
+       }},
+      {"cell.conveyor.speed_m_s", "0.375", [](S s) { return s.cell.conveyor.speed_m_s == 0.375; }},
+      {"cell.conveyor.initial_speed_m_s",
+       "0.375",
+       [](S s) { return s.cell.conveyor.initial_speed_m_s == 0.375; },
+       {"cell.conveyor.acceleration_m_s2=1.0"}},
+      {"cell.conveyor.acceleration_m_s2", "0.375", [](S s) { return s.cell.conveyor.acceleration_m_s2 == 0.375; }},
+      {"cell.conveyor.start_s", "0.375", [](S s) { return s.cell.conveyor.start_s == 0.375; }},
+      {"cell.conveyor.direction", "[0.5, 0.25]",
+       [](S s) {
+         return s.cell.conveyor.direction == A2{0.5, 0.25};
+       }},
+      {"cell.conveyor.length_m", "0.375", [](S s) { return s.cell.conveyor.length_m == 0.375; }},
   };
 }
 
@@ -115,6 +131,15 @@ std::vector<Arrival> strategy_arrivals() {
       {"strategy.grip_ramp_s", "0.875", [](S s) { return s.strategy.grip_ramp_s == 0.875; }},
       {"strategy.ramp_from_start", "true", [](S s) { return s.strategy.ramp_from_start; }},
       {"strategy.settle_s", "0.875", [](S s) { return s.strategy.settle_s == 0.875; }},
+      {"strategy.pick",
+       "\"tracking\"",
+       [](S s) { return s.strategy.pick == PickKind::tracking; },
+       {"cell.conveyor.speed_m_s=0.25"}},
+      {"strategy.pick_offset_m", "-0.375", [](S s) { return s.strategy.pick_offset_m == -0.375; }},
+      {"strategy.tracking_lag_s",
+       "0.375",
+       [](S s) { return s.strategy.tracking_lag_s == 0.375; },
+       {"strategy.pick=\"tracking\"", "cell.conveyor.speed_m_s=0.25"}},
       {"strategy.profile", "\"trapezoid\"", [](S s) { return s.strategy.profile == ProfileKind::trapezoid; }},
       {"strategy.lift_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lift_acceleration_m_s2 == 8.75; }},
       {"strategy.transfer_acceleration_m_s2", "8.75",

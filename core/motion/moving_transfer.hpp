@@ -1,0 +1,52 @@
+#pragma once
+
+/// @file
+/// The horizontal way of a palm that leaves one moving place for another: from a belt onto a table, from a table
+/// onto a belt.
+
+#include <array>
+
+#include "core/motion/profile.hpp"
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+using Horizontal = std::array<double, 2>;  ///< along x and y
+
+/// A place that moves evenly.
+struct MovingPlace {
+  Horizontal place_m{};  ///< at the start of the transfer
+  Horizontal velocity_m_s{};
+};
+
+/// From one moving place to another in the time T: velocity changes over the whole of T (evenly, or as 10 s^3 -
+/// 15 s^4 + 6 s^5 where the profile is of minimum jerk), and what is left of the way is a rest-to-rest profile of
+/// that time on top. T is the shortest found in which both together stay within acceleration and speed limit. To
+/// meet a place that leads, the palm is up to 1.44 times as fast (1 / 2 + 15 / 16): hence kPalmRoom.
+class MovingTransfer {
+ public:
+  /// Nowhere, at once.
+  MovingTransfer() = default;
+  /// @param acceleration_m_s2 > 0 @param speed_limit_m_s kPalmRoom times the speed of the faster place or more
+  static MovingTransfer plan(ProfileKind kind, const MovingPlace& from, const MovingPlace& to,
+                             double acceleration_m_s2, double speed_limit_m_s);
+
+  [[nodiscard]] double duration_s() const { return duration_s_; }
+
+  struct State {
+    Horizontal place_m{}, velocity_m_s{}, acceleration_m_s2{};
+  };
+  /// With the first place before the start, with the second after the end.
+  [[nodiscard]] State at(double time_s) const;
+
+ private:
+  MovingTransfer(ProfileKind kind, const MovingPlace& from, const MovingPlace& to, double duration_s);
+
+  ProfileKind kind_ = ProfileKind::minimum_jerk;
+  MovingPlace from_, to_;
+  Horizontal along_{};  ///< of what is left of the way
+  MotionProfile rest_;
+  double duration_s_ = 0.0;
+};
+
+}  // namespace unbruised

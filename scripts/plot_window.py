@@ -23,10 +23,10 @@ from window_tables import Unsuitable, answer, axis_label, read_results, remarks,
 GRIP = "strategy.grip_force_N"
 SPEED = "strategy.approach_speed_m_s"
 MAX_PANELS = 8
-OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range"]
+OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range", "misplaced"]
 # After Okabe and Ito: tells the outcomes apart for the common kinds of colour blindness and in grey.
 COLOURS = {"held": "#1b9e77", "slipped": "#9fd0ee", "dropped": "#4a7fb0", "damaged": "#e0702d",
-           "not_grasped": "#c9ccd1", "diverged": "#222222", "out_of_range": "#c583b0", "not_run": "#ffffff"}
+           "not_grasped": "#c9ccd1", "diverged": "#222222", "out_of_range": "#c583b0", "misplaced": "#c9a227", "not_run": "#ffffff"}
 INK = "#20242a"
 SOFT_INK = "#6a717b"
 DASHES = (0, (3.2, 1.1))

@@ -68,6 +68,26 @@ inline constexpr std::array<SlipLimit, 2> kSlipLimits = {{
      "slip_max_rad > limits.slip_rad"},
 }};
 
+/// A limit that decides `misplaced`. Damage is none of its business either.
+struct PlaceLimit {
+  Metric metric;
+  std::optional<double> LimitParameters::*limit;
+  std::string_view key, rule, cause;
+};
+
+inline constexpr std::array<PlaceLimit, 2> kPlaceLimits = {{
+    {Metric::place_error_m, &LimitParameters::place_error_m, "limits.place_error_m",
+     "place_error_m <= limits.place_error_m", "place_error_m > limits.place_error_m"},
+    {Metric::place_attitude_rad, &LimitParameters::place_attitude_rad, "limits.place_attitude_rad",
+     "place_attitude_rad <= limits.place_attitude_rad", "place_attitude_rad > limits.place_attitude_rad"},
+}};
+
+/// Does the product stand, in the end, where it may not?
+inline bool exceeds(const Metrics& metrics, const PlaceLimit& place, const LimitParameters& limits) {
+  const std::optional<double>& bound = limits.*(place.limit);
+  return bound && metrics[place.metric] > *bound;
+}
+
 /// Did the product slip further than it may?
 inline bool exceeds(const Metrics& metrics, const SlipLimit& slip, const LimitParameters& limits) {
   return metrics[slip.metric] > limits.*(slip.limit);

@@ -230,6 +230,9 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   record.raise(Metric::permanent_set_max_m, patches.set_m);
   record.raise(Metric::bruised_volume_m3, patches.bruised_volume_m3);
   record.check_limits({Metric::permanent_set_max_m, Metric::bruised_volume_m3}, end_time_s);
+  for (const PlaceLimit& limit : kPlaceLimits) {
+    if (exceeds(record.metrics, limit, limits_)) record.misplaced_.at(end_time_s, limit.cause);
+  }
   ScenarioResult result;
   result.metrics = record.metrics;
   if (drift_to_s_ > drift_from_s_) {
@@ -261,6 +264,8 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
     set(Outcome::slipped, record.slipped_);
   } else if (record.damaged_.happened()) {
     set(Outcome::damaged, record.damaged_);
+  } else if (record.misplaced_.happened()) {
+    set(Outcome::misplaced, record.misplaced_);
   } else {
     result.outcome = Outcome::held;
   }

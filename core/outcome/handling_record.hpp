@@ -102,7 +102,7 @@ class HandlingRecord {
   bool grasp_checked_ = false;
   bool aborted_ = false;
   Outcome abort_outcome_ = Outcome::not_run;
-  Crossing not_grasped_, dropped_, slipped_, damaged_, abort_;
+  Crossing not_grasped_, dropped_, slipped_, damaged_, misplaced_, abort_;
   double drift_from_s_ = 0, drift_to_s_ = 0;
   std::array<double, 3> drift_from_m_{}, drift_to_m_{};
   bool drift_started_ = false;

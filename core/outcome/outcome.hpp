@@ -22,10 +22,11 @@ enum class Outcome : std::int8_t {
   not_grasped = 4,
   diverged = 5,
   out_of_range = 6,
+  misplaced = 7,
 };
 
-inline constexpr std::array<std::string_view, 7> kOutcomeWords = {
-    "held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range"};
+inline constexpr std::array<std::string_view, 8> kOutcomeWords = {
+    "held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range", "misplaced"};
 
 /// The word of an outcome ("not_run" for -1).
 constexpr std::string_view outcome_word(Outcome outcome) {

@@ -190,7 +190,7 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<LimitParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [damage, permanent_set_m, plastic_strain, bruised_volume_m3, peak_pressure_Pa, absorbed_energy_J,
-         finger_force_N, contact_yield_ratio, slip_m, slip_rad] = p;
+         finger_force_N, contact_yield_ratio, slip_m, slip_rad, place_error_m, place_attitude_rad] = p;
   visit({"damage", Decides::run}, damage);
   visit({"permanent_set_m", Decides::run, kNotNegative}, permanent_set_m);
   visit({"plastic_strain", Decides::run, kNotNegative}, plastic_strain);
@@ -201,6 +201,8 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"contact_yield_ratio", Decides::run, kNotNegative}, contact_yield_ratio);
   visit({"slip_m", Decides::run, kPositive}, slip_m);
   visit({"slip_rad", Decides::run, kPositive}, slip_rad);
+  visit({"place_error_m", Decides::run, kPositive}, place_error_m);
+  visit({"place_attitude_rad", Decides::run, kPositive}, place_attitude_rad);
 }
 
 template <FieldsOf<SimulationParameters> T, class Visit>

@@ -157,15 +157,15 @@ struct ConveyorParameters {
   /// >= 0; the speed it runs at, or reaches
   double speed_m_s = 0.0;
   /// >= 0; at the start, when the product rides on it. None: 0 with an acceleration, else speed_m_s.
-  std::optional<double> initial_speed_m_s;
+  std::optional<double> initial_speed_m_s{};
   /// > 0; with which it changes its speed
-  std::optional<double> acceleration_m_s2;
+  std::optional<double> acceleration_m_s2{};
   /// >= 0; when it begins to
   double start_s = 0.0;
   /// Not zero; along x and y, of any length
   std::array<double, 2> direction{0.0, 1.0};
   /// > 0; from the product's starting place to the end of the belt. None: it does not end.
-  std::optional<double> length_m;
+  std::optional<double> length_m{};
 };
 
 /// What stands around gripper and product.
@@ -251,7 +251,7 @@ enum class DamageJudging {
   not_considered,  ///< the limits below are not looked at, and no answer says anything about damage
 };
 
-/// What counts as damage and as slipping. An absent limit is not checked.
+/// What counts as damage, as slipping and as misplaced. An absent limit is not checked.
 struct LimitParameters {
   DamageJudging damage = DamageJudging::judged;
   std::optional<double> permanent_set_m;
@@ -265,6 +265,10 @@ struct LimitParameters {
   double slip_m = 2e-3;
   /// > 0
   double slip_rad = 0.1;
+  /// > 0
+  std::optional<double> place_error_m;
+  /// > 0
+  std::optional<double> place_attitude_rad;
 };
 
 enum class InitialAcceleration { consistent, zero };

@@ -10,6 +10,7 @@ const OUTCOME_COLOURS = {
   not_grasped: "#c9ccd1",
   diverged: "#222222",
   out_of_range: "#c583b0",
+  misplaced: "#c9a227",
   not_run: "#ffffff",
 };
 /** Where the paper is dark, near-black and near-white change places. */
@@ -24,6 +25,7 @@ export const OUTCOME_SYMBOLS = {
   not_grasped: "emptyCircle",
   diverged: "path://M1 0L5 4L9 0L10 1L6 5L10 9L9 10L5 6L1 10L0 9L4 5L0 1Z",
   out_of_range: "diamond",
+  misplaced: "roundRect",
   not_run: "emptyRect",
 };
 

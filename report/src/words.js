@@ -1,8 +1,8 @@
 // Names and numbers for people.
 
-export const OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range", "not_run"];
+export const OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range", "misplaced", "not_run"];
 /** Most serious first: what a map shows where several scenarios share a cell. */
-export const SERIOUSNESS = ["diverged", "out_of_range", "dropped", "not_grasped", "damaged", "slipped", "held", "not_run"];
+export const SERIOUSNESS = ["diverged", "out_of_range", "dropped", "not_grasped", "damaged", "slipped", "misplaced", "held", "not_run"];
 
 /** The program's own words for its metrics and keys, and the endings of names with their units. */
 let names = {};

@@ -50,8 +50,10 @@ int seriousness(Outcome outcome) {
       return 4;
     case Outcome::slipped:
       return 5;
-    default:
+    case Outcome::misplaced:
       return 6;
+    default:
+      return 7;
   }
 }
 

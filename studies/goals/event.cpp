@@ -18,8 +18,8 @@ constexpr double kJustBroken = 1e-3;
 
 constexpr std::uint32_t bit(Ending ending) { return 1U << static_cast<unsigned>(ending); }
 
-constexpr std::uint32_t kKept =
-    bit(Ending::held) | bit(Ending::slipped) | bit(Ending::damaged) | bit(Ending::slipped_and_damaged);
+constexpr std::uint32_t kKept = bit(Ending::held) | bit(Ending::slipped) | bit(Ending::damaged) |
+                                bit(Ending::misplaced) | bit(Ending::slipped_and_damaged);
 
 /// value / limit - 1, or the rank of an early end where the metric does not exist.
 double over_limit(double value, double limit, Outcome outcome) {
@@ -32,11 +32,13 @@ double over_limit(double value, double limit, Outcome outcome) {
 struct EventParts {
   bool undamaged = false;
   bool unslipped = false;
+  bool placed = false;
   bool completed = false;
 };
 EventParts parts_of(const OutcomeEvent& event) {
   return {.undamaged = !event.contains(Ending::damaged),
           .unslipped = !event.contains(Ending::slipped),
+          .placed = !event.contains(Ending::misplaced),
           .completed = !event.contains(Ending::dropped) || !event.contains(Ending::not_grasped) ||
                        !event.contains(Ending::out_of_range) || !event.contains(Ending::diverged)};
 }
@@ -61,10 +63,11 @@ std::string plain_words(std::uint32_t endings) {
 
 /// Phrases with a `not`, with the words of what they leave out; the shortest that fits, empty where none does.
 std::string negated_words(std::uint32_t endings) {
-  const std::array<std::pair<std::string_view, std::uint32_t>, 4> phrases = {{
+  const std::array<std::pair<std::string_view, std::uint32_t>, 5> phrases = {{
       {"not dropped", kKept},
       {"not slipped", event_of_not(Outcome::slipped).endings},
       {"not damaged", event_of_not(Outcome::damaged).endings},
+      {"not misplaced", event_of_not(Outcome::misplaced).endings},
       {"slipped and not damaged", bit(Ending::slipped)},
   }};
   std::string shortest;
@@ -155,6 +158,13 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
       all.push_back(over_limit(result.metrics[each.metric], limits.*(each.limit), outcome));
     }
   }
+  if (parts.placed) {
+    for (const PlaceLimit& each : kPlaceLimits) {
+      if (const auto& bound = limits.*(each.limit)) {
+        all.push_back(over_limit(result.metrics[each.metric], *bound, outcome));
+      }
+    }
+  }
   if (parts.completed) all.push_back(met ? -1.0 : rank_of_early_end(outcome));
   // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics
   // say.
@@ -179,6 +189,11 @@ std::vector<std::string> event_violation_names(const OutcomeEvent& event, const 
   }
   if (parts.unslipped) {
     for (const SlipLimit& each : kSlipLimits) names.push_back(text + ": " + std::string(each.rule));
+  }
+  if (parts.placed) {
+    for (const PlaceLimit& each : kPlaceLimits) {
+      if (limits.*(each.limit)) names.push_back(text + ": " + std::string(each.rule));
+    }
   }
   if (parts.completed) names.push_back(text + ": the cycle is completed");
   return names.empty() ? std::vector<std::string>{text} : names;

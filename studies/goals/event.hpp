@@ -18,7 +18,7 @@
 
 namespace unbruised::studies {
 
-/// How a run ended, finer than its outcome: a product that slipped may have been damaged as well. The first seven
+/// How a run ended, finer than its outcome: a product that slipped may have been damaged as well. The first eight
 /// have the codes of the outcomes.
 enum class Ending : std::int8_t {
   not_run = -1,
@@ -29,9 +29,10 @@ enum class Ending : std::int8_t {
   not_grasped = 4,
   diverged = 5,
   out_of_range = 6,
-  slipped_and_damaged = 7,
+  misplaced = 7,
+  slipped_and_damaged = 8,
 };
-inline constexpr unsigned kEndingCount = 8;
+inline constexpr unsigned kEndingCount = 9;
 
 /// Decided from the outcome, and for a product that slipped from the metrics and limits too.
 Ending ending_of(const ScenarioResult& result, const LimitParameters& limits);
@@ -46,7 +47,7 @@ struct OutcomeEvent {
 };
 
 OutcomeEvent held_event();
-/// Kept to the end of the cycle: held, slipped or damaged.
+/// Kept to the end of the cycle: held, slipped, damaged or misplaced.
 OutcomeEvent kept_event();
 /// All runs that end with this outcome.
 OutcomeEvent event_of(Outcome outcome);
@@ -61,9 +62,9 @@ double frequency(const OutcomeEvent& event, std::span<const ScenarioResult> resu
                  const LimitParameters& limits);
 
 /// How far the event is from not happening, limit by limit; <= 0 exactly when it happens, always finite. Of events
-/// with `held` in them: metric / limit - 1, slip / slip limit - 1, and one that is -1 when the cycle ran to its
-/// end, else the rank of what ended it (dropped 1, not grasped 2, out of range 3, diverged 4). Where the run ended
-/// before a metric existed its component has that rank too. Other events: -1 or 1.
+/// with `held` in them: metric / limit - 1, of damage, slip and place, and one that is -1 when the cycle ran to
+/// its end, else the rank of what ended it (dropped 1, not grasped 2, out of range 3, diverged 4). Where the run
+/// ended before a metric existed its component has that rank too. Other events: -1 or 1.
 std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioResult& result,
                                      const LimitParameters& limits);
 /// As long as `event_violations`: what each component speaks of, after `text`.

@@ -216,9 +216,8 @@ class GoalParser {
     }
     const std::vector<std::string> known(kOutcomeWords.begin(), kOutcomeWords.end());
     const std::string near = did_you_mean(name, known);
-    throw GoalError{joined(
-        {"unknown outcome '", name, "'",
-         near.empty() ? "; known: held, slipped, dropped, damaged, not_grasped, diverged, out_of_range" : near})};
+    throw GoalError{
+        joined({"unknown outcome '", name, "'", near.empty() ? "; known: " + separated(known, ", ") : near})};
   }
 
   /// true: >=

@@ -29,7 +29,9 @@ inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanin
     {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
     {Outcome::dropped, "no finger contact at some time between lift and release"},
     {Outcome::slipped, "slip_max_m > limits.slip_m or slip_max_rad > limits.slip_rad"},
-    {Outcome::damaged, "any other limit of [limits] is exceeded"},
+    {Outcome::damaged, "a limit of damage in [limits] is exceeded"},
+    {Outcome::misplaced,
+     "place_error_m > limits.place_error_m or place_attitude_rad > limits.place_attitude_rad, where given"},
     {Outcome::held, "none of these"},
 }};
 

@@ -58,6 +58,16 @@ Table limit_keys() {
        .meaning = "A larger slip_max_rad makes the outcome 'slipped'.",
        .use = use,
        .field = limits<&M::slip_rad>},
+      {.path = "limits.place_error_m",
+       .type = optional_number,
+       .meaning = "A larger place_error_m makes the outcome 'misplaced'.",
+       .use = use,
+       .field = limits<&M::place_error_m>},
+      {.path = "limits.place_attitude_rad",
+       .type = optional_number,
+       .meaning = "A larger place_attitude_rad makes the outcome 'misplaced'.",
+       .use = use,
+       .field = limits<&M::place_attitude_rad>},
   };
 }
 

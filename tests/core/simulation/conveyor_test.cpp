@@ -100,6 +100,17 @@ TEST(Conveyor, APalmThatTracksLateGripsBehindByTheWayOfTheLag) {
   EXPECT_NEAR(result.metrics[Metric::energy_balance_error], 0.0, 5e-3);
 }
 
+TEST(Conveyor, AProductThatStandsFurtherOffItsPlaceThanItMayIsMisplaced) {
+  Scenario scenario = tracked_box(0.2);
+  scenario.strategy.tracking_lag_s = 0.01;
+  for (const double allowed_m : {0.0015, 0.0025}) {
+    scenario.limits.place_error_m = allowed_m;
+    const ScenarioResult result = run(scenario);
+    EXPECT_EQ(result.outcome, allowed_m < 0.002 ? Outcome::misplaced : Outcome::held);
+    EXPECT_EQ(result.cause, allowed_m < 0.002 ? "place_error_m > limits.place_error_m" : "");
+  }
+}
+
 TEST(Conveyor, APalmThatWaitsIsMetByTheProductOnTheWay) {
   Scenario scenario = tracked_box(0.05);
   scenario.strategy.pick = PickKind::still;

@@ -48,6 +48,22 @@ TEST(Events, AProductThatSlippedIsDamagedWhenItExceedsALimit) {
   EXPECT_TRUE(event_happens(event("slipped"), ended(Outcome::slipped, 0.02), one_percent()));
 }
 
+TEST(Events, AProductThatStandsBesideItsPlaceIsKeptAndUndamagedButNotHeld) {
+  LimitParameters limits;
+  limits.place_error_m = 0.002;
+  ScenarioResult result = ended(Outcome::misplaced);
+  result.metrics[Metric::slip_max_rad] = 0.0;
+  result.metrics[Metric::place_error_m] = 0.003;
+  EXPECT_TRUE(event_happens(event("not damaged"), result, limits));
+  EXPECT_TRUE(event_happens(event("misplaced"), result, limits));
+  EXPECT_FALSE(event_happens(event("held"), result, limits));
+  EXPECT_FALSE(event_happens(event("not misplaced"), result, limits));
+  EXPECT_DOUBLE_EQ(event_measure(event("held"), result, limits), 0.5) << "half as far again as it may";
+  result.outcome = Outcome::held;
+  result.metrics[Metric::place_error_m] = 0.001;
+  EXPECT_LE(event_measure(event("held"), result, limits), 0.0);
+}
+
 TEST(Events, WhoWantsDropsToCountWritesThem) {
   EXPECT_TRUE(event_happens(event("held or dropped"), ended(Outcome::dropped, 0.5), one_percent()));
   EXPECT_TRUE(event_happens(event("not damaged or dropped"), ended(Outcome::dropped), one_percent()));

@@ -104,15 +104,16 @@ TEST(GoalParser, WordsAreTheirOutcomesAndNotSpeaksOfProductsThatWereKept) {
   const auto event = [](const char* text) { return constraint(text).event.endings; };
   EXPECT_EQ(event("held"), bits({held}));
   EXPECT_EQ(event("slipped"), bits({slipped, slipped_and_damaged}));
-  EXPECT_EQ(event("not damaged"), bits({held, slipped}));
-  EXPECT_EQ(event("not dropped"), bits({held, slipped, damaged, slipped_and_damaged}));
+  EXPECT_EQ(event("not damaged"), bits({held, slipped, misplaced}));
+  EXPECT_EQ(event("not dropped"), bits({held, slipped, damaged, misplaced, slipped_and_damaged}));
   EXPECT_EQ(event("not not_grasped"), event("not dropped"));
   EXPECT_EQ(event("not diverged"), event("not dropped"));
-  EXPECT_EQ(event("not dropped and not damaged"), bits({held, slipped}));
-  EXPECT_EQ(event(" not  slipped and not slipped "), bits({held, damaged}));
+  EXPECT_EQ(event("not dropped and not damaged"), bits({held, slipped, misplaced}));
+  EXPECT_EQ(event(" not  slipped and not slipped "), bits({held, damaged, misplaced}));
   EXPECT_EQ(event("held and not damaged"), bits({held}));
   EXPECT_EQ(event("held or dropped"), bits({held, dropped}));
-  EXPECT_EQ(event("not damaged or dropped or not_grasped"), bits({held, slipped, dropped, not_grasped}));
+  EXPECT_EQ(event("not damaged or dropped or not_grasped"),
+            bits({held, slipped, misplaced, dropped, not_grasped}));
   EXPECT_EQ(constraint("held").event, held_event());
   for (const std::string_view word : kOutcomeWords) {
     EXPECT_EQ(constraint(word).kind, Constraint::Kind::outcome) << word;
@@ -132,7 +133,8 @@ TEST(GoalParser, AProbabilityIsBoundedFromBelow) {
 
 TEST(GoalParser, EventWordsSayTheSameAgain) {
   for (const char* text : {"held", "not damaged", "slipped", "not slipped", "not dropped", "held or dropped",
-                           "not damaged or dropped", "slipped and not damaged", "held or slipped"}) {
+                           "not damaged or dropped", "slipped and not damaged", "held or slipped", "misplaced",
+                           "not misplaced", "held or misplaced"}) {
     EXPECT_EQ(event_words(constraint(text).event), text);
   }
 }
@@ -195,14 +197,14 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
            {kSingle, "not damagd", "unknown outcome 'damagd'; did you mean 'damaged'?"},
            {kSingle, "not",
             "unknown outcome ''; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-            "out_of_range"},
+            "out_of_range, misplaced"},
            {kSingle, "not blue",
             "unknown outcome 'blue'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-            "out_of_range"},
+            "out_of_range, misplaced"},
            {kSingle, "held >= 0.9", "expected 'and' or 'or' and another outcome at '>= 0.9'"},
            {kSingle, "held or",
             "unknown outcome ''; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-            "out_of_range"},
+            "out_of_range, misplaced"},
            {kSingle, "held and dropped", "no outcome is all of that at once"},
            {kSingle, "dropped and not damaged", "no outcome is all of that at once"},
            {kSingle, "not held",
@@ -226,7 +228,7 @@ TEST(GoalParser, ConstraintsThatAreNoneAreAnsweredWithExactlyThis) {
            {kSampled, "P(held) >= 0", "a probability must be > 0 and <= 1"},
            {kSampled, "P(slip_max_m) >= 0.9",
             "unknown outcome 'slip_max_m'; known: held, slipped, dropped, damaged, not_grasped, diverged, "
-            "out_of_range"},
+            "out_of_range, misplaced"},
            {kSampled, "slip_max_m <= 1",
             "say over which products: mean(slip_max_m), quantile(slip_max_m, 0.95) or worst(slip_max_m)"},
        }) {

@@ -168,6 +168,8 @@ std::vector<Arrival> limit_and_simulation_arrivals() {
       {"limits.contact_yield_ratio", "0.875", [](S s) { return s.limits.contact_yield_ratio == 0.875; }},
       {"limits.slip_m", "0.875", [](S s) { return s.limits.slip_m == 0.875; }},
       {"limits.slip_rad", "0.875", [](S s) { return s.limits.slip_rad == 0.875; }},
+      {"limits.place_error_m", "0.875", [](S s) { return s.limits.place_error_m == 0.875; }},
+      {"limits.place_attitude_rad", "0.875", [](S s) { return s.limits.place_attitude_rad == 0.875; }},
       {"limits.damage", "\"not considered\"",
        [](S s) { return s.limits.damage == DamageJudging::not_considered; }},
       {"simulation.time_step_s", "0.125", [](S s) { return s.simulation.time_step_s == 0.125; }},

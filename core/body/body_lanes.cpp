@@ -43,7 +43,7 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_u_[i].set(lane, sum_u);
     mass_a_[i].set(lane, sum_a);
   }
-  if (frame_) frame_->load(lane, motion());
+  if (frame_) frame_->load(lane, motion(), gravity_m_s2);
   fresh_.set(lane, true);
   damping_power_.set(lane, 0.0);
   damped_.set(lane, 0.0);
@@ -163,9 +163,19 @@ void BodyLanes::finish_solve(const Mask& lanes) {
   }
 }
 
-void BodyLanes::advance(const Mask& running) {
+OuterForces BodyLanes::outer_forces(std::span<const int> particles, std::span<const int> active,
+                                    const LaneArray& force) const {
+  OuterForces outer;
+  for (int index : active) {
+    const auto i = static_cast<std::size_t>(index), p = static_cast<std::size_t>(particles[i]);
+    outer.add(to_lanes(frame_->rest_place_m(p)) + get_vector(u_theta_, p), get_vector(force, i));
+  }
+  return outer;
+}
+
+void BodyLanes::advance(const Mask& running, const OuterForces& outer) {
   if (frame_) {
-    frame_->advance(motion(), u_theta_, running);
+    frame_->advance(motion(), u_theta_, outer, running);
     take_sums_of_frame();
   } else {
     advance_upright(running);

@@ -42,7 +42,11 @@ class BodyLanes {
   void finish_solve(const Mask& lanes);
 
   /// Moves the state to t + dt in the lanes of `running`, and its sums.
-  void advance(const Mask& running);
+  /// @param outer forces that a body in a floating frame was solved with
+  void advance(const Mask& running, const OuterForces& outer = {});
+  /// Sums of contact forces at t + theta dt, for `advance`. @param active, force as in `add_contact`
+  [[nodiscard]] OuterForces outer_forces(std::span<const int> particles, std::span<const int> active,
+                                         const LaneArray& force) const;
 
   [[nodiscard]] const LaneArray& u() const { return u_; }
   [[nodiscard]] const LaneArray& v() const { return v_; }

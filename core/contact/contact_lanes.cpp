@@ -1,9 +1,5 @@
 #include "core/contact/contact_lanes.hpp"
 
-#include <limits>
-
-#include "core/contact/first_yield.hpp"
-#include "core/contact/layer_law.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -14,8 +10,6 @@ namespace {
 constexpr double kNearShare = 0.005;
 /// Forces below this are numerical dust of a contact that has opened [N].
 constexpr double kDust = 1e-12;
-/// Of a cell's face that a contact must cover for its depth to count; a corner of a face covers a quarter.
-constexpr double kLeastCover = 0.2;
 
 std::vector<WindowPressure> windows_over(const ContactModel& model) {
   std::vector<WindowPressure> windows;
@@ -25,7 +19,8 @@ std::vector<WindowPressure> windows_over(const ContactModel& model) {
 
 }  // namespace
 
-ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson)
+ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson,
+                           ProductFrame frame)
     : model_(model),
       body_(body),
       w_(wilson),
@@ -34,6 +29,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       sweep_(model, surfaces_, register_),
       window_(windows_over(model)) {
   place_free_.fill(Lane(0.0));
+  if (frame == ProductFrame::floating) seen_.emplace(model, body);
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
@@ -49,6 +45,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   const double of_pads = pad_layer_N_m3(scenario, pad_layer_[at]);
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m},
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
+  if (seen_) load_seen(lane);
 }
 
 void ContactLanes::set_rest(int lane, const StaticRest& rest) {
@@ -70,7 +67,9 @@ void ContactLanes::leave(int surface, int lane) {
   }
 }
 
-void ContactLanes::begin_step(const ContactStart& start, const Mask& running) {
+void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
+  const Starts starts = seen_start(given);
+  const ContactStart& start = starts.front();
   const PadForces no_force = without_force();
   for (int s = 0; s < kSurfaceCount; ++s) {
     AxisMotion closing;
@@ -82,10 +81,12 @@ void ContactLanes::begin_step(const ContactStart& start, const Mask& running) {
     motion_[s] = surfaces_.motion(s, start.now, closing);
     place_free_[s] = surfaces_.place(s, start.theta, way_free);
   }
-  sweep_.begin_step(w_, start.theta);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) meet_surface(c, start, running);
+  sweep_.begin_step(w_, start.theta, seen_ ? &*seen_ : nullptr, given.frame);
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    meet_surface(c, starts[carrier_number(model_.candidate[c].surface)], running);
+  }
   sweep_.list_active(running);
-  sweep_.rebase(start.base, running);
+  sweep_.rebase(given.base, running);
 }
 
 /// Is the candidate near its surface, how much of it is covered, and what does its layer say?
@@ -142,23 +143,28 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
   dissipated_ += select(lanes, lost, Lane(0.0));
 }
 
-void ContactLanes::end_step(const ContactEnd& end, const Mask& running) {
+void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running) {
+  const Ends ends = seen_end(end, frame);
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
   first_touch_ = Lane(2.0);
   for (PadSlip& pad : slip_) pad.begin_step();
-  carry_open_anchors(end, running);
-  for (int c : sweep_.live_candidates()) end_candidate(static_cast<std::size_t>(c), end, running);
+  carry_open_anchors(ends, running);
+  for (int live : sweep_.live_candidates()) {
+    const auto c = static_cast<std::size_t>(live);
+    end_candidate(c, ends[carrier_number(model_.candidate[c].surface)], running);
+  }
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
-    measure_windows(surface, end, running);
+    measure_windows(surface, ends[carrier_number(surface)], running);
     if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].end_step(least_turning_radius_m(), running);
   }
 }
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
-void ContactLanes::carry_open_anchors(const ContactEnd& end, const Mask& running) {
+void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const int surface = model_.candidate[c].surface;
+    const ContactEnd& end = ends[carrier_number(surface)];
     const auto tangents = tangent_axes(surface);
     const auto node = 3 * static_cast<std::size_t>(model_.candidate[c].node);
     const Mask open = running & !register_.is_closed(c);
@@ -294,21 +300,6 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
   tally_[surface].add_torque(arm, along_axes(surface, step.after[0], step.after[1], step.after[2]), running);
 }
 
-/// Notes how far the layer is pressed in at the deepest place, of which the cell takes its part.
-void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
-  const ContactCandidate& candidate = model_.candidate[c];
-  if (candidate.area_m2 == 0.0) return;  // a particle's own layer has no thickness
-  const SurfaceLane& surface = surfaces_[candidate.surface];
-  const double cell_m2 = candidate.tributary[0].extent_m * candidate.tributary[1].extent_m;
-  // A sliver of a cell under a pad's edge is measured at its particle, which stands beside the pad.
-  const Mask measures =
-      step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
-  const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
-  const Lane of_layer =
-      Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface.stiffness_N_m3));
-  layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
-}
-
 /// Notes when within the step a pad's contact closed.
 void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
   const Mask touched = step.closed & !register_.was_closed.get(c);
@@ -343,40 +334,6 @@ void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mas
   const Mask carrying = running & (force > Lane(0.0));
   const Lane largest = window_[at].largest_Pa(register_.normal, reach, carrying);
   patch_pressure_ = max(patch_pressure_, select(carrying, largest, Lane(0.0)));
-}
-
-Lane ContactLanes::lowest_place_m(int surface, const LaneArray& u) const {
-  const auto axis = static_cast<std::size_t>(normal_axis(surface));
-  const Lane sign(normal_sign(surface));
-  Lane lowest(std::numeric_limits<double>::infinity());
-  for (const ContactCandidate& candidate : model_.candidate) {
-    if (candidate.surface != surface) continue;
-    const Lane place = Lane(candidate.surface_m) + u.get(3 * static_cast<std::size_t>(candidate.node) + axis);
-    lowest = min(lowest, sign * place + Lane(candidate.least_relief_m));
-  }
-  return lowest;
-}
-
-Lane ContactLanes::layer_under_force_N_m3(int surface) const {
-  Lane stiffness = surfaces_[surface].stiffness_N_m3;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const FaceLayer& layer = (is_pad(surface) ? pad_layer_ : support_layer_)[static_cast<std::size_t>(lane)];
-    const double force_N = tally_[surface].normal[lane];
-    if (layer.layer.is_springs() || !(force_N > 0.0)) continue;
-    stiffness.set(lane, layer.stiffness_N_m3(force_N));
-  }
-  return stiffness;
-}
-
-Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
-  const auto at = static_cast<std::size_t>(surface);
-  return unbruised::yield_ratio(tally_[at], model_.patch_form[at], model_.cell_extent_m[at], surfaces_[surface],
-                                layer_under_force_N_m3(surface), yield_stress);
-}
-
-std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
-  const std::array<Lane, 3> force = tally_[surface].force(surface);
-  return {force[0][lane], force[1][lane], force[2][lane]};
 }
 
 void ContactLanes::record_events(int lane, double step_start_s, std::vector<ContactEvent>& events) const {

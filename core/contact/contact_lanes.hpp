@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/contact/contact_event.hpp"
@@ -20,12 +21,14 @@
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layered_face.hpp"
 #include "core/contact/pad_slip.hpp"
+#include "core/contact/seen_nodes.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/contact/window_pressure.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/scenario/product_frame.hpp"
 #include "core/surface/surface_lanes.hpp"
 
 namespace unbruised {
@@ -39,6 +42,8 @@ struct ContactStart {
   const CarrierMotion& now;
   const CarrierMotion& theta;
   const GripperLanes& gripper;
+  const FrameLanes* frame =
+      nullptr;  ///< the axes of all these where the product turns, predicted for t + theta dt
 };
 
 /// Where a contact step has ended.
@@ -52,7 +57,8 @@ struct ContactEnd {
 class ContactLanes {
  public:
   /// Model, body and time step have to outlive this.
-  ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson);
+  ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson,
+               ProductFrame frame = ProductFrame::upright);
   ContactLanes(const ContactLanes&) = delete;
   ContactLanes& operator=(const ContactLanes&) = delete;
 
@@ -61,7 +67,8 @@ class ContactLanes {
   void set_rest(int lane, const StaticRest& rest);
   /// Takes a surface away from the product of a lane; what its layer holds is lost.
   void leave(int surface, int lane);
-  void set_anchors(int lane, const LaneArray& u) { register_.set_anchors(lane, u); }
+  /// @param frame in whose axes u is; null: it is upright
+  void set_anchors(int lane, const LaneArray& u, const CarrierMotion& now, const FrameLanes* frame);
   /// Lets a lane's slip begin from here.
   void forget_slip(int lane);
 
@@ -75,8 +82,11 @@ class ContactLanes {
   Lane solve(const GripperLanes& gripper, const Mask& solving) { return sweep_.solve(gripper, solving); }
   /// The solve of this step, and the forces it found.
   [[nodiscard]] const ContactSweep& sweep() const { return sweep_; }
+  /// Takes in where a product that turns has come at t + theta dt, while its frame is still the predicted one.
+  void see_theta(const FrameLanes& frame, const LaneArray& u_theta) { seen_->see_theta(frame, u_theta); }
   /// Moves forces, anchors and register to t + dt and tallies them.
-  void end_step(const ContactEnd& end, const Mask& running);
+  /// @param frame of a product that turns, as it fits at t + dt
+  void end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running);
 
   [[nodiscard]] const std::array<SurfaceTally, kSurfaceCount>& tally() const { return tally_; }
   /// Of the product past a pad since load, or since it was last forgotten.
@@ -110,9 +120,15 @@ class ContactLanes {
     std::array<Lane, 2> moved;             ///< of the anchor
     Lane penetration_before, penetration;  ///< at t and t + dt
   };
+  /// A step as each carrier sees it.
+  using Starts = std::array<ContactStart, kCarrierCount>;
+  using Ends = std::array<ContactEnd, kCarrierCount>;
+  void load_seen(int lane);
+  Starts seen_start(const ContactStart& start);
+  Ends seen_end(const ContactEnd& end, const FrameLanes* frame);
   void meet_surface(std::size_t candidate, const ContactStart& start, const Mask& running);
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
-  void carry_open_anchors(const ContactEnd& end, const Mask& running);
+  void carry_open_anchors(const Ends& ends, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
   void advance_forces(std::size_t candidate, const Mask& running, CandidateStep& step);
   void advance_anchors(std::size_t candidate, const ContactEnd& end, CandidateStep& step);
@@ -138,6 +154,9 @@ class ContactLanes {
   SurfaceLanes surfaces_;
   std::array<FaceLayer, kLanes> pad_layer_, support_layer_;
   ContactRegister register_;
+  std::optional<SeenNodes> seen_;  ///< of a product that turns
+  /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
+  std::array<CarrierMotion, 2> resting_;
   ContactSweep sweep_;
   std::vector<WindowPressure> window_;  ///< over each surface
 

@@ -4,6 +4,7 @@
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/contact/layer_law.hpp"
+#include "core/contact/surface_tally.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -31,8 +32,12 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
   rate_slope_.fill(Lane(0.0));
 }
 
-void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta) {
+void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const SeenNodes* seen,
+                              const FrameLanes* frame) {
   theta_ = theta;
+  seen_ = seen;
+  frame_ = frame;
+  if (seen_ != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < kSurfaceCount; ++s) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
   }
@@ -49,8 +54,24 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   const Lane shear = contacts_.layer_stiffness(c, surface) * Lane(1.0 / 3.0);
   layer_.put(c, contacts_.normal_stiffness(c, surface));
   shear_.put(c, shear);
-  const double compliance = std::max(own[4 * tangents[0]], own[4 * tangents[1]]);
-  shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * Lane(compliance)));
+  Lane compliance(std::max(own[4 * tangents[0]], own[4 * tangents[1]]));
+  if (seen_ != nullptr) {
+    prepare_turned(c);
+    const std::size_t row = 9 * c;
+    compliance = max(own_.get(row + 4 * static_cast<std::size_t>(tangents[0])),
+                     own_.get(row + 4 * static_cast<std::size_t>(tangents[1])));
+  }
+  shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * compliance));
+}
+
+/// T W_ii T'.
+void ContactSweep::prepare_turned(std::size_t c) {
+  const double* own = model_.compliance.data() + 9 * model_.candidate[c].contact_node * (model_.node_count() + 1);
+  const LaneMatrix& T = axes_of(c).turn;
+  LaneMatrix W;
+  for (std::size_t i = 0; i < 9; ++i) W.at[i] = Lane(own[i]);
+  const LaneMatrix turned = T * W * transposed(T);
+  for (std::size_t i = 0; i < 9; ++i) own_.put(9 * c + i, turned.at[i]);
 }
 
 void ContactSweep::list_active(const Mask& running) {
@@ -82,9 +103,16 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
       const int surface = model_.candidate[k].surface;
       const auto tangents = tangent_axes(surface);
       const Lane normal = contacts_.normal_theta.get(k);
-      force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal;
-      for (std::size_t t = 0; t < 2; ++t) {
-        force[static_cast<std::size_t>(tangents[t])] += contacts_.tangent_theta[t].get(k);
+      if (seen_ != nullptr) {
+        const LaneVector turned =
+            transposed(axes_of(k).turn) * LaneVector{along_axes(surface, normal, contacts_.tangent_theta[0].get(k),
+                                                                contacts_.tangent_theta[1].get(k))};
+        for (std::size_t i = 0; i < 3; ++i) force[i] += turned[i];
+      } else {
+        force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal;
+        for (std::size_t t = 0; t < 2; ++t) {
+          force[static_cast<std::size_t>(tangents[t])] += contacts_.tangent_theta[t].get(k);
+        }
       }
       if (is_pad(surface)) pad_force[surface] += normal;
     }
@@ -98,18 +126,63 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   }
 }
 
+/// The contact node whose candidates are being updated, in the axes of the product.
+struct ContactSweep::Node {
+  LaneArray& force;       ///< of all nodes
+  std::size_t row;        ///< of its x freedom
+  const double* own;      ///< its 3x3 block of the compliance
+  std::array<Lane, 3> d;  ///< its displacement under the present forces
+
+  [[nodiscard, gnu::always_inline]] Lane compliance(std::size_t axis) const { return Lane(own[4 * axis]); }
+  [[gnu::always_inline]] void push(std::size_t axis, const Lane& sign, const Lane& change) {
+    for (std::size_t i = 0; i < 3; ++i) d[i] += Lane(own[3 * i + axis]) * sign * change;
+    force.put(row + axis, force.get(row + axis) + sign * change);
+  }
+  [[gnu::always_inline]] void push(const std::array<std::size_t, 2>& axis, const std::array<Lane, 2>& change) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      d[i] += Lane(own[3 * i + axis[0]]) * change[0] + Lane(own[3 * i + axis[1]]) * change[1];
+    }
+    for (std::size_t t = 0; t < 2; ++t) force.put(row + axis[t], force.get(row + axis[t]) + change[t]);
+  }
+  void push(const LaneVector& change) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) d[i] += Lane(own[3 * i + j]) * change[j];
+      force.put(row + i, force.get(row + i) + change[i]);
+    }
+  }
+};
+
+/// The same node in the axes of a surface's carrier.
+struct ContactSweep::TurnedNode {
+  const double* own;     ///< rows of lanes
+  LaneVector d, change;  ///< `change` of the force so far
+
+  [[nodiscard, gnu::always_inline]] Lane block(std::size_t i, std::size_t j) const {
+    return load(own + static_cast<std::size_t>(kLanes) * (3 * i + j));
+  }
+  [[nodiscard, gnu::always_inline]] Lane compliance(std::size_t axis) const { return block(axis, axis); }
+  [[gnu::always_inline]] void push(std::size_t axis, const Lane& sign, const Lane& by) {
+    for (std::size_t i = 0; i < 3; ++i) d[i] += block(i, axis) * sign * by;
+    change[axis] += sign * by;
+  }
+  [[gnu::always_inline]] void push(const std::array<std::size_t, 2>& axis, const std::array<Lane, 2>& by) {
+    for (std::size_t t = 0; t < 2; ++t) push(axis[t], Lane(1.0), by[t]);
+  }
+};
+
 // The three of a sweep's innermost loop are one piece of code: lane values stay in registers.
 
 /// Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
 /// @return change of the force
+template <class AnyNode>
 [[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const GripperLanes& gripper,
-                                                               const Mask& active, Slope slope, Node& node) {
+                                                               const Mask& active, Slope slope, AnyNode& node) {
   const ContactCandidate& candidate = model_.candidate[c];
   const int surface = candidate.surface;
   const auto axis = static_cast<std::size_t>(normal_axis(surface));
   const Lane sign(normal_sign(surface));
   const Lane layer = layer_.get(c);
-  Lane compliance(node.own[4 * axis]), way(0.0);
+  Lane compliance = node.compliance(axis), way(0.0);
   if (is_pad(surface)) {
     compliance += gripper.compliance();
     way = gripper.way_at_theta(surface, pad_force_);
@@ -131,14 +204,14 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   const Lane change = normal - old_normal;
   contacts_.normal_theta.put(c, normal);
   if (is_pad(surface)) pad_force_[surface] += change;
-  for (std::size_t i = 0; i < 3; ++i) node.d[i] += Lane(node.own[3 * i + axis]) * sign * change;
-  node_force_.put(node.row + axis, node_force_.get(node.row + axis) + sign * change);
+  node.push(axis, sign, change);
   return change;
 }
 
 /// Tangential: a spring to the anchor, held inside the friction cone.
 /// @return the larger of the changes
-[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, Node& node) {
+template <class AnyNode>
+[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, AnyNode& node) {
   const int surface = model_.candidate[c].surface;
   const auto tangents = tangent_axes(surface);
   const auto t1 = static_cast<std::size_t>(tangents[0]);
@@ -163,22 +236,32 @@ void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
   contacts_.tangent_theta[1].put(c, new2);
   const Lane change1 = new1 - old1;
   const Lane change2 = new2 - old2;
-  for (std::size_t i = 0; i < 3; ++i) {
-    node.d[i] += Lane(node.own[3 * i + t1]) * change1 + Lane(node.own[3 * i + t2]) * change2;
-  }
-  node_force_.put(node.row + t1, node_force_.get(node.row + t1) + change1);
-  node_force_.put(node.row + t2, node_force_.get(node.row + t2) + change2);
+  node.push({t1, t2}, {change1, change2});
   return max(abs(change1), abs(change2));
+}
+
+template <class AnyNode>
+[[gnu::always_inline]] inline void ContactSweep::update_forces(std::size_t c, const GripperLanes& gripper,
+                                                               const Mask& active, Pass& pass, AnyNode& node) {
+  const Lane change = abs(update_normal(c, gripper, active, pass.slope, node));
+  const Lane change_across = update_tangent(c, active, node);
+  pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
+  pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
 }
 
 [[gnu::always_inline]] inline void ContactSweep::update_candidate(std::size_t c, const GripperLanes& gripper,
                                                                   Pass& pass, Node& node) {
   const Mask active = pass.solving & contacts_.near.get(c);
   if (none(active)) return;
-  const Lane change = abs(update_normal(c, gripper, active, pass.slope, node));
-  const Lane change_across = update_tangent(c, active, node);
-  pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
-  pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
+  if (seen_ == nullptr) {
+    update_forces(c, gripper, active, pass, node);
+    return;
+  }
+  const CarrierAxes& axes = axes_of(c);
+  const auto contact_node = static_cast<std::size_t>(model_.candidate[c].contact_node);
+  TurnedNode turned{own_.row(9 * c), axes.displacement(seen_->rest_place_m(*frame_, contact_node), {node.d}), {}};
+  update_forces(c, gripper, active, pass, turned);
+  node.push(transposed(axes.turn) * turned.change);
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
@@ -192,7 +275,7 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
     for (int active : active_node_) {
       const auto i = static_cast<std::size_t>(active);
       const double* row = model_.compliance.data() + 9 * i * m;
-      Node node{3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
+      Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
       add_blocks(row, active_node_, node_force_, node.d);
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
         update_candidate(static_cast<std::size_t>(c), gripper, pass, node);

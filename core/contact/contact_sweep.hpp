@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/contact/contact_register.hpp"
+#include "core/contact/seen_nodes.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 
 namespace unbruised {
@@ -19,7 +20,9 @@ class ContactSweep {
 
   /// Starts a step: the layers of this step, without forces.
   /// @param theta where the carriers are at t + theta dt
-  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta);
+  /// @param seen, frame of a product that turns; else null
+  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const SeenNodes* seen = nullptr,
+                  const FrameLanes* frame = nullptr);
   /// Takes in what a candidate's layer is this step.
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
@@ -55,16 +58,21 @@ class ContactSweep {
     Slope slope;
     Lane largest_change{0.0}, largest_force{0.0};
   };
-  /// The contact node whose candidates are being updated.
-  struct Node {
-    std::size_t row;        ///< of its x freedom
-    const double* own;      ///< its 3x3 block of the compliance
-    std::array<Lane, 3> d;  ///< its displacement under the present forces
-  };
+  struct Node;
+  struct TurnedNode;
   void update_candidate(std::size_t candidate, const GripperLanes& gripper, Pass& pass, Node& node);
+  template <class AnyNode>
+  void update_forces(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
+                     AnyNode& node);
+  template <class AnyNode>
   Lane update_normal(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Slope slope,
-                     Node& node);
-  Lane update_tangent(std::size_t candidate, const Mask& active, Node& node);
+                     AnyNode& node);
+  template <class AnyNode>
+  Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node);
+  void prepare_turned(std::size_t candidate);
+  [[nodiscard]] const CarrierAxes& axes_of(std::size_t candidate) const {
+    return seen_->axes(carrier_number(model_.candidate[candidate].surface));
+  }
 
   const ContactModel& model_;
   const SurfaceLanes& surfaces_;
@@ -72,6 +80,10 @@ class ContactSweep {
 
   // Of the present step.
   CarrierMotion theta_;
+  const SeenNodes* seen_ = nullptr;
+  const FrameLanes* frame_ = nullptr;
+  LaneArray
+      own_;  ///< 9 per candidate: its node's own block of the compliance in the axes of its surface's carrier
   std::array<Lane, kSurfaceCount> rate_slope_;  ///< d rate / d penetration of viscous layers: tau a1
   LaneArray viscous_;                           ///< per candidate, as of `prepare`
   LaneArray layer_, shear_, shear_relaxed_;     ///< stiffnesses of the near ones; 1 / (1 + shear x compliance)

@@ -1,5 +1,7 @@
 #include "core/frame/frame_lanes.hpp"
 
+#include <Eigen/Dense>
+
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -10,6 +12,9 @@ constexpr int kFitSteps = 3;
 /// Of the moment that is left in a step beta takes this share in the next one; all of it rings where contacts are
 /// hard and steps long.
 constexpr double kRelaxation = 0.5;
+/// Giving angular momentum back is stable as long as dt^2 sum |f| |y| is below this share of the smallest inertia:
+/// flights, and grips that are not both hard and long of step.
+constexpr double kMostLeverage = 0.3;
 
 /// The rotation Q of A = Q P with a symmetric P, by Newton's method from Q = 1.
 LaneRotation polar_rotation(const LaneMatrix& A) {
@@ -39,13 +44,17 @@ FrameLanes::FrameLanes(std::span<const std::array<double, 3>> position_m, std::s
     for (std::size_t i = 0; i < 3; ++i) moment[i] += mass_kg_[p] * X_[p][i];
   }
   total_mass_ = Lane(total);
-  for (auto& X : X_) {
-    for (std::size_t i = 0; i < 3; ++i) X[i] -= moment[i] / total;
+  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+  for (std::size_t p = 0; p < X_.size(); ++p) {
+    for (std::size_t i = 0; i < 3; ++i) X_[p][i] -= moment[i] / total;
+    const Eigen::Map<const Eigen::Vector3d> X(X_[p].data());
+    J += mass_kg_[p] * (X.squaredNorm() * Eigen::Matrix3d::Identity() - X * X.transpose());
   }
+  least_inertia_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J).eigenvalues()[0];
   R_ = attitude_.matrix();
 }
 
-void FrameLanes::load(int lane, const LaneMotion& motion) {
+void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<double, 3>& gravity_m_s2) {
   require(is_lane(lane), "FrameLanes::load: there is no such lane");
   require(motion.u.rows() == 3 * X_.size(), "FrameLanes::load: the state of another body");
   Mask fresh(false);
@@ -63,8 +72,10 @@ void FrameLanes::load(int lane, const LaneMotion& motion) {
   StateSums about_center = sums;
   about_center.center(total_mass_);
   angular_momentum_ = select(fresh, about_center.y_v, angular_momentum_);
+  outer_force_ = select(fresh, sums.a - total_mass_ * to_lanes(gravity_m_s2), outer_force_);
+  outer_moment_ = select(fresh, about_center.y_a, outer_moment_);
   corrected_ = select(fresh, Lane(0.0), corrected_);
-  apply(fit(sums, fresh), motion, fresh);
+  apply(fit(sums, fresh, fresh), motion, fresh);
 }
 
 /// Lanes that do not take part keep every bit: composing rounds even with no turn.
@@ -96,7 +107,8 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   }
 }
 
-void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, const Mask& running) {
+void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer,
+                         const Mask& running) {
   StateSums sums;
   BalanceSums balance;
   for (std::size_t p = 0; p < X_.size(); ++p) {
@@ -115,21 +127,37 @@ void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, con
     put_vector(motion.a, p, a);
     sums.add(mass, X_[p], X + u, v, a);
   }
-  balance_moments(balance, running);
-  apply(fit(sums, running), motion, running);
+  const LaneVector y_c = Lane(1.0) / total_mass_ * balance.y;
+  const LaneVector moment = outer.moment - cross(y_c, outer.force);
+  balance_moments(balance, y_c, moment, running);
+  book_outer(outer, moment, running);
+  const Mask may_correct =
+      running & (Lane(w_.dt * w_.dt) * outer.leverage <= Lane(kMostLeverage * least_inertia_));
+  apply(fit(sums, may_correct, running), motion, running);
 }
 
 /// r = T - sum m (y - y_c) x a is the moment of the internal forces, which linear kinematics let act.
-void FrameLanes::balance_moments(const BalanceSums& sums, const Mask& running) {
-  const LaneVector y_c = Lane(1.0) / total_mass_ * sums.y;
-  const LaneVector left = cross(y_c, sums.a) - sums.y_a;
+void FrameLanes::balance_moments(const BalanceSums& sums, const LaneVector& y_c, const LaneVector& moment,
+                                 const Mask& running) {
+  const LaneVector left = moment + cross(y_c, sums.a) - sums.y_a;
   const LaneVector change = solve(trace_minus(sums.X_y), left);
   beta_ += select(running, Lane(kRelaxation) * change, LaneVector{});
 }
 
-/// Moves centre and attitude to where sum m y = 0 and sum m X x u = 0, and finds the spin that keeps the angular
-/// momentum.
-FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& running) {
+/// Forces are linear over a step along x, y, z, as the accelerations are: so the impulses close.
+void FrameLanes::book_outer(const OuterForces& outer, const LaneVector& moment, const Mask& running) {
+  const LaneVector old_moment = outer_moment_;
+  const LaneVector force_then = to_world(outer.force), moment_then = to_world(moment);
+  for (std::size_t i = 0; i < 3; ++i) {
+    outer_force_[i] = select(running, w_.at_end(outer_force_[i], force_then[i]), outer_force_[i]);
+    outer_moment_[i] = select(running, w_.at_end(outer_moment_[i], moment_then[i]), outer_moment_[i]);
+  }
+  angular_momentum_ += select(running, Lane(0.5 * w_.dt) * (old_moment + outer_moment_), LaneVector{});
+}
+
+/// Moves centre and attitude to where sum m y = 0 and sum m X x u = 0, and finds the spin that is missing of the
+/// angular momentum; where it may not be given back, the body's own counts from here on.
+FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& may_correct, const Mask& running) {
   Correction correction;
   correction.shift = select(running, Lane(1.0) / total_mass_ * sums.y, LaneVector{});
   center_ += R_ * correction.shift;
@@ -141,11 +169,13 @@ FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& running) {
   const LaneVector momentum = to_frame(angular_momentum_);
   const LaneMatrix J = trace_minus(sums.y_y);
   const LaneVector missing = momentum - sums.y_v;
-  correction.spin = solve(J, missing);
+  correction.spin = select(may_correct, solve(J, missing), LaneVector{});
   corrected_ += select(running, sqrt(dot(missing, missing)), Lane(0.0));
-  const LaneVector omega = solve(J, momentum);
+  const LaneVector kept = select(may_correct, momentum, sums.y_v);
+  angular_momentum_ = select(running & !may_correct, to_world(sums.y_v), angular_momentum_);
+  const LaneVector omega = solve(J, kept);
   omega_ = select(running, omega, omega_);
-  alpha_ = select(running, solve(J, sums.y_a - cross(omega, momentum)), alpha_);
+  alpha_ = select(running, solve(J, sums.y_a - cross(omega, kept)), alpha_);
   mass_v_ = select(running, sums.v, mass_v_);
   mass_a_ = select(running, sums.a, mass_a_);
   return correction;

@@ -32,7 +32,7 @@ class FrameLanes {
              const WilsonTheta& wilson);
 
   /// Fits the frame of a lane to the state that was put into it, measured from the body at rest and along x, y, z.
-  void load(int lane, const LaneMotion& motion);
+  void load(int lane, const LaneMotion& motion, const std::array<double, 3>& gravity_m_s2);
 
   /// Predicts the frame for t + theta dt and turns the state into it.
   /// @param viscous, rate become a1 u + 2 s + a3 q and s, the velocity and acceleration with which the body
@@ -42,10 +42,14 @@ class FrameLanes {
   [[nodiscard]] LaneVector rigid_load_m_s2(std::size_t particle) const {
     return cross(beta_, to_lanes(X_[particle]));
   }
-  /// Moves the state to t + dt, given u at t + theta dt, and fits the frame to it.
-  void advance(const LaneMotion& motion, const LaneArray& u_theta, const Mask& running);
+  /// Moves the state to t + dt, given u at t + theta dt and what led to it, and fits the frame to it.
+  void advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer, const Mask& running);
 
   [[nodiscard]] const LaneRotation& attitude() const { return attitude_; }
+  /// R.
+  [[nodiscard]] const LaneMatrix& axes() const { return R_; }
+  /// X.
+  [[nodiscard]] const std::array<double, 3>& rest_place_m(std::size_t particle) const { return X_[particle]; }
   /// Components along x, y, z of a vector that is given in the axes of the frame, and back.
   [[nodiscard]] LaneVector to_world(const LaneVector& vector) const { return R_ * vector; }
   [[nodiscard]] LaneVector to_frame(const LaneVector& vector) const { return transposed(R_) * vector; }
@@ -59,7 +63,9 @@ class FrameLanes {
   /// sum m v and sum m a, along x, y, z; at the ends of steps.
   [[nodiscard]] LaneVector momentum_kg_m_s() const { return to_world(mass_v_); }
   [[nodiscard]] LaneVector mass_acceleration_N() const { return to_world(mass_a_); }
-  /// About the centre of mass, along x, y, z.
+  /// Outer force, without gravity, at the end of a step, along x, y, z.
+  [[nodiscard]] const LaneVector& outer_force_N() const { return outer_force_; }
+  /// About the centre of mass, along x, y, z: what the outer forces have made of it.
   [[nodiscard]] const LaneVector& angular_momentum_kg_m2_s() const { return angular_momentum_; }
   /// What the steps since load would have lost of it by themselves, step by step; it is given back.
   [[nodiscard]] const Lane& corrected_kg_m2_s() const { return corrected_; }
@@ -76,8 +82,10 @@ class FrameLanes {
     LaneVector spin;  ///< added to the rotation, in the axes that fit
   };
   void turn_frame(const LaneRotation& by, const Mask& running);
-  void balance_moments(const BalanceSums& sums, const Mask& running);
-  Correction fit(StateSums sums, const Mask& running);
+  void book_outer(const OuterForces& outer, const LaneVector& moment, const Mask& running);
+  void balance_moments(const BalanceSums& sums, const LaneVector& y_c, const LaneVector& moment,
+                       const Mask& running);
+  Correction fit(StateSums sums, const Mask& may_correct, const Mask& running);
   void apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const;
 
   const WilsonTheta& w_;
@@ -90,6 +98,8 @@ class FrameLanes {
   LaneVector center_;
   LaneVector beta_;              ///< rigid angular acceleration that takes back the moment of internal forces
   LaneVector angular_momentum_;  ///< that the body must have, along x, y, z
+  LaneVector outer_force_, outer_moment_;  ///< the moment about the centre of mass; along x, y, z
+  double least_inertia_;                   ///< smallest principal moment of inertia at rest
   Lane corrected_{0.0};
   // At the last end of a step, in the axes of the frame that fits.
   LaneVector mass_v_, mass_a_;  ///< sum m v, sum m a

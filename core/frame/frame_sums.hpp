@@ -49,6 +49,19 @@ struct StateSums {
   }
 };
 
+/// What presses on a body from outside, at t + theta dt in the axes of its frame.
+struct OuterForces {
+  LaneVector force;    ///< sum f
+  LaneVector moment;   ///< sum y x f
+  Lane leverage{0.0};  ///< sum |f| |y|
+
+  void add(const LaneVector& y, const LaneVector& f) {
+    force += f;
+    moment += cross(y, f);
+    leverage += sqrt(dot(y, y) * dot(f, f));
+  }
+};
+
 /// y_theta = X + u_theta and the accelerations there.
 struct BalanceSums {
   LaneVector y, a, y_a;  ///< sum m y, sum m a, sum m y x a

@@ -12,6 +12,7 @@ struct DriveCommand {
   Lane force_limit_N{0.0};
   Lane set_speed_m_s{0.0};
   Lane palm_acceleration_x_m_s2{0.0};
+  Lane centrifugal_1_s2{0.0};  ///< square of the palm's spin about the axes across the grip axis
 };
 
 }  // namespace unbruised

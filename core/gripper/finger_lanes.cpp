@@ -12,8 +12,8 @@ constexpr double kStopStiffness_N_m = 1e7;
 
 }  // namespace
 
-void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s,
-                       double force_limit_N) {
+void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N,
+                       double opened_m) {
   require(is_lane(lane), "FingerLanes::load: there is no such lane");
   const ParallelJawParameters values = jaw != nullptr ? *jaw : ParallelJawParameters{};
   const double set_speed = jaw != nullptr ? closing_speed_m_s : 0.0;
@@ -30,6 +30,7 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
     s.drive.set(lane, drive);
     s.acceleration.set(lane, (drive - values.drive_viscous_N_s_m * speed) / values.finger_mass_kg);
   }
+  opened_.set(lane, opened_m);
   stroke_.set(lane, values.stroke_m);
   stop_time_.set(lane, 2.0 * std::sqrt(values.finger_mass_kg / kStopStiffness_N_m));  // damped critically
   mass_.set(lane, values.finger_mass_kg);
@@ -55,7 +56,9 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
 
 Lane FingerLanes::palm_force(int finger) const {
   // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
-  return select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
+  const Lane carried =
+      select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
+  return carried + mass_ * command_.centrifugal_1_s2 * (opened_ - state_[finger].way);
 }
 
 Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>& force) const {

@@ -2,7 +2,9 @@
 
 /// @file
 /// The two driven fingers of a parallel jaw, all lanes at once. A finger has one freedom, its closing way w
-/// relative to the palm: m w'' + c w' = D - S - E - dir m a_palm, with drive force D = clamp(gain (v_set - w'),
+/// relative to the palm: m w'' + c w' = D - S - E - dir m a_palm - m (Omega_y^2 + Omega_z^2) (s - w), s - w the
+/// distance of its mass from the axis of a palm that turns with Omega, with drive force D = clamp(gain (v_set -
+/// w'),
 /// +-limit), S the sum of its contacts' normal forces and E that of the end stop. It is integrated by the same
 /// Wilson-theta as the product, coupled through S. The stop at the end of the stroke is a layer of steel on the
 /// jaw's housing, E = k (d + clamp(tau d', -d, d)) at an indentation d, damped so that a finger comes to rest
@@ -22,7 +24,9 @@ class FingerLanes {
  public:
   /// Puts a jaw into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
   /// limit `force_limit_N` keeps it up; null: pads that never touch.
-  void load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N);
+  /// @param opened_m distance of a pad's face from the middle between them where the fingers start
+  void load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N,
+            double opened_m = 0.0);
 
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
@@ -64,7 +68,7 @@ class FingerLanes {
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
-  /// Force of inertia of an accelerated palm against the closing way.
+  /// Force of inertia of a palm that is accelerated or turns against the closing way.
   [[nodiscard]] Lane palm_force(int finger) const;
   /// What of the contact forces acts on one finger.
   [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, kFingerCount>& force) const;
@@ -77,7 +81,7 @@ class FingerLanes {
   [[nodiscard]] Lane stopped_way_at_theta(int finger, const Lane& contact) const;
 
   std::array<State, kFingerCount> state_;
-  Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0};
+  Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0}, opened_{0.0};
   Lane stop_time_{0.0};  ///< tau of the end stop, [s]
   Mask centric_{true};
   Lane stiffness_{1.0};  ///< a0 m + a1 c

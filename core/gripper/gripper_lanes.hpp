@@ -11,6 +11,7 @@
 
 #include "core/gripper/drive_command.hpp"
 #include "core/gripper/finger_lanes.hpp"
+#include "core/scenario/opening.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -54,7 +55,7 @@ class GripperLanes {
   /// Puts the gripper of a scenario into a lane; without one its pads never touch.
   /// @param closing_speed_m_s, force_limit_N with which the fingers start
   void load(int lane, const Scenario& scenario, double closing_speed_m_s, double force_limit_N) {
-    jaw_.load(lane, parallel_jaw(scenario), closing_speed_m_s, force_limit_N);
+    jaw_.load(lane, parallel_jaw(scenario), closing_speed_m_s, force_limit_N, opened_half_m(scenario));
   }
   /// Collects what does not depend on the contact forces of this step.
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command) { jaw_.begin_step(wilson, command); }

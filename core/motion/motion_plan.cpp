@@ -42,6 +42,11 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
       pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / *gain);
     }
     lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
+    const double angle = std::hypot(s.tilt_rad[0], s.tilt_rad[1], s.tilt_rad[2]);
+    if (angle > 0.0) {
+      for (std::size_t i = 0; i < 3; ++i) tilt_axis_[i] = s.tilt_rad[i] / angle;
+    }
+    tilt_ = MotionProfile::plan(s.profile, angle, s.tilt_acceleration_rad_s2, s.tilt_speed_rad_s);
     const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
     if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};
     transfer_ = MotionProfile::plan(s.profile, way,
@@ -58,14 +63,16 @@ void MotionPlan::schedule(const Scenario& scenario) {
   const StrategyParameters& s = strategy_;
   lift_start_s_ = ramp_start_s_ + s.grip_ramp_s + s.settle_s;
   lift_end_s_ = lift_start_s_ + lift_.duration_s();
-  hold_end_s_ = lift_end_s_ + s.hold_s;
+  hold_start_s_ = lift_end_s_ + tilt_.duration_s();
+  hold_end_s_ = hold_start_s_ + s.hold_s;
   if (moving_transfer_) {
     const MovingTransfer::State picked = across(hold_end_s_);
     moving_transfer_ = MovingTransfer::plan(
         s.profile, {picked.place_m, picked.velocity_m_s}, {target_m(hold_end_s_), place_velocity_m_s_},
         s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
   }
-  transfer_end_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
+  level_start_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
+  transfer_end_s_ = level_start_s_ + tilt_.duration_s();
   lower_end_s_ = transfer_end_s_ + lower_.duration_s();
   release_start_s_ = lower_end_s_ + s.place_settle_s;
   release_end_s_ = release_start_s_ + approach_gap_m(scenario) / s.release_speed_m_s;
@@ -90,6 +97,12 @@ PalmState MotionPlan::palm(double time_s) const {
   if (time_s <= lift_start_s_) return palm;
   const auto up = lift_.at(time_s - lift_start_s_);
   const auto down = lower_.at(time_s - transfer_end_s_);
+  const auto turn = tilt_.at(time_s - lift_end_s_), back = tilt_.at(time_s - level_start_s_);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    palm.rotation_rad[axis] = tilt_axis_[axis] * (turn.position_m - back.position_m);
+    palm.spin_rad_s[axis] = tilt_axis_[axis] * (turn.velocity_m_s - back.velocity_m_s);
+    palm.spin_acceleration_rad_s2[axis] = tilt_axis_[axis] * (turn.acceleration_m_s2 - back.acceleration_m_s2);
+  }
   palm.position_m[2] = up.position_m + down.position_m;
   palm.velocity_m_s[2] = up.velocity_m_s + down.velocity_m_s;
   palm.acceleration_m_s2[2] = up.acceleration_m_s2 + down.acceleration_m_s2;

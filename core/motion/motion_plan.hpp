@@ -1,9 +1,10 @@
 #pragma once
 
 /// @file
-/// The plan of one handling cycle: grip, lift, hold, transfer, lower, release, recover. Times are real numbers;
-/// everything is fixed by the scenario and the time at which the grip is ramped up. A plan never changes: the
-/// simulator follows one, and the estimate of a run's cost reads its end.
+/// The plan of one handling cycle: grip, lift, hold, transfer, lower, release, recover. A tilt is taken as the
+/// hold begins and taken back as the transfer ends. Times are real numbers; everything is fixed by the scenario
+/// and the time at which the grip is ramped up. A plan never changes: the simulator follows one, and the estimate
+/// of a run's cost reads its end.
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,10 @@ struct PalmState {
   std::array<double, 3> position_m{};
   std::array<double, 3> velocity_m_s{};
   std::array<double, 3> acceleration_m_s2{};
+  /// About the centre of the pads, from upright: about the vector by its length; the other two along it.
+  std::array<double, 3> rotation_rad{};
+  std::array<double, 3> spin_rad_s{};
+  std::array<double, 3> spin_acceleration_rad_s2{};
 };
 
 /// The phases in their order; the codes stand in results files.
@@ -62,6 +67,8 @@ class MotionPlan {
 
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
+  /// The lift and the tilt are over.
+  [[nodiscard]] double hold_start_s() const { return hold_start_s_; }
   [[nodiscard]] double hold_end_s() const { return hold_end_s_; }
   [[nodiscard]] double lower_end_s() const { return lower_end_s_; }
   [[nodiscard]] double release_start_s() const { return release_start_s_; }
@@ -79,11 +86,13 @@ class MotionPlan {
   Horizontal transfer_m_{}, place_velocity_m_s_{};
   Belt belt_;
   bool target_differs_ = false;
-  MotionProfile lift_, transfer_, lower_;
+  MotionProfile lift_, tilt_, transfer_, lower_;  ///< the tilt in rad
   Horizontal transfer_direction_{};
+  std::array<double, 3> tilt_axis_{0.0, 0.0, 0.0};
   /// Instead of transfer_ where palm or target move during the pick or the placing.
   std::optional<MovingTransfer> moving_transfer_;
-  double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever, hold_end_s_ = kNever;
+  double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever;
+  double hold_start_s_ = kNever, hold_end_s_ = kNever, level_start_s_ = kNever;
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;
 };

@@ -203,7 +203,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
 }
 
 void HandlingRecord::observe_hold(const StepObservation& now, const HandlingCycle& cycle) {
-  if (hold_s_ <= 0.0 || now.time_s < cycle.plan().lift_end_s() + 0.75 * hold_s_ ||
+  if (hold_s_ <= 0.0 || now.time_s < cycle.plan().hold_start_s() + 0.75 * hold_s_ ||
       now.time_s > cycle.plan().hold_end_s())
     return;
   std::array<double, 3> place{};

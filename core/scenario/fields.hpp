@@ -31,6 +31,8 @@ inline constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
 /// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
 inline constexpr Range kTheta{.min = 1.37, .max = 3.0};
 inline constexpr Range kRubberPoissonRatio{.min = 0.0, .max = 0.5};
+/// Half a turn, rounded up in the last of the digits a person writes.
+inline constexpr Range kTilt{.min = -3.1416, .max = 3.1416};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
 /// Is T, const or not, the parameter struct S?
@@ -164,8 +166,8 @@ template <FieldsOf<StrategyParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, pick,
          pick_offset_m, tracking_lag_s, profile, lift_acceleration_m_s2, transfer_acceleration_m_s2,
-         lower_acceleration_m_s2, speed_m_s, hold_s, release_height_m, place_settle_s, release_speed_m_s,
-         recover_s] = p;
+         lower_acceleration_m_s2, speed_m_s, tilt_rad, tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s,
+         release_height_m, place_settle_s, release_speed_m_s, recover_s] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
   visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
   visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
@@ -180,6 +182,9 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"transfer_acceleration_m_s2", Decides::run, kPositive}, transfer_acceleration_m_s2);
   visit({"lower_acceleration_m_s2", Decides::run, kPositive}, lower_acceleration_m_s2);
   visit({"speed_m_s", Decides::run, kPositive}, speed_m_s);
+  visit({"tilt_rad", Decides::run, kTilt}, tilt_rad);
+  visit({"tilt_speed_rad_s", Decides::run, kPositive}, tilt_speed_rad_s);
+  visit({"tilt_acceleration_rad_s2", Decides::run, kPositive}, tilt_acceleration_rad_s2);
   visit({"hold_s", Decides::run, kNotNegative}, hold_s);
   visit({"release_height_m", Decides::run, kNotNegative}, release_height_m);
   visit({"place_settle_s", Decides::run, kNotNegative}, place_settle_s);

@@ -12,4 +12,9 @@ double approach_gap_m(const Scenario& scenario) {
   return opening && extents_m ? 0.5 * (*opening - (*extents_m)[0]) : kUsualApproachGap_m;
 }
 
+double opened_half_m(const Scenario& scenario) {
+  const auto extents_m = shape_extents_m(scenario.product);
+  return approach_gap_m(scenario) + (extents_m ? 0.5 * (*extents_m)[0] : 0.0);
+}
+
 }  // namespace unbruised

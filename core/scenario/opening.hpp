@@ -15,4 +15,7 @@ inline constexpr double kUsualApproachGap_m = 0.005;
 /// kUsualApproachGap_m. Not positive where the product is wider than the opening, which `validate` refuses.
 double approach_gap_m(const Scenario& scenario);
 
+/// From each pad face to the middle between them at the start [m].
+double opened_half_m(const Scenario& scenario);
+
 }  // namespace unbruised

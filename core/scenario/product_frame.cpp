@@ -7,10 +7,11 @@
 namespace unbruised {
 
 ProductFrame product_frame(const Scenario& scenario) {
-  if (has_gripper(scenario) || scenario.cell.support) return ProductFrame::upright;
-  const std::array<double, 3> spin = initial_spin_rad_s(scenario.product);
-  const bool spins = std::ranges::any_of(spin, [](double rate) { return rate != 0.0; });
-  return spins ? ProductFrame::floating : ProductFrame::upright;
+  if (!shape_extents_m(scenario.product)) return ProductFrame::upright;
+  const std::array<double, 3> turn =
+      has_gripper(scenario) ? scenario.strategy.tilt_rad : initial_spin_rad_s(scenario.product);
+  const bool turns = std::ranges::any_of(turn, [](double component) { return component != 0.0; });
+  return turns ? ProductFrame::floating : ProductFrame::upright;
 }
 
 }  // namespace unbruised

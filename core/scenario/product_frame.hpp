@@ -12,7 +12,8 @@ enum class ProductFrame {
   floating,  ///< axes that turn with the product (core/frame)
 };
 
-/// A solid that flies freely and spins is followed by a floating frame; every other product is upright.
+/// A solid that spins without a gripper, or is tilted by one, is followed by a floating frame; every other product
+/// is upright.
 ProductFrame product_frame(const Scenario& scenario);
 
 }  // namespace unbruised

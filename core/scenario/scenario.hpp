@@ -234,7 +234,13 @@ struct StrategyParameters {
   std::optional<double> lower_acceleration_m_s2;
   /// > 0; speed limit of every phase
   double speed_m_s = 1.0;
-  /// >= 0; rest after the lift
+  /// Rotation of the gripper about its pads' centre, taken after the lift and taken back before it is lowered:
+  /// about the vector by its length, <= pi. Not zero: needs a lift and centric fingers.
+  std::array<double, 3> tilt_rad{0.0, 0.0, 0.0};
+  /// > 0; speed limit and peak acceleration of the tilt
+  double tilt_speed_rad_s = 6.0;
+  double tilt_acceleration_rad_s2 = 40.0;
+  /// >= 0; rest after the lift and the tilt
   double hold_s = 0.0;
   /// >= 0, <= lift_height_m - place_height_m; height above the target plane at which the fingers open
   double release_height_m = 0.0;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/lanes/lane_rotation.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -10,11 +11,37 @@ namespace {
 /// Of the work of lifting the product by its smallest extent; a product at rest moves by rounding (1e-14).
 constexpr double kLeastInputShare = 1e-9;
 
+/// What the pads do to the product, along the axes of the palm; the moment about the centre of the pads.
+struct PadLoad {
+  LaneVector force, moment;
+
+  /// The same along x, y, z. @param P of the palm
+  void turn(const LaneMatrix& P) {
+    force = P * force;
+    moment = P * moment;
+  }
+};
+
+PadLoad pad_load(const LaneView& view) {
+  PadLoad load;
+  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+    if (!is_pad(surface)) continue;
+    const SurfaceTally& tally = view.contact.tally()[surface];
+    const std::array<Lane, 3> force = tally.force(surface);
+    for (std::size_t i = 0; i < 3; ++i) {
+      load.force[i] += force[i];
+      load.moment[i] += tally.torque[i];
+    }
+  }
+  return load;
+}
+
 }  // namespace
 
 void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   for (Lane& force : palm_force_) force.set(lane, 0.0);
   leave_support(lane);
+  for (Lane& moment : palm_moment_.at) moment.set(lane, 0.0);
   for (Lane* sum : {&palm_work_, &belt_work_, &gravity_work_}) sum->set(lane, 0.0);
   const auto at = static_cast<std::size_t>(lane);
   impulse_[at] = Impulse{};
@@ -33,15 +60,18 @@ void Balances::leave_support(int lane) {
 void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
                          const CarrierMotion& after, const Mask& running) {
   Lane gravity(0.0), palm(0.0), belt(0.0);
+  PadLoad load = pad_load(view);
+  if (view.body.frame() != nullptr) {
+    load.turn(rotation_by(after.palm_rotation_rad).matrix());
+    palm += Lane(0.5) * dot(palm_moment_ + load.moment, after.palm_rotation_rad - before.palm_rotation_rad);
+    palm_moment_ = load.moment;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     gravity += view.body.gravity()[i] * (view.body.mass_u()[i] - old_mass_u[i]);
-    Lane force(0.0), below(0.0);
-    for (int surface = 0; surface < kSurfaceCount; ++surface) {
-      (is_pad(surface) ? force : below) += view.contact.tally()[surface].force(surface)[i];
-    }
-    palm += Lane(0.5) * (palm_force_[i] + force) * (after.palm[i].place_m - before.palm[i].place_m);
+    palm += Lane(0.5) * (palm_force_[i] + load.force[i]) * (after.palm[i].place_m - before.palm[i].place_m);
+    palm_force_[i] = load.force[i];
+    const Lane below = view.contact.tally()[kSupport].force(kSupport)[i];
     belt += Lane(0.5) * (cell_force_[i] + below) * (after.cell[i].place_m - before.cell[i].place_m);
-    palm_force_[i] = force;
     cell_force_[i] = below;
   }
   gravity_work_ += select(running, gravity, Lane(0.0));
@@ -55,8 +85,12 @@ void Balances::book_impulse(int lane, const LaneView& view) {
   Impulse& account = impulse_[static_cast<std::size_t>(lane)];
   for (std::size_t i = 0; i < 3; ++i) {
     double force = view.body.gravity()[i][lane] * view.model.body.total_mass_kg;
-    for (int surface = 0; surface < kSurfaceCount; ++surface)
-      force += view.contact.surface_force(surface, lane)[i];
+    if (const FrameLanes* frame = view.body.frame()) {
+      force += frame->outer_force_N()[i][lane];
+    } else {
+      for (int surface = 0; surface < kSurfaceCount; ++surface)
+        force += view.contact.surface_force(surface, lane)[i];
+    }
     account.impulse[i] += 0.5 * view.model.wilson->dt * (account.outer_force_N[i] + force);
     account.outer_force_N[i] = force;
   }

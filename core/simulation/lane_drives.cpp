@@ -13,7 +13,13 @@ void set_carrier(int lane, const PalmState& state, std::array<AxisMotion, 3>& ca
 }  // namespace
 
 void set_carriers(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion) {
-  set_carrier(lane, plan.palm(time_s), motion.palm);
+  const PalmState palm = plan.palm(time_s);
+  set_carrier(lane, palm, motion.palm);
+  for (std::size_t i = 0; i < 3; ++i) {
+    motion.palm_rotation_rad[i].set(lane, palm.rotation_rad[i]);
+    motion.palm_spin_rad_s[i].set(lane, palm.spin_rad_s[i]);
+    motion.palm_spin_acceleration_rad_s2[i].set(lane, palm.spin_acceleration_rad_s2[i]);
+  }
   set_support(lane, plan, time_s, plane, motion);
 }
 
@@ -24,6 +30,8 @@ void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane p
 void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
                     const CarrierMotion& carriers, DriveCommand& command) {
   command.palm_acceleration_x_m_s2.set(lane, carriers.palm[normal_axis(kLeftPad)].acceleration_m_s2[lane]);
+  const LaneVector& spin = carriers.palm_spin_rad_s;  // along the axis of the turn, so the same in the palm's axes
+  command.centrifugal_1_s2.set(lane, spin[1][lane] * spin[1][lane] + spin[2][lane] * spin[2][lane]);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   double speed = plan.set_speed_m_s(time_s);
   // Opened is where the fingers started; inwards the stroke ends at a stop.

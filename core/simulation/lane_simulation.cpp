@@ -81,7 +81,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       initial(parts),
       body(parts.body, w, parts.frame),
       material(make_material(parts.body, parts.frame)),
-      contact(parts.contact, parts.body, w),
+      contact(parts.contact, parts.body, w, parts.frame),
       view{parts, body, *material, contact, gripper, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
@@ -106,7 +106,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
-  contact.set_anchors(lane, body.u());
+  contact.set_anchors(lane, body.u(), now, body.frame());
   for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
   balances.load(lane, view, scenario);
@@ -215,7 +215,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     body.solve_without_contact(touch.reach, touch.node, base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, gripper}, lanes);
+      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, gripper, body.frame()}, lanes);
     } else {
       contact.rebase(base, lanes);
     }
@@ -235,9 +235,15 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
 
 void LaneSimulation::Impl::advance_state() {
   const std::array<Lane, 3> old_mass_u = body.mass_u();
-  body.advance(running);
+  if (body.frame() != nullptr) {
+    contact.see_theta(*body.frame(), body.u_theta());
+    body.advance(running, body.outer_forces(parts.contact.node, contact.sweep().active_nodes(),
+                                            contact.sweep().node_force()));
+  } else {
+    body.advance(running);
+  }
   gripper.advance(w, contact.sweep().pad_force(), running);
-  contact.end_step({body.u_theta(), body.u(), theta, next}, running);
+  contact.end_step({body.u_theta(), body.u(), theta, next}, body.frame(), running);
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;

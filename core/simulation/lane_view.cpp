@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/body/rigid_motion.hpp"
+#include "core/lanes/lane_rotation.hpp"
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/opening.hpp"
 
@@ -13,6 +14,13 @@ namespace {
 
 /// Cells with more accumulated plastic strain than this count as bruised where no limit is set.
 constexpr double kBruisedStrain = 0.01;
+
+/// From the axes of the palm to x, y, z, where the palm is turned.
+void turn_by_palm(const CarrierMotion& carriers, int lane, std::array<double, 3>& force_N) {
+  const LaneVector& turn = carriers.palm_rotation_rad;
+  if (turn[0][lane] == 0.0 && turn[1][lane] == 0.0 && turn[2][lane] == 0.0) return;
+  force_N = of_lane(rotation_by(turn).matrix() * to_lanes(force_N), lane);
+}
 
 }  // namespace
 
@@ -88,6 +96,14 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   return seen;
 }
 
+double LaneView::turn_in_grip_rad(int lane, const Scenario& scenario) const {
+  const FrameLanes* frame = body.frame();
+  if (frame == nullptr || !has_gripper(scenario)) return 0.0;
+  const LaneRotation back = rotation_by(Lane(-1.0) * carriers.palm_rotation_rad);
+  const LaneVector axis = (back * frame->attitude()).axis;
+  return 2.0 * std::asin(std::min(1.0, sqrt(dot(axis, axis))[lane]));
+}
+
 TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {
   TraceRow row;
   row.time_s = time_s;
@@ -95,6 +111,7 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   row.yields = can_yield(scenario);
   for (std::size_t surface = 0; surface < kSurfaceCount; ++surface) {
     row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);
+    if (is_pad(static_cast<int>(surface))) turn_by_palm(carriers, lane, row.surface_force_N[surface]);
     row.closed[surface] = contact.tally()[surface].closed[lane];
     row.sliding[surface] = contact.tally()[surface].sliding[lane];
   }
@@ -103,6 +120,7 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
     row.finger_speed_m_s[f] = gripper.speed(static_cast<int>(f))[lane];
   }
   for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = carriers.palm[i].place_m[lane];
+  row.palm_rotation_rad = of_lane(carriers.palm_rotation_rad, lane);
   row.plastic_strain = material.largest_plastic_strain()[lane];
   row.stored_energy_J = stored_energy_J(lane, scenario);
   row.contact_energy_J = contact.stored_energy()[lane];

@@ -45,6 +45,9 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.material.largest_cell_rotation()[step.lane] > bounds.max_rotation_rad) {
     return "a cell's rotation against the product > simulation.max_rotation_rad";
   }
+  if (view.turn_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
+    return "the product's rotation against the gripper > simulation.max_rotation_rad";
+  }
   if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestTurn_rad) {
     return "the product turns by more than 0.1 rad within a step; use a smaller simulation.time_step_s";
   }

@@ -68,6 +68,10 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {kFingerCount});
   declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {kFingerCount});
   declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
+  if (product_frame(scenario) == ProductFrame::floating) {
+    declare(trace, "palm_rotation_rad", "rad", "rotation of the palm from upright, about the vector by its length",
+            {"component"}, {3});
+  }
   declare(trace, "patch_pressure_Pa", "Pa", "largest contact pressure averaged over a square patch of fixed size",
           {}, {});
   declare(trace, "slip_m", "m",
@@ -115,6 +119,7 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   signals.put(row.finger_way_m);
   signals.put(row.finger_speed_m_s);
   signals.put(row.palm_m);
+  if (row.attitude) signals.put(row.palm_rotation_rad);
   signals.put(row.patch_pressure_Pa);
   signals.put(row.slip_m);
   signals.put(row.slip_rad);

@@ -23,7 +23,7 @@ struct TraceRow {
   std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
   std::array<double, kSurfaceCount> closed{}, sliding{};
   std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
-  std::array<double, 3> palm_m{};
+  std::array<double, 3> palm_m{}, palm_rotation_rad{};
   CyclePhase phase = CyclePhase::approach;
   std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{};
   double support_yield_ratio = 0;

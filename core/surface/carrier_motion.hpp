@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "core/lanes/lane.hpp"
+#include "core/lanes/lane_vector.hpp"
 
 namespace unbruised {
 
@@ -26,6 +26,8 @@ inline void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>
 /// cell the support.
 struct CarrierMotion {
   std::array<AxisMotion, 3> palm, cell;
+  /// Of the palm, which turns about the centre of the pads, from upright; the other two along x, y, z.
+  LaneVector palm_rotation_rad, palm_spin_rad_s, palm_spin_acceleration_rad_s2;
 };
 
 }  // namespace unbruised

@@ -24,8 +24,8 @@ inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanin
     {Outcome::diverged, "a number stopped being finite, or a solve did not converge"},
     {Outcome::out_of_range,
      "the state is none that the model describes: a strain or a rotation is too large (simulation.max_strain, "
-     "simulation.max_rotation_rad), a pad or the support is pressed flat, the pads meet the product far "
-     "behind its outermost place, or energy is unaccounted for"},
+     "simulation.max_rotation_rad), the product turns faster than the time step resolves, a pad or the support is "
+     "pressed flat, the pads meet the product far behind its outermost place, or energy is unaccounted for"},
     {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
     {Outcome::dropped, "no finger contact at some time between lift and release"},
     {Outcome::slipped, "slip_max_m > limits.slip_m or slip_max_rad > limits.slip_rad"},

@@ -49,7 +49,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"body", {"door", "scenario", "lanes", "algebra", "integration", "frame"}},
     {"material", {"door", "scenario", "lanes", "integration", "body"}},
     {"gripper", {"door", "scenario", "lanes", "integration", "surface"}},
-    {"contact", {"door", "scenario", "lanes", "algebra", "integration", "body", "surface", "gripper"}},
+    {"contact", {"door", "scenario", "lanes", "algebra", "integration", "frame", "body", "surface", "gripper"}},
     {"outcome", {"scenario", "motion", "surface", "contact"}},
     {"simulation",
      {"door", "scenario", "lanes", "algebra", "integration", "frame", "motion", "body", "material", "surface",

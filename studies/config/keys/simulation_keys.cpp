@@ -50,7 +50,9 @@ Table simulation_keys() {
        .field = simulation<&S::max_strain>},
       {.path = "simulation.max_rotation_rad",
        .type = number,
-       .meaning = "A larger rotation of the product ends the run as out_of_range.",
+       .meaning = "A larger rotation of the product ends the run as out_of_range; of one that spins or is tilted, "
+                  "of a cell "
+                  "against the whole or of the product in the grip.",
        .use = Use::lattice,
        .field = simulation<&S::max_rotation_rad>},
   };

@@ -19,14 +19,15 @@ using Forces = std::array<double, kFingerCount>;
 /// One jaw in one lane, stepped under commands and contact forces that hold at t + theta dt.
 class Jaw {
  public:
-  Jaw(const ParallelJawParameters& jaw, double closing_speed_m_s, double force_limit_N) {
-    fingers.load(kLane, &jaw, closing_speed_m_s, force_limit_N);
+  Jaw(const ParallelJawParameters& jaw, double closing_speed_m_s, double force_limit_N, double opened_m = 0.0) {
+    fingers.load(kLane, &jaw, closing_speed_m_s, force_limit_N, opened_m);
     running_.set(kLane, true);
     command_.force_limit_N.set(kLane, force_limit_N);
     command_.set_speed_m_s.set(kLane, closing_speed_m_s);
   }
   void set_speed(double speed_m_s) { command_.set_speed_m_s.set(kLane, speed_m_s); }
   void palm_acceleration(double a_m_s2) { command_.palm_acceleration_x_m_s2.set(kLane, a_m_s2); }
+  void spin_across(double rad_s) { command_.centrifugal_1_s2.set(kLane, rad_s * rad_s); }
   void begin() { fingers.begin_step(w, command_); }
   void end(const Forces& contact_N) { fingers.advance(w, lanes(contact_N), running_); }
   void step(const Forces& contact_N = {}) {
@@ -203,6 +204,20 @@ TEST(FingerLanes, StayWhereTheyAreInSpaceWhileAnAcceleratedPalmLeavesThem) {
     }
     EXPECT_NEAR(jaw.fingers.closing()[kLane], 0.0, 1e-15);
   }
+}
+
+TEST(FingerLanes, FlyApartFromATurningPalmThatNothingHoldsThemTo) {
+  // s'' = Omega^2 s of the distance s from the axis: s = s_0 cosh(Omega t).
+  ParallelJawParameters free = jaw_with(FingerCoupling::centric);
+  free.drive_viscous_N_s_m = 0.0;
+  const double opened_m = 0.03, spin_rad_s = 8.0;
+  Jaw jaw(free, 0.0, 0.0, opened_m);
+  jaw.spin_across(spin_rad_s);
+  const int steps = 125;
+  for (int k = 0; k < steps; ++k) jaw.step();
+  const double expected_m = opened_m * std::cosh(spin_rad_s * steps * jaw.w.dt);
+  // The pull is taken at the start of a step: theta Omega dt = 1 % late.
+  for (int f = 0; f < kFingerCount; ++f) EXPECT_NEAR(opened_m - jaw.way(f), expected_m, 0.01 * expected_m);
 }
 
 TEST(FingerLanes, OnARackMoveAsOneUnderTheMeanOfTheirContactForces) {

@@ -148,5 +148,28 @@ TEST(MotionPlan, EndsAtTheDurationWhereThatComesFirst) {
   EXPECT_LT(MotionPlan(scenario, 0.0).end_s(), 100.0);
 }
 
+TEST(HandlingCycle, TiltsWhenItIsLiftedAndIsLevelAgainBeforeItIsLowered) {
+  Scenario tilted = scene();
+  tilted.strategy.tilt_rad = {0.0, 0.6, 0.8};
+  tilted.strategy.tilt_acceleration_rad_s2 = 4.0;  // an angle of 1 takes 2 sqrt(1 / 4) s
+  tilted.strategy.tilt_speed_rad_s = 10.0;
+  const MotionPlan plan(tilted, 1.5), level(scene(), 1.5);
+  EXPECT_NEAR(plan.hold_start_s(), plan.lift_end_s() + 1.0, kSum);
+  EXPECT_NEAR(plan.hold_end_s(), level.hold_end_s() + 1.0, kSum);
+  EXPECT_NEAR(plan.lower_end_s(), level.lower_end_s() + 2.0, kSum);
+  EXPECT_EQ(plan.phase_after_contact(plan.lift_end_s() + 0.5), CyclePhase::hold);
+  // Half-way up: half the angle, the largest spin.
+  const PalmState half = plan.palm(plan.lift_end_s() + 0.5);
+  EXPECT_NEAR(half.rotation_rad[1], 0.3, kSum);
+  EXPECT_NEAR(half.spin_rad_s[2], 0.8 * 2.0, 10.0 * kSum);
+  EXPECT_NEAR(plan.palm(plan.lift_end_s() + 0.25).spin_acceleration_rad_s2[1], 0.6 * 4.0, 10.0 * kSum);
+  for (const double time_s : {plan.hold_start_s(), plan.hold_end_s(), plan.hold_end_s() + 0.3}) {
+    EXPECT_NEAR(plan.palm(time_s).rotation_rad[2], 0.8, kSum) << time_s;
+    EXPECT_EQ(plan.palm(time_s).spin_rad_s[2], 0.0) << time_s;
+  }
+  const PalmState down = plan.palm(plan.release_start_s() - 0.05);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(down.rotation_rad[i], 0.0, kSum);
+}
+
 }  // namespace
 }  // namespace unbruised

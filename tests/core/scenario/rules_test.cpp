@@ -117,6 +117,20 @@ std::vector<Breach> handling_breaches() {
        [](S s) { s.strategy.contact_force_N = 1.1; }},
       {"strategy.release_speed_m_s", "must be <= gripper.max", usual_grip,
        [](S s) { s.strategy.release_speed_m_s = 0.6; }},
+      {"strategy.tilt_rad", "needs gripper.coupling", usual_grip,
+       [](S s) {
+         s.strategy.tilt_rad = {0.1, 0.0, 0.0};
+         jaw_of(s).coupling = FingerCoupling::independent;
+       }},
+      {"strategy.tilt_rad", "turns by", usual_grip,
+       [](S s) {
+         s.strategy.tilt_rad = {2.5, 2.5, 0.0};
+       }},
+      {"strategy.tilt_rad", "turns the product into", usual_grip,
+       [](S s) {
+         s.strategy.tilt_rad = {0.8, 0.0, 0.0};
+         s.cell.lift_height_m = 0.01;
+       }},
       {"cell.place_height_m", "must be < cell.lift", usual_grip, [](S s) { s.cell.place_height_m = 0.1; }},
       {"cell.place_height_m", "must be <= cell.lift", usual_grip,
        [](S s) {
@@ -229,8 +243,9 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape", "product.kind", "product.particle[].fixed",
-                                            "gripper",       "cell.support", "strategy.pick"};
+  const std::set<std::string_view> words = {"product.shape", "product.kind",     "product.particle[].fixed",
+                                            "gripper",       "gripper.coupling", "cell.support",
+                                            "strategy.pick"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -146,6 +146,13 @@ std::vector<Arrival> strategy_arrivals() {
        [](S s) { return s.strategy.transfer_acceleration_m_s2 == 8.75; }},
       {"strategy.lower_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lower_acceleration_m_s2 == 8.75; }},
       {"strategy.speed_m_s", "8.75", [](S s) { return s.strategy.speed_m_s == 8.75; }},
+      {"strategy.tilt_rad", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.strategy.tilt_rad == A3{0.125, -0.25, 0.5};
+       }},
+      {"strategy.tilt_speed_rad_s", "3.75", [](S s) { return s.strategy.tilt_speed_rad_s == 3.75; }},
+      {"strategy.tilt_acceleration_rad_s2", "3.75",
+       [](S s) { return s.strategy.tilt_acceleration_rad_s2 == 3.75; }},
       {"strategy.hold_s", "8.75", [](S s) { return s.strategy.hold_s == 8.75; }},
       {"strategy.release_height_m",
        "0.875",

@@ -1,0 +1,55 @@
+#include "core/scenario/gripper.hpp"
+#include "core/scenario/opening.hpp"
+#include "core/scenario/plausible_parts.hpp"
+
+namespace unbruised::plausible {
+namespace {
+
+void stroke_of_opening(const Scenario& s, const MeasureVisit& visit) {
+  const auto stroke = finger_stroke_m(s.gripper), opening = opening_m(s.gripper);
+  if (!stroke || !opening) return;
+  visit({"gripper.stroke_m", *stroke, 2.0 * *stroke / *opening});
+}
+
+}  // namespace
+
+Rows gripper_rows() {
+  return {
+      plain("gripper.finger_mass_kg", "finger mass", "kg", 2e-3, 5.0, kMass,
+            "from soft pneumatic fingers to heavy jaws with their slides"),
+      plain("gripper.stroke_m", "stroke of a finger", "m", 1e-3, 0.3, kLength, "data sheets of parallel jaws"),
+      plain("gripper.opening_m", "opening", "m", 2e-3, 0.6, kLength, "data sheets of parallel jaws"),
+      {"stroke over half the opening",
+       "",
+       0.0,
+       1.0,
+       {"gripper.stroke_m", "gripper.opening_m"},
+       {{2.0, "the stroke of both fingers together taken for that of one"}},
+       "the pads would pass each other",
+       "geometry",
+       stroke_of_opening},
+      plain("gripper.pad_size_m", "pad side", "m", 2e-3, 0.3, kLength, "finger tips of 5 mm to plates of 20 cm"),
+      plain("gripper.pad_thickness_m", "pad layer", "m", 5e-5, 0.05, kLength,
+            "coatings of 0.1 mm to foam of 3 cm"),
+      plain("gripper.pad_modulus_Pa", "Young's modulus of the pads", "Pa", 5e3, 2.5e11, kStress,
+            "Ecoflex 0.07 MPa, Dragon Skin 0.15 to 0.6 MPa (Smooth-On), rubber 1 to 10 MPa, steel 210 GPa"),
+      plain("gripper.pad_poisson_ratio", "Poisson's ratio of the pads", "", 0.0, 0.4999, {},
+            "silicone and rubber 0.47 to 0.4999, closed foam 0.3, open foam 0"),
+      plain("gripper.pad_edge_radius_m", "radius of the pads' edges", "m", 0.0, 0.02, kLength,
+            "sharp cuts to rounded tips"),
+      plain("gripper.pad_relaxation_time_s", "relaxation time of the pads", "s", 0.0, 0.1, kTime,
+            "silicone and rubber: loss factors of 0.05 to 0.5"),
+      plain("gripper.drive_gain_N_s_m", "gain of the drive", "N s/m", 1.0, 1e6, {},
+            "grip force over approach speed"),
+      plain("gripper.drive_viscous_N_s_m", "friction of the guide", "N s/m", 0.0, 1e3, {}, "lubricated slides"),
+      plain("gripper.max_force_N", "largest drive force", "N", 0.2, 5e3, kForce, "data sheets of parallel jaws"),
+      plain("gripper.min_force_N", "least drive force", "N", 0.0, 500.0, kForce, "data sheets of parallel jaws"),
+      plain("gripper.max_speed_m_s", "largest finger speed", "m/s", 1e-3, 3.0, kSpeed,
+            "data sheets of parallel jaws"),
+      plain("gripper.force_accuracy", "accuracy of the force", "", 0.0, 0.5, kFraction,
+            "electric grippers 5 to 30 % of the set force"),
+      plain("gripper.force_step_N", "step of the force", "N", 0.0, 50.0, kForce, "data sheets of parallel jaws"),
+  };
+}
+
+}  // namespace unbruised::plausible

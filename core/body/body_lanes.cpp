@@ -220,6 +220,10 @@ void BodyLanes::advance_upright(const Mask& running) {
 
 double BodyLanes::rotation_rad(int lane) const {
   double square = 0.0;
+  if (frame_) {
+    for (const Lane& component : frame_->attitude().axis.at) square += component[lane] * component[lane];
+    return 2.0 * std::asin(std::min(1.0, std::sqrt(square)));
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     double angle = 0.0;
     for (std::size_t j = 0; j < 3; ++j) angle += body_.inverse_inertia[3 * i + j] * turn_[j][lane];

@@ -274,9 +274,10 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
   sums.sliding += select(step.sliding, Lane(1.0), Lane(0.0));
   if (is_pad(model_.candidate[c].surface)) {
     const auto& piece = model_.candidate[c].tributary;
+    std::array<Lane, 2> place = {Lane(piece[0].place_m), Lane(piece[1].place_m)};
+    for (std::size_t t = 0; seen_ && t < 2; ++t) place[t] += register_.anchor[t].get(c);  // it may turn far
     slip_[static_cast<std::size_t>(model_.candidate[c].surface)].add_closed(
-        {piece[0].place_m, piece[1].place_m}, select(step.closed, register_.normal_theta.get(c), Lane(0.0)),
-        step.moved);
+        place, select(step.closed, register_.normal_theta.get(c), Lane(0.0)), step.moved);
   }
   sums.add_moments(model_.candidate[c], step.after[0],
                    {register_.penetration_theta.get(c),

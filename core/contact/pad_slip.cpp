@@ -15,15 +15,15 @@ void PadSlip::begin_step() {
   }
 }
 
-void PadSlip::add_closed(const std::array<double, 2>& place_m, const Lane& force_N,
+void PadSlip::add_closed(const std::array<Lane, 2>& place_m, const Lane& force_N,
                          const std::array<Lane, 2>& moved_m) {
   force_ += force_N;
   for (std::size_t t = 0; t < 2; ++t) {
     moved_[t] += force_N * moved_m[t];
-    place_[t] += force_N * Lane(place_m[t]);
+    place_[t] += force_N * place_m[t];
   }
-  square_ += force_N * Lane(place_m[0] * place_m[0] + place_m[1] * place_m[1]);
-  turn_ += force_N * (Lane(place_m[0]) * moved_m[1] - Lane(place_m[1]) * moved_m[0]);
+  square_ += force_N * (place_m[0] * place_m[0] + place_m[1] * place_m[1]);
+  turn_ += force_N * (place_m[0] * moved_m[1] - place_m[1] * moved_m[0]);
 }
 
 void PadSlip::add_open(const std::array<Lane, 2>& way_m, const Mask& open) {

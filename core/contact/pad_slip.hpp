@@ -19,8 +19,8 @@ class PadSlip {
 
   void begin_step();
   /// Takes in how far a contact's anchor moved in this step; it counts by its force. @param place_m along the
-  /// pad's tangents, at rest @param force_N 0 in lanes where it is open
-  void add_closed(const std::array<double, 2>& place_m, const Lane& force_N, const std::array<Lane, 2>& moved_m);
+  /// pad's tangents @param force_N 0 in lanes where it is open
+  void add_closed(const std::array<Lane, 2>& place_m, const Lane& force_N, const std::array<Lane, 2>& moved_m);
   /// Takes in the way of a particle that does not touch, in lanes where `open`.
   void add_open(const std::array<Lane, 2>& way_m, const Mask& open);
   /// The motion of the product that fits those of the anchors best; while nothing touches, the mean way of the

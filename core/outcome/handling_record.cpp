@@ -183,6 +183,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
   for (const SlipLimit& limit : kSlipLimits) {
     if (exceeds(metrics, limit, limits_)) slipped_.at(now.time_s, limit.cause);
   }
+  observe_leaving(now);
   if (now.time_s <= cycle.plan().lower_end_s()) {
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
@@ -200,6 +201,16 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
     }
   }
   observe_hold(now, cycle);
+}
+
+/// A product that is turned across pushes the finger below it back where its weight is more than both drives
+/// press.
+void HandlingRecord::observe_leaving(const StepObservation& now) {
+  if (std::all_of(now.finger.begin(), now.finger.end(), touches)) {
+    pressed_m_ = now.compression_m;
+  } else if (pressed_m_ - now.compression_m > kFingerCount * limits_.slip_m) {
+    slipped_.at(now.time_s, "the product leaves a pad by more than limits.slip_m");
+  }
 }
 
 void HandlingRecord::observe_hold(const StepObservation& now, const HandlingCycle& cycle) {

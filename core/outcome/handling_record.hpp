@@ -87,6 +87,7 @@ class HandlingRecord {
   void observe_impulse(const StepObservation& now, const HandlingCycle& cycle);
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
   [[nodiscard]] double peak_rise_steps() const;
+  void observe_leaving(const StepObservation& now);
   void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
   void observe_belt(const StepObservation& now, const HandlingCycle& cycle);
   void observe_places(const StepObservation& now, const HandlingCycle& cycle);
@@ -106,6 +107,7 @@ class HandlingRecord {
   double drift_from_s_ = 0, drift_to_s_ = 0;
   std::array<double, 3> drift_from_m_{}, drift_to_m_{};
   bool drift_started_ = false;
+  double pressed_m_ = 0;  ///< compression when both fingers touched last
   std::array<PeakRise, kFingerCount> finger_rise_;
   PeakRise support_rise_;
   double finger_yield_ratio_ = 0, support_yield_ratio_ = 0;  ///< largest

@@ -96,12 +96,12 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   return seen;
 }
 
-double LaneView::turn_in_grip_rad(int lane, const Scenario& scenario) const {
+double LaneView::lean_in_grip_rad(int lane, const Scenario& scenario) const {
   const FrameLanes* frame = body.frame();
   if (frame == nullptr || !has_gripper(scenario)) return 0.0;
   const LaneRotation back = rotation_by(Lane(-1.0) * carriers.palm_rotation_rad);
   const LaneVector axis = (back * frame->attitude()).axis;
-  return 2.0 * std::asin(std::min(1.0, sqrt(dot(axis, axis))[lane]));
+  return 2.0 * std::asin(std::min(1.0, std::hypot(axis[1][lane], axis[2][lane])));
 }
 
 TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {

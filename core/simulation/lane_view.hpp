@@ -29,8 +29,8 @@ struct LaneView {
   [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
-  /// Angle between the product and the gripper that has turned it; 0 where it stays upright.
-  [[nodiscard]] double turn_in_grip_rad(int lane, const Scenario& scenario) const;
+  /// Angle between the grip axis and what of a product that turns lay along it; 0 for one that stays upright.
+  [[nodiscard]] double lean_in_grip_rad(int lane, const Scenario& scenario) const;
   /// The signals of a trace that are read from the state.
   [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;
   /// What the present load of each surface leaves below its patch.

@@ -39,14 +39,15 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.material.largest_strain()[step.lane] > bounds.max_strain) {
     return "a cell's strain > simulation.max_strain";
   }
-  if (view.model.body.is_solid && view.body.rotation_rad(step.lane) > bounds.max_rotation_rad) {
+  const bool follows_small_turns_only = view.model.body.is_solid && view.body.frame() == nullptr;
+  if (follows_small_turns_only && view.body.rotation_rad(step.lane) > bounds.max_rotation_rad) {
     return "the product's rotation > simulation.max_rotation_rad";
   }
   if (view.material.largest_cell_rotation()[step.lane] > bounds.max_rotation_rad) {
     return "a cell's rotation against the product > simulation.max_rotation_rad";
   }
-  if (view.turn_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
-    return "the product's rotation against the gripper > simulation.max_rotation_rad";
+  if (view.lean_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
+    return "the lean of the product against the pads > simulation.max_rotation_rad";
   }
   if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestTurn_rad) {
     return "the product turns by more than 0.1 rad within a step; use a smaller simulation.time_step_s";

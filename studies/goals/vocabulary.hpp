@@ -28,7 +28,9 @@ inline constexpr std::array<OutcomeMeaning, kOutcomeWords.size()> kOutcomeMeanin
      "pressed flat, the pads meet the product far behind its outermost place, or energy is unaccounted for"},
     {Outcome::not_grasped, "no two-finger contact at the end of the grip phase"},
     {Outcome::dropped, "no finger contact at some time between lift and release"},
-    {Outcome::slipped, "slip_max_m > limits.slip_m or slip_max_rad > limits.slip_rad"},
+    {Outcome::slipped,
+     "slip_max_m > limits.slip_m or slip_max_rad > limits.slip_rad, or the product leaves a pad by more than "
+     "limits.slip_m"},
     {Outcome::damaged, "a limit of damage in [limits] is exceeded"},
     {Outcome::misplaced,
      "place_error_m > limits.place_error_m or place_attitude_rad > limits.place_attitude_rad, where given"},

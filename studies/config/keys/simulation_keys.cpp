@@ -50,9 +50,10 @@ Table simulation_keys() {
        .field = simulation<&S::max_strain>},
       {.path = "simulation.max_rotation_rad",
        .type = number,
-       .meaning = "A larger rotation of the product ends the run as out_of_range; of one that spins or is tilted, "
-                  "of a cell "
-                  "against the whole or of the product in the grip.",
+       .meaning =
+           "A larger rotation of the product ends the run as out_of_range. A product that spins or is "
+           "tilted may turn by any angle, about the grip axis between the pads too; of it the rotation of a "
+           "cell against the whole and the lean against the pads are meant.",
        .use = Use::lattice,
        .field = simulation<&S::max_rotation_rad>},
   };

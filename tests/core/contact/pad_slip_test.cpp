@@ -22,7 +22,7 @@ void step(PadSlip& slip, const std::array<double, 2>& way_m, double angle_rad,
   slip.begin_step();
   for (std::size_t i = 0; i < kPlaces_m.size(); ++i) {
     const double y = kPlaces_m[i][0] - pivot_m[0], z = kPlaces_m[i][1] - pivot_m[1];
-    slip.add_closed(kPlaces_m[i], Lane(kForces_N[i]),
+    slip.add_closed({Lane(kPlaces_m[i][0]), Lane(kPlaces_m[i][1])}, Lane(kForces_N[i]),
                     {Lane(way_m[0] - angle_rad * z), Lane(way_m[1] + angle_rad * y)});
   }
   slip.end_step(kLeastRadius_m, everywhere());
@@ -56,7 +56,7 @@ TEST(PadSlip, TurnsBackToNothing) {
 TEST(PadSlip, OfOneContactHasNoAngle) {
   PadSlip slip;
   slip.begin_step();
-  slip.add_closed({0.3, 0.4}, Lane(2.0), {Lane(1e-3), Lane(-1e-3)});
+  slip.add_closed({Lane(0.3), Lane(0.4)}, Lane(2.0), {Lane(1e-3), Lane(-1e-3)});
   slip.end_step(kLeastRadius_m, everywhere());
   EXPECT_EQ(slip.angle_rad(0), 0.0);
   EXPECT_NEAR(slip.way_m(0), std::sqrt(2.0) * 1e-3, 1e-15);

@@ -54,7 +54,8 @@ TEST(Tilt, KeepsImpulseAndDoesNotCreep) {
     EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
     EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-10);
     EXPECT_LT(result.metrics[Metric::hold_drift_m_s], 1e-9);
-    EXPECT_EQ(result.metrics[Metric::slip_max_m], 0.0);
+    // Beside the pads' edges the body is soft and presses little: there some picometres slide as it swings.
+    EXPECT_LT(result.metrics[Metric::slip_max_m], 1e-10);
     // The approach and the lift leave as much of what is put in until then in an upright cycle too.
     EXPECT_LT(std::abs(result.metrics[Metric::energy_balance_error]), 2e-3);
   }
@@ -126,7 +127,6 @@ TEST(Tilt, PivotsAProductThatIsHeldOffItsCentreWithTooLittleFriction) {
   Scenario scenario = tilted_block({kQuarter_rad, 0.0, 0.0}, 2.2, kStep_s);
   lattice_of(scenario).friction = 0.3;
   scenario.cell.grip_height_m = 0.015;
-  scenario.simulation.max_rotation_rad = 1.5;
   Scenario upright = scenario;
   upright.strategy.tilt_rad = {1e-9, 0.0, 0.0};
   const std::vector<ScenarioResult> results = run_side_by_side({scenario, upright});

@@ -138,6 +138,21 @@ TEST(HandlingRecord, SlipComesBeforeDamageAndEachKeepsItsFirstTime) {
   EXPECT_DOUBLE_EQ(slipped.metrics[Metric::slip_max_m], 2e-3);
 }
 
+TEST(HandlingRecord, AProductThatPushesOneFingerBackFromTheOtherSlips) {
+  const auto leaving = [](double way_m) {
+    return record_of(scene(), [way_m](StepObservation& seen) {
+      if (seen.time_s < 0.35) return;
+      seen.finger[1].closed_contacts = 0.0;
+      seen.compression_m = -kFingerCount * way_m;
+    });
+  };
+  EXPECT_EQ(leaving(0.99e-3).outcome, Outcome::held);
+  const ScenarioResult result = leaving(1.01e-3);
+  EXPECT_EQ(result.outcome, Outcome::slipped);
+  EXPECT_EQ(result.cause, "the product leaves a pad by more than limits.slip_m");
+  EXPECT_NEAR(result.outcome_time_s, 0.35, 1e-9);
+}
+
 TEST(HandlingRecord, AFingerThatSlidesAsAWholeHasTheMarginOfItsSlip) {
   const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
     seen.finger[0].sliding_contacts = 4.0;

@@ -1,0 +1,150 @@
+// How far a turned product stays in the grip, against closed forms of rigid bodies and dry friction.
+
+#include "tests/core/frame/held_scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+constexpr double kStep_s = 2e-3, kMass_kg = 0.1, kWeight_N = kMass_kg * kGravity;
+
+/// A block so stiff that the pressure of the pads is even, turned slowly after a slow lift: inertia takes less
+/// than 0.5 % of what friction carries.
+Scenario slowly_turned(const std::array<double, 3>& tilt_rad, double grip_force_N) {
+  Scenario scenario = tilted_block(tilt_rad, grip_force_N, kStep_s);
+  LatticeParameters& block = lattice_of(scenario);
+  block.youngs_modulus_Pa = 2e7;
+  scenario.strategy.lift_acceleration_m_s2 = 0.3;
+  scenario.strategy.tilt_acceleration_rad_s2 = 1.0;
+  scenario.strategy.hold_s = 1.0;
+  scenario.simulation.duration_s = 5.5;
+  scenario.strategy.settle_s = 0.2;
+  scenario.limits.slip_rad = 0.02;
+  scenario.limits.slip_m = 5e-4;
+  return scenario;
+}
+
+/// A particle of a patch: from the middle of the pad, and its share of the force.
+struct PatchPlace {
+  double y_m, z_m, share;
+};
+
+/// A pad of 30 mm over particles 10 mm apart, pressed evenly: those at its edges carry half.
+std::vector<PatchPlace> places_under_the_pad() {
+  std::vector<PatchPlace> places;
+  constexpr std::array<double, 4> kPlace_m = {-0.015, -0.005, 0.005, 0.015};
+  constexpr std::array<double, 4> kShare = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) places.push_back({kPlace_m[i], kPlace_m[j], kShare[i] * kShare[j]});
+  }
+  return places;
+}
+
+/// T / (mu N) at which a patch begins to turn that carries T along y at the arm d: from the point on z about which
+/// a rigid body turns against it, so that friction everywhere is mu N across the way to it.
+double share_at_arm(const std::vector<PatchPlace>& places, double arm_m) {
+  struct Sums {
+    double force = 0.0, moment_m = 0.0;
+  };
+  const auto friction_about = [&](double center_m) {
+    Sums sums;
+    for (const PatchPlace& place : places) {
+      const double arm = place.z_m - center_m, radius = std::hypot(place.y_m, arm);
+      sums.force += place.share * arm / radius;
+      sums.moment_m += place.share * (place.y_m * place.y_m + place.z_m * arm) / radius;
+    }
+    return sums;
+  };
+  // From sliding, the point far away, to turning about the middle.
+  double far_m = -1e3, near_m = -1e-6;
+  for (int round = 0; round < 100; ++round) {
+    const double middle_m = -std::sqrt(far_m * near_m);
+    const Sums sums = friction_about(middle_m);
+    (sums.moment_m > sums.force * arm_m ? near_m : far_m) = middle_m;
+  }
+  return friction_about(far_m).force;
+}
+
+TEST(GripLimits, TurnedAboutTheGripAxisHoldsAsLongAsThePatchesCarryForceAndMoment) {
+  // Each pad carries half of the weight at the arm d sin(angle).
+  constexpr double kFriction = 0.6, kArm_m = 0.01;
+  std::vector<Scenario> scenarios;
+  std::vector<double> shares;  // of the least force
+  for (const double angle : {0.5 * kQuarter_rad, kQuarter_rad}) {
+    const double least_N =
+        0.5 * kWeight_N / kFriction / share_at_arm(places_under_the_pad(), kArm_m * std::sin(angle));
+    for (const double share : {0.98, 0.99, 1.01, 1.02}) {
+      Scenario& scenario = scenarios.emplace_back(slowly_turned({angle, 0.0, 0.0}, share * least_N));
+      lattice_of(scenario).friction = kFriction;
+      scenario.cell.grip_height_m = kArm_m;
+      shares.push_back(share);
+    }
+  }
+  const auto results = run_side_by_side(scenarios);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    SCOPED_TRACE(std::to_string(scenarios[i].strategy.tilt_rad[0]) + " rad, " + std::to_string(shares[i]));
+    EXPECT_EQ(results[i].outcome, shares[i] > 1.0 ? Outcome::held : Outcome::slipped) << results[i].cause;
+  }
+}
+
+TEST(GripLimits, TurnedAcrossHoldsAsLongAsBothPadsPress) {
+  // The upper pad presses with F - m g sin(angle) / 2. Its friction is not needed: the lower pad is wide enough
+  // for the product to stand on it.
+  const double force_N = 0.48 * kWeight_N, limit_rad = std::asin(0.96);
+  std::vector<Scenario> scenarios;
+  std::vector<double> shares;
+  for (const double share : {0.95, 0.98, 1.02, 1.05}) {
+    lattice_of(scenarios.emplace_back(slowly_turned({0.0, share * limit_rad, 0.0}, force_N))).friction = 2.0;
+    shares.push_back(share);
+  }
+  const auto results = run_side_by_side(scenarios);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    SCOPED_TRACE(shares[i]);
+    EXPECT_EQ(results[i].outcome, shares[i] < 1.0 ? Outcome::held : Outcome::slipped);
+    EXPECT_EQ(results[i].cause, shares[i] < 1.0 ? "" : "the product leaves a pad by more than limits.slip_m");
+  }
+}
+
+/// Row of a trace at a time.
+std::size_t row_at(const Trace& trace, double time_s) {
+  return static_cast<std::size_t>(std::lower_bound(trace.time_s.begin(), trace.time_s.end(), time_s - 1e-9) -
+                                  trace.time_s.begin());
+}
+
+TEST(GripLimits, AGripThatTurnsTooFastDragsTheProductWithTheTorsionOfItsPatches) {
+  // Pads over 2 x 2 particles that lie 7.07 mm from their middle: the product follows with mu sum N r / J.
+  constexpr double kFriction = 0.3, kForce_N = 2.0;
+  const double radius_m = std::hypot(0.005, 0.005);
+  Scenario scenario = tilted_block({1.5, 0.0, 0.0}, kForce_N, 1e-3);
+  lattice_of(scenario).youngs_modulus_Pa = 2e7;
+  lattice_of(scenario).friction = kFriction;
+  jaw_of(scenario).pad_size_m = {0.01, 0.01};
+  jaw_of(scenario).pad_modulus_Pa = 6e6;
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+  scenario.strategy.profile = ProfileKind::trapezoid;
+  scenario.strategy.tilt_acceleration_rad_s2 = 600.0;
+  scenario.strategy.tilt_speed_rad_s = 20.0;
+  scenario.simulation.duration_s = 0.6;
+  const Trace trace = traces_of({scenario}).front();
+  const Points points = points_of(scenario);
+  double inertia = 0.0;
+  for (std::size_t p = 0; p < points.X.size(); ++p) {
+    inertia += points.mass_kg[p] * points.X[p].tail<2>().squaredNorm();
+  }
+  const double exact = 2.0 * kFriction * kForce_N * radius_m / inertia;
+  const std::vector<double> palm = column(trace, "palm_rotation_rad"), spin = column(trace, "spin_rad_s");
+  const auto start = std::find_if(palm.begin(), palm.end(), [](double angle) { return angle > 0.0; });
+  const double start_s = trace.time_s[static_cast<std::size_t>(start - palm.begin())];
+  // Once all contacts slide, and before they have turned so far that the pads' edges cut their cells elsewhere.
+  const std::size_t from = row_at(trace, start_s + 5e-3), to = row_at(trace, start_s + 15e-3);
+  EXPECT_NEAR((spin[to] - spin[from]) / (trace.time_s[to] - trace.time_s[from]), exact, 2e-3 * exact);
+  // The slip by angle is the turn in the grip, however large.
+  const std::size_t late = row_at(trace, start_s + 80e-3);
+  const double turn_rad = palm[late] - 2.0 * std::asin(column(trace, "attitude", 1)[late]);
+  EXPECT_GT(turn_rad, 0.6);
+  EXPECT_NEAR(column(trace, "slip_rad")[late], turn_rad, 1e-2 * turn_rad);
+}
+
+}  // namespace
+}  // namespace unbruised

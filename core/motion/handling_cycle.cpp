@@ -25,7 +25,9 @@ CycleEvent HandlingCycle::observe(double time_s, std::optional<double> touch_s) 
 }
 
 CyclePhase HandlingCycle::phase(double time_s) const {
-  if (time_s < std::min(first_contact_s_, plan_.lift_start_s())) return CyclePhase::approach;
+  if (!plan_.is_stopped(time_s) && time_s < std::min(first_contact_s_, plan_.lift_start_s())) {
+    return CyclePhase::approach;
+  }
   return plan_.phase_after_contact(time_s);
 }
 

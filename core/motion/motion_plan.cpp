@@ -11,6 +11,28 @@
 namespace unbruised {
 namespace {
 
+/// An emergency stop is watched for so long after the palm has come to rest.
+constexpr double kStopWatch_s = 0.3;
+
+double size(const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2]); }
+
+/// Brakes place and rate along their rate, to rest and no further.
+void brake(double time_s, double deceleration, std::array<double, 3>& place, std::array<double, 3>& rate,
+           std::array<double, 3>& change) {
+  change = {};
+  const double speed = size(rate);
+  if (!(speed > 0.0)) return;
+  const double braking_s = std::min(time_s, speed / deceleration);
+  const double way = braking_s * (speed - 0.5 * deceleration * braking_s);
+  const bool brakes = time_s < speed / deceleration;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double along = rate[i] / speed;
+    place[i] += along * way;
+    rate[i] = brakes ? along * (speed - deceleration * braking_s) : 0.0;
+    change[i] = brakes ? -along * deceleration : 0.0;
+  }
+}
+
 bool target_moves(const CellParameters& cell) {
   return cell.place_velocity_m_s[0] != 0.0 || cell.place_velocity_m_s[1] != 0.0;
 }
@@ -55,6 +77,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
                                  s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
     if (ramp_start_s < kNever) schedule(scenario);
+    if (s.stop_time_s && *s.stop_time_s < release_start_s_) stop(*s.stop_time_s, cell.stop_deceleration_m_s2);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
 }
@@ -79,7 +102,22 @@ void MotionPlan::schedule(const Scenario& scenario) {
   end_s_ = release_end_s_ + s.recover_s;
 }
 
+/// Nothing that is planned for later comes.
+void MotionPlan::stop(double time_s, double deceleration_m_s2) {
+  stop_s_ = time_s;
+  stop_deceleration_m_s2_ = deceleration_m_s2;
+  stopped_ = planned_palm(time_s);
+  for (double* event_s : {&lift_start_s_, &lift_end_s_, &hold_start_s_, &hold_end_s_, &level_start_s_,
+                          &transfer_end_s_, &lower_end_s_, &release_start_s_, &release_end_s_}) {
+    if (*event_s > time_s) *event_s = kNever;
+  }
+  const double braking_s = std::max(size(stopped_.velocity_m_s) / deceleration_m_s2,
+                                    size(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2);
+  end_s_ = time_s + braking_s + kStopWatch_s;
+}
+
 CyclePhase MotionPlan::phase_after_contact(double time_s) const {
+  if (is_stopped(time_s)) return CyclePhase::stop;
   const std::array<double, 6> ends_s = {lift_start_s_,   lift_end_s_,      hold_end_s_,
                                         transfer_end_s_, release_start_s_, release_end_s_};
   const auto end = std::upper_bound(ends_s.begin(), ends_s.end(), time_s);
@@ -87,6 +125,18 @@ CyclePhase MotionPlan::phase_after_contact(double time_s) const {
 }
 
 PalmState MotionPlan::palm(double time_s) const {
+  return is_stopped(time_s) ? braking_palm(time_s) : planned_palm(time_s);
+}
+
+PalmState MotionPlan::braking_palm(double time_s) const {
+  PalmState palm = stopped_;
+  brake(time_s - stop_s_, stop_deceleration_m_s2_, palm.position_m, palm.velocity_m_s, palm.acceleration_m_s2);
+  brake(time_s - stop_s_, strategy_.tilt_acceleration_rad_s2, palm.rotation_rad, palm.spin_rad_s,
+        palm.spin_acceleration_rad_s2);
+  return palm;
+}
+
+PalmState MotionPlan::planned_palm(double time_s) const {
   PalmState palm;
   const MovingTransfer::State flat = across(time_s);
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -128,12 +178,14 @@ MovingTransfer::State MotionPlan::across(double time_s) const {
 
 double MotionPlan::force_limit_N(double time_s) const {
   const StrategyParameters& s = strategy_;
+  time_s = std::min(time_s, stop_s_);
   if (time_s < ramp_start_s_) return s.contact_force_N;
   const double share = s.grip_ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / s.grip_ramp_s) : 1.0;
   return s.contact_force_N + share * (s.grip_force_N - s.contact_force_N);
 }
 
 double MotionPlan::set_speed_m_s(double time_s) const {
+  if (is_stopped(time_s) && ramp_start_s_ >= stop_s_) return 0.0;
   if (time_s >= release_start_s_) return -strategy_.release_speed_m_s;
   return time_s >= ramp_start_s_ ? pressing_speed_m_s_ : strategy_.approach_speed_m_s;
 }

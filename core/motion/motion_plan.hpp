@@ -32,9 +32,9 @@ struct PalmState {
 };
 
 /// The phases in their order; the codes stand in results files.
-enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover };
-inline constexpr std::array<std::string_view, 8> kCyclePhaseWords = {"approach", "grip",  "lift",    "hold",
-                                                                     "transfer", "lower", "release", "recover"};
+enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover, stop };
+inline constexpr std::array<std::string_view, 9> kCyclePhaseWords = {
+    "approach", "grip", "lift", "hold", "transfer", "lower", "release", "recover", "stop"};
 
 /// The planes under the product.
 enum class SupportPlane {
@@ -53,6 +53,8 @@ class MotionPlan {
 
   /// The phase at a time after the first contact; lower lasts until the fingers open.
   [[nodiscard]] CyclePhase phase_after_contact(double time_s) const;
+  /// Has an emergency stop begun?
+  [[nodiscard]] bool is_stopped(double time_s) const { return time_s > stop_s_; }
   [[nodiscard]] PalmState palm(double time_s) const;
   /// Largest drive force per finger.
   [[nodiscard]] double force_limit_N(double time_s) const;
@@ -78,6 +80,9 @@ class MotionPlan {
 
  private:
   void schedule(const Scenario& scenario);
+  void stop(double time_s, double deceleration_m_s2);
+  [[nodiscard]] PalmState planned_palm(double time_s) const;
+  [[nodiscard]] PalmState braking_palm(double time_s) const;
   [[nodiscard]] MovingTransfer::State across(double time_s) const;
 
   StrategyParameters strategy_{};
@@ -95,6 +100,8 @@ class MotionPlan {
   double hold_start_s_ = kNever, hold_end_s_ = kNever, level_start_s_ = kNever;
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;
+  double stop_s_ = kNever, stop_deceleration_m_s2_ = 0.0;
+  PalmState stopped_;  ///< where the stop begins
 };
 
 }  // namespace unbruised

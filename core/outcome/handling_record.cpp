@@ -255,7 +255,9 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   if (cycle.has_contact()) result.metrics[Metric::first_contact_time_s] = cycle.first_contact_s();
   if (has_gripper_ && cycle.plan().lift_start_s() < kNever) {
     result.metrics[Metric::lift_time_s] = cycle.plan().lift_start_s();
-    result.metrics[Metric::cycle_time_s] = cycle.plan().release_end_s();
+    if (cycle.plan().release_end_s() < kNever) {
+      result.metrics[Metric::cycle_time_s] = cycle.plan().release_end_s();
+    }
   }
   const auto set = [&](Outcome outcome, const Crossing& crossing) {
     result.outcome = outcome;

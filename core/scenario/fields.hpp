@@ -134,7 +134,7 @@ template <FieldsOf<CellParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m, support_poisson_ratio,
          support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
-         place_height_m, place_velocity_m_s, conveyor] = p;
+         place_height_m, place_velocity_m_s, stop_deceleration_m_s2, conveyor] = p;
   visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
   visit({"support", Decides::run}, support);
   visit({"support_friction", Decides::run, kNotNegative}, support_friction);
@@ -149,6 +149,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"transfer_m", Decides::run, kAnyNumber}, transfer_m);
   visit({"place_height_m", Decides::run, kAnyNumber}, place_height_m);
   visit({"place_velocity_m_s", Decides::run, kAnyNumber}, place_velocity_m_s);
+  visit({"stop_deceleration_m_s2", Decides::run, kPositive}, stop_deceleration_m_s2);
 }
 
 template <FieldsOf<ConveyorParameters> T, class Visit>
@@ -167,7 +168,7 @@ void visit_fields(T& p, Visit&& visit) {
   auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, pick,
          pick_offset_m, tracking_lag_s, profile, lift_acceleration_m_s2, transfer_acceleration_m_s2,
          lower_acceleration_m_s2, speed_m_s, tilt_rad, tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s,
-         release_height_m, place_settle_s, release_speed_m_s, recover_s] = p;
+         release_height_m, place_settle_s, release_speed_m_s, recover_s, stop_time_s] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
   visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
   visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
@@ -190,6 +191,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"place_settle_s", Decides::run, kNotNegative}, place_settle_s);
   visit({"release_speed_m_s", Decides::run, kPositive}, release_speed_m_s);
   visit({"recover_s", Decides::run, kNotNegative}, recover_s);
+  visit({"stop_time_s", Decides::run, kNotNegative}, stop_time_s);
 }
 
 template <FieldsOf<LimitParameters> T, class Visit>

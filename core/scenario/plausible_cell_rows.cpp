@@ -105,6 +105,15 @@ Rows cell_rows() {
       plain("cell.transfer_m", "way of the transfer", "m", 0.0, 10.0, kLength, "cells of robots and gantries"),
       plain("cell.place_height_m", "height of the target", "m", 0.0, 10.0, kLength,
             "cells of robots and gantries"),
+      plain("cell.place_velocity_m_s", "speed of the target", "m/s", 0.0, 5.0, kSpeed, "conveyors 0.05 to 3 m/s"),
+      plain("cell.stop_deceleration_m_s2", "deceleration of a stop", "m/s2", 0.5, 150.0, kAcceleration,
+            "robot arms 5 to 20, delta robots up to 150 m/s2"),
+      plain("cell.conveyor.speed_m_s", "speed of the belt", "m/s", 0.0, 5.0, kSpeed, "conveyors 0.05 to 3 m/s"),
+      plain("cell.conveyor.initial_speed_m_s", "initial speed of the belt", "m/s", 0.0, 5.0, kSpeed,
+            "conveyors 0.05 to 3 m/s"),
+      plain("cell.conveyor.acceleration_m_s2", "acceleration of the belt", "m/s2", 0.05, 50.0, kAcceleration,
+            "conveyors 0.1 to 10 m/s2"),
+      plain("cell.conveyor.length_m", "length of the belt", "m", 0.01, 100.0, kLength, "cells of robots"),
   };
 }
 

@@ -53,6 +53,10 @@ Rows strategy_rows() {
       plain("strategy.tilt_speed_rad_s", "speed of the tilt", "rad/s", 0.05, 20.0, kAngle, "wrists of robots"),
       plain("strategy.tilt_acceleration_rad_s2", "tilt acceleration", "rad/s2", 0.5, 300.0, kAngle,
             "wrists of robots"),
+      plain("strategy.pick_offset_m", "offset of the pick along the belt", "m", 0.0, 1.0, kLength,
+            "cells of robots"),
+      plain("strategy.tracking_lag_s", "lag of the tracking", "s", 0.0, 0.5, kTime, "cameras and encoders"),
+      plain("strategy.stop_time_s", "time of the stop", "s", 0.0, 120.0, kTime, "within the cycle"),
       plain("strategy.release_height_m", "drop at the release", "m", 0.0, 10.0, kLength, "cells of robots"),
   };
 }

@@ -198,6 +198,8 @@ struct CellParameters {
   double place_height_m = 0.0;
   /// Of the target plane, along x and y; the target was at transfer_m when the run began.
   std::array<double, 2> place_velocity_m_s{0.0, 0.0};
+  /// > 0; with which an emergency stop brings the palm to rest
+  double stop_deceleration_m_s2 = 10.0;
   ConveyorParameters conveyor;
 };
 
@@ -250,6 +252,9 @@ struct StrategyParameters {
   double release_speed_m_s = 0.1;
   /// >= 0; time without gripper contact before permanent set is measured
   double recover_s = 0.2;
+  /// >= 0; an emergency stop ends the cycle there: the palm brakes along its path and the fingers hold what they
+  /// have. None, or after the release has begun: no stop.
+  std::optional<double> stop_time_s{};
 };
 
 enum class DamageJudging {

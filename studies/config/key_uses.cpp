@@ -66,13 +66,16 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return support && lattice == nullptr;
     case Use::tracking:
       return has_gripper(scenario) && (scenario.strategy.pick == PickKind::tracking || varied("strategy.pick"));
+    case Use::stop:
+      return has_gripper(scenario) && (scenario.strategy.stop_time_s || varied("strategy.stop_time_s"));
     default:
       return true;
   }
 }
 
 std::string why_unused(Use use, const Scenario& scenario) {
-  if ((use == Use::not_window || use == Use::tracking) && !has_gripper(scenario)) use = Use::gripper;
+  const bool grips = use == Use::not_window || use == Use::tracking || use == Use::stop;
+  if (grips && !has_gripper(scenario)) use = Use::gripper;
   switch (use) {
     case Use::always:
       return "";
@@ -94,6 +97,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only lattice products on a support have it";
     case Use::network_support:
       return "not used: only networks with cell.support = true have it";
+    case Use::stop:
+      return "not used: without strategy.stop_time_s nothing is stopped";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

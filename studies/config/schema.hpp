@@ -172,6 +172,7 @@ enum class Use {
   lattice_support,
   network_support,
   tracking,  ///< palms that go with a belt
+  stop,      ///< cycles that are stopped
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

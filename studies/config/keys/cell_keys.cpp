@@ -90,6 +90,12 @@ Table path_keys() {
        .size = 2,
        .use = use,
        .field = cell<&C::place_velocity_m_s>},
+      {.path = "cell.stop_deceleration_m_s2",
+       .type = number,
+       .meaning = "Deceleration with which an emergency stop brings the palm to rest, along its path.",
+       .use = Use::stop,
+       .note = "the default is assumed: arms stop with 5 to 20, as loaded and fast as they are",
+       .field = cell<&C::stop_deceleration_m_s2>},
   };
 }
 

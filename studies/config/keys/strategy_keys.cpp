@@ -142,6 +142,14 @@ Table motion_keys() {
        .meaning = "Time without gripper contact before the permanent set is measured.",
        .use = use,
        .field = strategy<&S::recover_s>},
+      {.path = "strategy.stop_time_s",
+       .type = optional_number,
+       .meaning =
+           "An emergency stop so long after the start: the palm brakes along its path, fingers that hold go on "
+           "holding, others stop; 0.3 s after the palm has come to rest the run ends.",
+       .use = use,
+       .note = "absent, or after the release has begun: no stop",
+       .field = strategy<&S::stop_time_s>},
   };
 }
 

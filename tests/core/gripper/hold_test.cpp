@@ -87,6 +87,45 @@ TEST(HoldLimit, OfATransferAcrossTheGripAxisIsTheResultantOverTwiceTheFriction) 
             << " of m sqrt(g2 + a2) / (2 mu)\n";
 }
 
+TEST(HoldLimit, OfAnEmergencyStopIsTheResultantOfGravityAndItsDecelerationOverTwiceTheFriction) {
+  const double deceleration = 5.0;
+  // Sideways at full speed, and downwards at full speed, where it adds to gravity.
+  for (const bool down : {false, true}) {
+    Scenario scenario = light_box();
+    scenario.cell.stop_deceleration_m_s2 = deceleration;
+    scenario.strategy.speed_m_s = 0.3;
+    scenario.strategy.lift_acceleration_m_s2 = 0.5;
+    scenario.cell.lift_height_m = down ? 0.4 : 0.02;
+    scenario.cell.place_height_m = down ? 0.0 : 0.015;
+    scenario.strategy.lower_acceleration_m_s2 = 0.5;
+    scenario.cell.transfer_m = {0.0, down ? 0.0 : 0.4};
+    // A lift of 0.02 m takes 0.4 s; one of 0.4 m, at 0.3 m/s with ramps of 0.6 s, 1.933 s. Half a second more is
+    // 0.25 m/s, on the way.
+    const double touch_s = scenario.cell.approach_gap_m.value() / scenario.strategy.approach_speed_m_s;
+    const double lifted_s = touch_s + 0.05 + 0.4 + (down ? 0.4 / 0.3 + 0.6 : 0.4);
+    scenario.strategy.stop_time_s = lifted_s + 0.5;
+    const double load = down ? kGravity + deceleration : std::hypot(kGravity, deceleration);
+    const double wanted = kMass_kg * load / (2.0 * kFriction);
+    ASSERT_LT(kMass_kg * (kGravity + 0.5) / (2.0 * kFriction), 0.95 * wanted);
+    const double found = least_force(scenario, 0.8 * wanted, 1.2 * wanted);
+    EXPECT_NEAR(found, wanted, 0.02 * wanted) << (down ? "down" : "sideways");
+    std::cout << "[ measured ] stop " << (down ? "downwards" : "sideways") << ": " << found / wanted
+              << " of the closed form\n";
+  }
+}
+
+TEST(Hold, AfterAStopTheProductHangsStillAndTheCycleHasNoTime) {
+  Scenario scenario = light_box();
+  scenario.strategy.grip_force_N = 0.3;
+  scenario.strategy.stop_time_s = 1.0;  // in the lift
+  const ScenarioResult result = run(scenario);
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_TRUE(std::isnan(result.metrics[Metric::cycle_time_s]));
+  EXPECT_TRUE(std::isnan(result.metrics[Metric::place_error_m]));
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
+  EXPECT_LT(std::abs(result.metrics[Metric::energy_balance_error]), 5e-3);
+}
+
 TEST(Grip, AlongItsAxisTheTwoFingerForcesDifferByMassTimesAcceleration) {
   for (FingerCoupling coupling : {FingerCoupling::centric, FingerCoupling::independent}) {
     const double acceleration = 5.0, force = 0.3;

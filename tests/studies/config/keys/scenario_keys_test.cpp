@@ -108,6 +108,10 @@ std::vector<Arrival> cell_arrivals() {
        [](S s) {
          return s.cell.place_velocity_m_s == A2{0.125, 0.25};
        }},
+      {"cell.stop_deceleration_m_s2",
+       "3.75",
+       [](S s) { return s.cell.stop_deceleration_m_s2 == 3.75; },
+       {"strategy.stop_time_s=0.5"}},
       {"cell.conveyor.speed_m_s", "0.375", [](S s) { return s.cell.conveyor.speed_m_s == 0.375; }},
       {"cell.conveyor.initial_speed_m_s",
        "0.375",
@@ -161,6 +165,7 @@ std::vector<Arrival> strategy_arrivals() {
       {"strategy.place_settle_s", "0.875", [](S s) { return s.strategy.place_settle_s == 0.875; }},
       {"strategy.release_speed_m_s", "0.375", [](S s) { return s.strategy.release_speed_m_s == 0.375; }},
       {"strategy.recover_s", "0.875", [](S s) { return s.strategy.recover_s == 0.875; }},
+      {"strategy.stop_time_s", "0.875", [](S s) { return s.strategy.stop_time_s == 0.875; }},
   };
 }
 

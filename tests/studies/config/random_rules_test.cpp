@@ -195,7 +195,7 @@ void expect_mixed(const Tally& tally, int least) {
 }
 
 TEST(RandomRules, WhatTheReaderAcceptsOfLatticesIsValidAndCanBeBuilt) {
-  expect_mixed(try_studies(80, 4, &Writer::lattice_study), 10);
+  expect_mixed(try_studies(120, 4, &Writer::lattice_study), 10);
 }
 
 TEST(RandomRules, WhatTheReaderAcceptsOfNetworksIsValidAndCanBeBuilt) {
@@ -203,7 +203,7 @@ TEST(RandomRules, WhatTheReaderAcceptsOfNetworksIsValidAndCanBeBuilt) {
 }
 
 TEST(HeavyRandomRules, WhatTheReaderAcceptsIsValidAndCanBeBuilt) {
-  expect_mixed(try_studies(1500, 80, &Writer::lattice_study), 200);
+  expect_mixed(try_studies(2500, 80, &Writer::lattice_study), 200);
   expect_mixed(try_studies(2000, 2000, &Writer::network_study), 200);
 }
 

@@ -21,12 +21,14 @@ void expect_words_of(const Limit& limit) {
 TEST(Limits, AreToldByTheMetricAndTheKeyTheyJoin) {
   for (const DamageLimit& limit : kDamageLimits) expect_words_of(limit);
   for (const SlipLimit& limit : kSlipLimits) expect_words_of(limit);
+  for (const PlaceLimit& limit : kPlaceLimits) expect_words_of(limit);
 }
 
 TEST(Limits, StandInOneTableEach) {
   std::map<std::string, int> rows;
   for (const DamageLimit& limit : kDamageLimits) ++rows[std::string(limit.key)];
   for (const SlipLimit& limit : kSlipLimits) ++rows[std::string(limit.key)];
+  for (const PlaceLimit& limit : kPlaceLimits) ++rows[std::string(limit.key)];
   for (const NumberField& field : number_fields()) {
     if (field.path.starts_with("limits.")) {
       EXPECT_EQ(rows[std::string(field.path)], 1) << field.path;

@@ -39,7 +39,7 @@ def check_scenarios(path, rows):
     check(list(table.coords) == ["id"], f"scenarios has the coordinates {list(table.coords)}")
     check(table["outcome"].dtype == np.int8, "the outcome is not int8")
     check(table["outcome"].attrs["flag_meanings"].split()[0] == "not_run", "wrong flag_meanings")
-    check(list(table["outcome"].attrs["flag_values"]) == list(range(-1, 7)), "wrong flag_values")
+    check(list(table["outcome"].attrs["flag_values"]) == list(range(-1, 8)), "wrong flag_values")
     check(table["digest"].dtype == np.uint64, "the digest is not 64 bits")
 
 

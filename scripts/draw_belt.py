@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the picture of docs/belts.md from a run of configs/belt_pick.toml.
 
 usage: scripts/draw_belt.py RUN [PICTURE]     RUN: results/belt_pick, with the trace of scenario 6; docs/images/belt_pick.png

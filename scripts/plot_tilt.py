@@ -11,14 +11,16 @@ import argparse
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
+from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
 from window_tables import Unsuitable, read_results
 
 KEY = "strategy.tilt_rad[0]"
 # Of configs/tilt_window.toml and the files it uses.
 WEIGHT_N, LIFT, FRICTION, PAD_M, ARM_M = 0.1 * 9.80665, 1 + 0.3 / 9.80665, 0.6, 0.030, 0.010
-INK, SOFT, HELD = "#20242a", "#6a717b", "#1b9e77"
+HELD = "#1b9e77"
 
 
 def even_square(count=300):
@@ -58,7 +60,7 @@ def least_force(angles, places):
     return np.maximum.accumulate(np.maximum(needed, 0.5 * WEIGHT_N * LIFT / FRICTION))
 
 
-def draw(data, plt):
+def draw(data):
     window = data["window"]
     if KEY not in window["inputs"]:
         raise Unsuitable(f"no column {KEY}: not the results of configs/tilt_window.toml")
@@ -89,19 +91,12 @@ def main():
     default = Path(__file__).resolve().parent.parent / "docs" / "images" / "tilt_window.svg"
     parser.add_argument("-o", "--output", metavar="FILE.svg", default=default)
     options = parser.parse_args()
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    # The same file for the same picture: no date, fixed ids, text that stays text.
-    plt.rcParams.update({"svg.hashsalt": "unbruised", "svg.fonttype": "none", "font.size": 10,
-                         "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans", "Arial", "sans-serif"]})
     try:
-        figure = draw(read_results(options.results), plt)
+        figure = draw(read_results(options.results))
     except Unsuitable as error:
         print(f"plot_tilt.py: {error}", file=sys.stderr)
         return 2
-    figure.savefig(options.output, metadata={"Date": None})
-    print(f"drawn: {options.output}")
+    save(figure, options.output)
     return 0
 
 

@@ -33,6 +33,21 @@ void brake(double time_s, double deceleration, std::array<double, 3>& place, std
   }
 }
 
+/// Along a horizontal unit vector.
+PalmState horizontal(const Horizontal& direction, const MotionProfile::State& along) {
+  PalmState state;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    state.position_m[axis] = direction[axis] * along.position_m;
+    state.velocity_m_s[axis] = direction[axis] * along.velocity_m_s;
+    state.acceleration_m_s2[axis] = direction[axis] * along.acceleration_m_s2;
+  }
+  return state;
+}
+
+double transfer_acceleration_m_s2(const StrategyParameters& s) {
+  return s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2);
+}
+
 bool target_moves(const CellParameters& cell) {
   return cell.place_velocity_m_s[0] != 0.0 || cell.place_velocity_m_s[1] != 0.0;
 }
@@ -64,15 +79,14 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
       pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / *gain);
     }
     lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
-    const double angle = std::hypot(s.tilt_rad[0], s.tilt_rad[1], s.tilt_rad[2]);
+    const double angle = size(s.tilt_rad);
     if (angle > 0.0) {
       for (std::size_t i = 0; i < 3; ++i) tilt_axis_[i] = s.tilt_rad[i] / angle;
     }
     tilt_ = MotionProfile::plan(s.profile, angle, s.tilt_acceleration_rad_s2, s.tilt_speed_rad_s);
     const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
     if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};
-    transfer_ = MotionProfile::plan(s.profile, way,
-                                    s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+    transfer_ = MotionProfile::plan(s.profile, way, transfer_acceleration_m_s2(s), s.speed_m_s);
     lower_ = MotionProfile::plan(s.profile, cell.place_height_m + s.release_height_m - cell.lift_height_m,
                                  s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
@@ -89,10 +103,11 @@ void MotionPlan::schedule(const Scenario& scenario) {
   hold_start_s_ = lift_end_s_ + tilt_.duration_s();
   hold_end_s_ = hold_start_s_ + s.hold_s;
   if (moving_transfer_) {
-    const MovingTransfer::State picked = across(hold_end_s_);
+    const PalmState picked = across(hold_end_s_);
     moving_transfer_ = MovingTransfer::plan(
-        s.profile, {picked.place_m, picked.velocity_m_s}, {target_m(hold_end_s_), place_velocity_m_s_},
-        s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+        s.profile,
+        {{picked.position_m[0], picked.position_m[1]}, {picked.velocity_m_s[0], picked.velocity_m_s[1]}},
+        {target_m(hold_end_s_), place_velocity_m_s_}, transfer_acceleration_m_s2(s), s.speed_m_s);
   }
   level_start_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
   transfer_end_s_ = level_start_s_ + tilt_.duration_s();
@@ -137,13 +152,7 @@ PalmState MotionPlan::braking_palm(double time_s) const {
 }
 
 PalmState MotionPlan::planned_palm(double time_s) const {
-  PalmState palm;
-  const MovingTransfer::State flat = across(time_s);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    palm.position_m[axis] = flat.place_m[axis];
-    palm.velocity_m_s[axis] = flat.velocity_m_s[axis];
-    palm.acceleration_m_s2[axis] = flat.acceleration_m_s2[axis];
-  }
+  PalmState palm = across(time_s);
   if (time_s <= lift_start_s_) return palm;
   const auto up = lift_.at(time_s - lift_start_s_);
   const auto down = lower_.at(time_s - transfer_end_s_);
@@ -159,21 +168,22 @@ PalmState MotionPlan::planned_palm(double time_s) const {
   return palm;
 }
 
-MovingTransfer::State MotionPlan::across(double time_s) const {
-  MovingTransfer::State state;
-  if (moving_transfer_ && time_s > hold_end_s_) return moving_transfer_->at(time_s - hold_end_s_);
-  const bool tracks = moving_transfer_ && strategy_.pick == PickKind::tracking;
-  const MotionProfile::State along = tracks             ? belt_.at(time_s - strategy_.tracking_lag_s)
-                                     : moving_transfer_ ? MotionProfile::State{}
-                                                        : transfer_.at(time_s - hold_end_s_);
-  const Horizontal& direction = moving_transfer_ ? belt_.direction() : transfer_direction_;
-  const double offset_m = moving_transfer_ ? strategy_.pick_offset_m : 0.0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    state.place_m[axis] = direction[axis] * (along.position_m + offset_m);
-    state.velocity_m_s[axis] = direction[axis] * along.velocity_m_s;
-    state.acceleration_m_s2[axis] = direction[axis] * along.acceleration_m_s2;
+PalmState MotionPlan::across(double time_s) const {
+  if (!moving_transfer_) return horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
+  if (time_s > hold_end_s_) {
+    const MovingTransfer::State flat = moving_transfer_->at(time_s - hold_end_s_);
+    PalmState palm;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      palm.position_m[axis] = flat.place_m[axis];
+      palm.velocity_m_s[axis] = flat.velocity_m_s[axis];
+      palm.acceleration_m_s2[axis] = flat.acceleration_m_s2[axis];
+    }
+    return palm;
   }
-  return state;
+  MotionProfile::State along;
+  if (strategy_.pick == PickKind::tracking) along = belt_.at(time_s - strategy_.tracking_lag_s);
+  along.position_m += strategy_.pick_offset_m;
+  return horizontal(belt_.direction(), along);
 }
 
 double MotionPlan::force_limit_N(double time_s) const {
@@ -195,21 +205,13 @@ SupportPlane MotionPlan::support_plane(double time_s) const {
 }
 
 PalmState MotionPlan::support(SupportPlane plane, double time_s) const {
+  if (plane == SupportPlane::start) return horizontal(belt_.direction(), belt_.at(time_s));
   PalmState state;
-  if (plane == SupportPlane::target) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      state.position_m[axis] = place_velocity_m_s_[axis] * time_s;
-      state.velocity_m_s[axis] = place_velocity_m_s_[axis];
-    }
-    state.position_m[2] = place_height_m_;
-    return state;
-  }
-  const MotionProfile::State along = belt_.at(time_s);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    state.position_m[axis] = belt_.direction()[axis] * along.position_m;
-    state.velocity_m_s[axis] = belt_.direction()[axis] * along.velocity_m_s;
-    state.acceleration_m_s2[axis] = belt_.direction()[axis] * along.acceleration_m_s2;
+    state.position_m[axis] = place_velocity_m_s_[axis] * time_s;
+    state.velocity_m_s[axis] = place_velocity_m_s_[axis];
   }
+  state.position_m[2] = place_height_m_;
   return state;
 }
 

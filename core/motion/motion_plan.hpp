@@ -83,7 +83,8 @@ class MotionPlan {
   void stop(double time_s, double deceleration_m_s2);
   [[nodiscard]] PalmState planned_palm(double time_s) const;
   [[nodiscard]] PalmState braking_palm(double time_s) const;
-  [[nodiscard]] MovingTransfer::State across(double time_s) const;
+  /// The horizontal part.
+  [[nodiscard]] PalmState across(double time_s) const;
 
   StrategyParameters strategy_{};
   double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/scenario/conveyor.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/words.hpp"
 
@@ -27,7 +26,7 @@ bool is_finite(const LaneStep& step) {
 bool belt_has_ended(const LaneStep& step) {
   const ConveyorParameters& conveyor = step.scenario.cell.conveyor;
   if (!conveyor.length_m || step.time_s > step.cycle.plan().lift_start_s()) return false;
-  const std::array<double, 2> along = belt_direction(conveyor);
+  const Horizontal& along = step.cycle.plan().belt().direction();
   const auto& place = step.seen.center_motion_m;
   return place[0] * along[0] + place[1] * along[1] > *conveyor.length_m;
 }
@@ -40,7 +39,7 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
     return "a cell's strain > simulation.max_strain";
   }
   const bool follows_small_turns_only = view.model.body.is_solid && view.body.frame() == nullptr;
-  if (follows_small_turns_only && view.body.rotation_rad(step.lane) > bounds.max_rotation_rad) {
+  if (follows_small_turns_only && step.seen.rotation_rad > bounds.max_rotation_rad) {
     return "the product's rotation > simulation.max_rotation_rad";
   }
   if (view.material.largest_cell_rotation()[step.lane] > bounds.max_rotation_rad) {

@@ -43,6 +43,24 @@ EventParts parts_of(const OutcomeEvent& event) {
                        !event.contains(Ending::out_of_range) || !event.contains(Ending::diverged)};
 }
 
+/// Calls visit(limit, bound) for every limit that those parts are judged by: of damage, of slip, of the place.
+template <class Visit>
+void each_limit(const EventParts& parts, const LimitParameters& limits, const Visit& visit) {
+  if (parts.undamaged) {
+    for (const DamageLimit& limit : kDamageLimits) {
+      if (const auto bound = bound_of(limit, limits)) visit(limit, *bound);
+    }
+  }
+  if (parts.unslipped) {
+    for (const SlipLimit& limit : kSlipLimits) visit(limit, limits.*(limit.limit));
+  }
+  if (parts.placed) {
+    for (const PlaceLimit& limit : kPlaceLimits) {
+      if (const auto& bound = limits.*(limit.limit)) visit(limit, *bound);
+    }
+  }
+}
+
 /// Events that are a part of what `held` asks for have smooth components; others are met or not.
 bool is_smooth(const OutcomeEvent& event) { return event.contains(Ending::held); }
 
@@ -146,25 +164,9 @@ std::vector<double> event_violations(const OutcomeEvent& event, const ScenarioRe
   const EventParts parts = parts_of(event);
   std::vector<double> all;
   const Outcome outcome = result.outcome;
-  if (parts.undamaged) {
-    for (const DamageLimit& each : kDamageLimits) {
-      if (const auto bound = bound_of(each, limits)) {
-        all.push_back(over_limit(result.metrics[each.metric], *bound, outcome));
-      }
-    }
-  }
-  if (parts.unslipped) {
-    for (const SlipLimit& each : kSlipLimits) {
-      all.push_back(over_limit(result.metrics[each.metric], limits.*(each.limit), outcome));
-    }
-  }
-  if (parts.placed) {
-    for (const PlaceLimit& each : kPlaceLimits) {
-      if (const auto& bound = limits.*(each.limit)) {
-        all.push_back(over_limit(result.metrics[each.metric], *bound, outcome));
-      }
-    }
-  }
+  each_limit(parts, limits, [&](const auto& limit, double bound) {
+    all.push_back(over_limit(result.metrics[limit.metric], bound, outcome));
+  });
   if (parts.completed) all.push_back(met ? -1.0 : rank_of_early_end(outcome));
   // The outcome has the last word: an outcome earlier in the list hides the later ones, whatever their metrics
   // say.
@@ -182,19 +184,8 @@ std::vector<std::string> event_violation_names(const OutcomeEvent& event, const 
   if (!is_smooth(event)) return {text};
   const EventParts parts = parts_of(event);
   std::vector<std::string> names;
-  if (parts.undamaged) {
-    for (const DamageLimit& each : kDamageLimits) {
-      if (bound_of(each, limits)) names.push_back(text + ": " + std::string(each.rule));
-    }
-  }
-  if (parts.unslipped) {
-    for (const SlipLimit& each : kSlipLimits) names.push_back(text + ": " + std::string(each.rule));
-  }
-  if (parts.placed) {
-    for (const PlaceLimit& each : kPlaceLimits) {
-      if (limits.*(each.limit)) names.push_back(text + ": " + std::string(each.rule));
-    }
-  }
+  each_limit(parts, limits,
+             [&](const auto& limit, double /*bound*/) { names.push_back(text + ": " + std::string(limit.rule)); });
   if (parts.completed) names.push_back(text + ": the cycle is completed");
   return names.empty() ? std::vector<std::string>{text} : names;
 }

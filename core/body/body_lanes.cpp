@@ -43,7 +43,7 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_u_[i].set(lane, sum_u);
     mass_a_[i].set(lane, sum_a);
   }
-  if (frame_) frame_->load(lane, motion(), gravity_m_s2);
+  if (frame_) frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
   fresh_.set(lane, true);
   damping_power_.set(lane, 0.0);
   damped_.set(lane, 0.0);
@@ -105,7 +105,7 @@ void BodyLanes::add_forces(int lane, std::span<const double> force_N) {
   }
 }
 
-void BodyLanes::start_solve(const LaneArray* load) {
+void BodyLanes::start_solve(const LaneArray* load, LaneVector* moment) {
   require(load == nullptr || load->rows() == body_.slot.size(), "BodyLanes::start_solve: a load on another body");
   for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
     const int slot = body_.slot[i];
@@ -113,7 +113,20 @@ void BodyLanes::start_solve(const LaneArray* load) {
     const auto at = static_cast<std::size_t>(slot);
     x_.put(at, load != nullptr ? rhs_.get(at) + load->get(i) : rhs_.get(at));
   }
+  if (moment != nullptr) *moment = moment_of_load();
   solve_forward(body_.factor, x_.data());
+}
+
+/// Of x_ before it has gone through the factor.
+LaneVector BodyLanes::moment_of_load() const {
+  require(frame_.has_value(), "BodyLanes: only a body in a floating frame is asked for moments");
+  LaneVector moment;
+  for (std::size_t p = 0; p < body_.particle_count; ++p) {
+    LaneVector force;
+    for (std::size_t i = 0; i < 3; ++i) force[i] = x_.get(static_cast<std::size_t>(body_.slot[3 * p + i]));
+    moment += cross(to_lanes(frame_->rest_place_m(p)), force);
+  }
+  return moment;
 }
 
 void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<const int> particles,
@@ -155,11 +168,15 @@ void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> par
   }
 }
 
-void BodyLanes::finish_solve(const Mask& lanes) {
+void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
   solve_backward(body_.factor, x_.data());
   for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
     const int slot = body_.slot[i];
     if (slot >= 0) u_theta_.put(i, select(lanes, x_.get(static_cast<std::size_t>(slot)), u_theta_.get(i)));
+  }
+  for (std::size_t p = 0; turn_rad != nullptr && p < body_.particle_count; ++p) {
+    const LaneVector u = get_vector(u_theta_, p);
+    put_vector(u_theta_, p, select(lanes, u + cross(*turn_rad, to_lanes(frame_->rest_place_m(p))), u));
   }
 }
 
@@ -234,7 +251,7 @@ double BodyLanes::rotation_rad(int lane) const {
 
 BodyState BodyLanes::state(int lane) const {
   const std::size_t freedoms = 3 * body_.particle_count;
-  BodyState state{std::vector<double>(freedoms), std::vector<double>(freedoms), std::vector<double>(freedoms)};
+  BodyState state{std::vector<double>(freedoms), std::vector<double>(freedoms), std::vector<double>(freedoms), {}};
   for (std::size_t i = 0; i < freedoms; ++i) {
     state.displacement_m[i] = u_.at(i, lane);
     state.velocity_m_s[i] = v_.at(i, lane);

@@ -31,7 +31,8 @@ class BodyLanes {
   void add_forces(int lane, std::span<const double> force_N);
 
   /// Forward through the factor. @param load added to the right-hand side, rows 3 x particle + axis; may be null
-  void start_solve(const LaneArray* load);
+  /// @param moment where not null, becomes the moment of that sum about the centre of mass at rest
+  void start_solve(const LaneArray* load, LaneVector* moment = nullptr);
   /// The displacement that would come without contact, at the listed particles: rows 3 x index + axis of `base`.
   /// @param reach supernodes these particles touch
   void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base);
@@ -39,7 +40,9 @@ class BodyLanes {
   void add_contact(std::span<const int> reach, std::span<const int> particles, std::span<const int> active,
                    const LaneArray& force);
   /// Backward through the factor: the displacement at t + theta dt in `lanes`.
-  void finish_solve(const Mask& lanes);
+  /// @param turn_rad where not null, by which contact forces turn a body in a floating frame beside their action
+  /// on its particles
+  void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr);
 
   /// Moves the state to t + dt in the lanes of `running`, and its sums.
   /// @param outer forces that a body in a floating frame was solved with
@@ -74,6 +77,7 @@ class BodyLanes {
   /// @param outer_m_s2 gives a particle's acceleration by what acts on all of them
   template <class Acceleration>
   void put_right_hand_side(const LaneArray& rate, const Acceleration& outer_m_s2, const Mask& running);
+  [[nodiscard]] LaneVector moment_of_load() const;
   void advance_upright(const Mask& running);
   void take_sums_of_frame();
 

@@ -19,18 +19,18 @@ double relaxation_time(const LatticeParameters& parameters) {
   return 0.0;
 }
 
-void add_product(const LatticeParameters& parameters, BodyModel& body) {
+void add_product(const LatticeParameters& parameters, MassSpread spread, BodyModel& body) {
   body.is_solid = true;
   body.lattice = build_lattice(parameters);
   body.cell = cell_stiffness(parameters.youngs_modulus_Pa, parameters.poisson_ratio, body.lattice->cell_extent_m);
   body.K = assemble_stiffness(*body.lattice, *body.cell);
   body.relaxation_time_s = relaxation_time(parameters);
   body.position_m = body.lattice->position_m;
-  body.mass_kg = body.lattice->mass_kg;
+  body.mass_kg = spread == MassSpread::cells ? body.lattice->mass_kg : true_masses(parameters, *body.lattice);
   body.fixed.assign(body.position_m.size(), {false, false, false});
 }
 
-void add_product(const NetworkParameters& parameters, BodyModel& body) {
+void add_product(const NetworkParameters& parameters, MassSpread, BodyModel& body) {
   NetworkSystem system = build_network(parameters);
   body.K = std::move(system.K);
   body.C = std::move(system.C);
@@ -146,9 +146,9 @@ double BodyModel::smallest_extent_m() const {
 }
 
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error) {
+                                    std::string& error, MassSpread spread) {
   BodyModel body;
-  std::visit([&body](const auto& kind) { add_product(kind, body); }, product);
+  std::visit([&](const auto& kind) { add_product(kind, spread, body); }, product);
   body.particle_count = body.position_m.size();
   add_inertia(body);
   std::vector<int> freedom;

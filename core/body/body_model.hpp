@@ -15,6 +15,7 @@
 #include "core/body/lattice_stiffness.hpp"
 #include "core/body/network.hpp"
 #include "core/body/static_solver.hpp"
+#include "core/body/true_masses.hpp"
 #include "core/integration/wilson_theta.hpp"
 
 namespace unbruised {
@@ -59,7 +60,7 @@ struct BodyModel {
 
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
 /// @throws std::invalid_argument for products that break a rule
-std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error);
+std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson, std::string& error,
+                                    MassSpread spread = MassSpread::cells);
 
 }  // namespace unbruised

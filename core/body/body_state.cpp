@@ -35,7 +35,7 @@ std::vector<double> load_of(const NetworkParameters& network, const BodyModel&, 
 
 BodyState written_state(const ProductParameters& product, const BodyModel& body) {
   const std::vector<double> zero(3 * body.particle_count, 0.0);
-  BodyState state{zero, zero, zero};
+  BodyState state{zero, zero, zero, {}};
   std::visit([&](const auto& kind) { write_motion(kind, body, state); }, product);
   return state;
 }

@@ -27,9 +27,15 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       near_margin_(kNearShare * body.smallest_extent_m()),
       register_(model),
       sweep_(model, surfaces_, register_),
-      window_(windows_over(model)) {
+      window_(windows_over(model)),
+      place_windows_(model.patch_side_m) {
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
+  if (model.place.empty()) return;
+  require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
+  places_.emplace(model, body, surfaces_);
+  asleep_.assign(model.node_count() * kSurfaceCount, 0);
+  for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {
@@ -46,6 +52,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m},
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
   if (seen_) load_seen(lane);
+  std::ranges::fill(asleep_, char{0});
 }
 
 void ContactLanes::set_rest(int lane, const StaticRest& rest) {
@@ -71,7 +78,7 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   const Starts starts = seen_start(given);
   const ContactStart& start = starts.front();
   const PadForces no_force = without_force();
-  for (int s = 0; s < kSurfaceCount; ++s) {
+  for (int s = 0; s < model_.surface_count; ++s) {
     AxisMotion closing;
     Lane way_free(0.0);
     if (is_pad(s)) {
@@ -81,16 +88,20 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
     motion_[s] = surfaces_.motion(s, start.now, closing);
     place_free_[s] = surfaces_.place(s, start.theta, way_free);
   }
-  sweep_.begin_step(w_, start.theta, seen_ ? &*seen_ : nullptr, given.frame);
+  frame_ = given.frame;
+  const Eyes eyes = frame_ == nullptr ? Eyes{} : Eyes{frame_, &*seen_, places_ ? &*places_ : nullptr};
+  sweep_.begin_step(w_, start.theta, eyes);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    meet_surface(c, starts[carrier_number(model_.candidate[c].surface)], running);
+    const ContactCandidate& candidate = model_.candidate[c];
+    if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
   }
+  for (std::size_t node = 0; places_ && node < model_.node_count(); ++node) meet_places(node, given, running);
   sweep_.list_active(running);
-  sweep_.rebase(given.base, running);
+  sweep_.rebase(given.free, running);
 }
 
-/// Is the candidate near its surface, how much of it is covered, and what does its layer say?
-void ContactLanes::meet_surface(std::size_t c, const ContactStart& start, const Mask& running) {
+/// How does a particle of the side that faces a surface meet it, and how much of it is covered?
+void ContactLanes::meet_side(std::size_t c, const ContactStart& start, const Mask& running) {
   const ContactCandidate& candidate = model_.candidate[c];
   const int surface = candidate.surface;
   const auto axis = static_cast<std::size_t>(normal_axis(surface));
@@ -98,35 +109,47 @@ void ContactLanes::meet_surface(std::size_t c, const ContactStart& start, const 
   const auto free = 3 * static_cast<std::size_t>(candidate.contact_node);
   const Lane sign(normal_sign(surface));
   const Lane rest(candidate.surface_m);
-  const Lane gap_now = sign * (rest + start.u.get(node + axis) - motion_[surface].place_m);
-  const Lane gap_free = sign * (rest + start.base.get(free + axis) - place_free_[surface]);
-  const Mask carrying = register_.is_closed(c);
-  const Lane least(candidate.least_relief_m);
-  const Mask meets = running & surfaces_[surface].present & (carrying | (gap_free + least < near_margin_));
+  const Meeting meeting{sign * (rest + start.u.get(node + axis) - motion_[surface].place_m),
+                        sign * (rest + start.free.displacement.get(free + axis) - place_free_[surface]),
+                        -sign * (start.v.get(node + axis) - motion_[surface].velocity_m_s),
+                        -sign * (start.a.get(node + axis) - motion_[surface].acceleration_m_s2)};
+  const Mask meets = may_meet(c, meeting, running);
   // A contact that sticks keeps what it closed with.
-  const Mask moves = meets & !(carrying & !register_.sliding.get(c));
+  const Mask moves = meets & !(register_.is_closed(c) & !register_.sliding.get(c));
   if (any(moves)) cover_again(c, start, moves);
+  take_in(c, meeting, meets, running);
+}
+
+Mask ContactLanes::may_meet(std::size_t c, const Meeting& meeting, const Mask& running) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const Lane least(candidate.least_relief_m);
+  return running & surfaces_[candidate.surface].present &
+         (register_.is_closed(c) | (meeting.gap_free + least < near_margin_));
+}
+
+/// Is the candidate near its surface, and what does its layer say? @param meets may be near, and is covered anew
+void ContactLanes::take_in(std::size_t c, const Meeting& meeting, const Mask& meets, const Mask& running) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const Lane least(candidate.least_relief_m);
+  const Mask carrying = register_.is_closed(c);
   const Mask near = meets & (register_.share.get(c) > Lane(0.0));
   register_.near.put(c, near);
-  register_.gap_now.put(c, gap_now + least);
-  register_.gap_free.put(c, gap_free + least);
+  register_.gap_now.put(c, meeting.gap_now + least);
+  register_.gap_free.put(c, meeting.gap_free + least);
   register_.was_closed.put(c, carrying);
   register_.was_sliding.put(c, register_.sliding.get(c));
   register_.normal_theta.put(c, select(near, register_.normal_theta.get(c), Lane(0.0)));
   for (LaneArray& tangent : register_.tangent_theta) tangent.put(c, select(near, tangent.get(c), Lane(0.0)));
   // Where the contact is open its penetration is where the particle is, whatever it once was.
-  register_.penetration.put(c, select(running & !carrying, -gap_now, register_.penetration.get(c)));
+  register_.penetration.put(c, select(running & !carrying, -meeting.gap_now, register_.penetration.get(c)));
   // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.
-  const Lane rate = -sign * (start.v.get(node + axis) - motion_[surface].velocity_m_s);
-  const Lane second_rate = -sign * (start.a.get(node + axis) - motion_[surface].acceleration_m_s2);
-  sweep_.prepare(c, surfaces_[surface].relaxation_s * w_.viscous(-gap_now, rate, second_rate));
+  sweep_.prepare(c, surfaces_[candidate.surface].relaxation_s *
+                        w_.viscous(-meeting.gap_now, meeting.rate, meeting.second_rate));
 }
 
-/// Takes in which part of a candidate's piece lies under its surface now. What the layer held beyond an edge is
-/// lost.
+/// Takes in which part of a candidate's piece lies under its surface now.
 void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const Mask& lanes) {
   const ContactCandidate& candidate = model_.candidate[c];
-  const SurfaceLane& surface = surfaces_[candidate.surface];
   const auto tangents = tangent_axes(candidate.surface);
   const auto node = 3 * static_cast<std::size_t>(candidate.node);
   std::array<CoveredPiece, 2> piece;
@@ -136,6 +159,12 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
                                                    start.u.get(node + static_cast<std::size_t>(tangents[t])));
     }
   }
+  set_cover(c, piece, lanes);
+}
+
+/// What the layer held beyond an edge is lost.
+void ContactLanes::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes) {
+  const SurfaceLane& surface = surfaces_[model_.candidate[c].surface];
   const LayerEnergy before = register_.stored_energy(c, surface);
   register_.set_cover(c, piece, lanes);
   const LayerEnergy after = register_.stored_energy(c, surface);
@@ -145,6 +174,7 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
 
 void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running) {
   const Ends ends = seen_end(end, frame);
+  if (places_) see_facing(*frame);
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
   first_touch_ = Lane(2.0);
@@ -154,7 +184,7 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
     const auto c = static_cast<std::size_t>(live);
     end_candidate(c, ends[carrier_number(model_.candidate[c].surface)], running);
   }
-  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+  for (int surface = 0; surface < model_.surface_count; ++surface) {
     measure_windows(surface, ends[carrier_number(surface)], running);
     if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].end_step(least_turning_radius_m(), running);
   }
@@ -163,6 +193,7 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
 void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    if (model_.candidate[c].place >= 0) continue;  // theirs go with them as they meet
     const int surface = model_.candidate[c].surface;
     const ContactEnd& end = ends[carrier_number(surface)];
     const auto tangents = tangent_axes(surface);
@@ -226,7 +257,8 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, Candida
   const Lane shear = max(register_.layer_stiffness(c, surfaces_[surface]) * Lane(1.0 / 3.0), Lane(1e-300));
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
-    const Lane place = end.u_theta.get(node + along) - carrier_of(surface, end.theta)[along].place_m;
+    const Lane seen = candidate.place < 0 ? end.u_theta.get(node + along) : place_theta_[t].get(c);
+    const Lane place = seen - carrier_of(surface, end.theta)[along].place_m;
     const Lane before = register_.anchor[t].get(c);
     const Lane stretch = register_.tangent_theta[t].get(c) / shear;
     const Lane after = w_.at_end(before, place + stretch);
@@ -279,6 +311,11 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
     slip_[static_cast<std::size_t>(model_.candidate[c].surface)].add_closed(
         place, select(step.closed, register_.normal_theta.get(c), Lane(0.0)), step.moved);
   }
+  if (model_.candidate[c].place >= 0) {
+    sums.add_place(step.after[0], place_on_face(model_.candidate[c]),
+                   model_.place[static_cast<std::size_t>(model_.candidate[c].place)].extent_m);
+    return;
+  }
   sums.add_moments(model_.candidate[c], step.after[0],
                    {register_.penetration_theta.get(c),
                     register_.cover(c),
@@ -311,6 +348,10 @@ void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
 
 /// Measures the pressure in windows over one surface.
 void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mask& running) {
+  if (model_.has_places(surface)) {
+    measure_place_windows(surface, running);
+    return;
+  }
   const auto at = static_cast<std::size_t>(surface);
   if (model_.face[at].candidate.empty() || none(running & (tally_[at].normal > Lane(0.0)))) return;
   // The face moves past the surface as the particles that carry force do.

@@ -21,7 +21,9 @@
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layered_face.hpp"
 #include "core/contact/pad_slip.hpp"
+#include "core/contact/place_windows.hpp"
 #include "core/contact/seen_nodes.hpp"
+#include "core/contact/seen_places.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/contact/window_pressure.hpp"
@@ -38,7 +40,7 @@ struct ContactStart {
   const LaneArray& u;
   const LaneArray& v;
   const LaneArray& a;
-  const LaneArray& base;  ///< displacement at t + theta dt without contact forces, rows 3 x contact node + axis
+  FreeMotion free;  ///< to t + theta dt
   const CarrierMotion& now;
   const CarrierMotion& theta;
   const GripperLanes& gripper;
@@ -76,14 +78,21 @@ class ContactLanes {
   void begin_step(const ContactStart& start, const Mask& running);
   /// Did begin_step find anything near a surface?
   [[nodiscard]] bool idle() const { return sweep_.active_nodes().empty(); }
-  /// The displacement without contact forces has changed in `lanes` (plastic iteration); solve again from the
-  /// present forces.
-  void rebase(const LaneArray& base, const Mask& lanes) { sweep_.rebase(base, lanes); }
+  /// The motion without contact forces has changed in `lanes` (plastic iteration); solve again from the present
+  /// forces.
+  void rebase(const FreeMotion& free, const Mask& lanes) { sweep_.rebase(free, lanes); }
   Lane solve(const GripperLanes& gripper, const Mask& solving) { return sweep_.solve(gripper, solving); }
   /// The solve of this step, and the forces it found.
   [[nodiscard]] const ContactSweep& sweep() const { return sweep_; }
+  /// By how much more than their action on particles the contact forces turn the body as a whole; null: they do
+  /// not.
+  [[nodiscard]] const LaneVector* turn_by_arms() const {
+    return places_ ? &sweep_.levers().turn_by_arms() : nullptr;
+  }
   /// Takes in where a product that turns has come at t + theta dt, while its frame is still the predicted one.
-  void see_theta(const FrameLanes& frame, const LaneArray& u_theta) { seen_->see_theta(frame, u_theta); }
+  void see_theta(const FrameLanes& frame, const LaneArray& u_theta);
+  /// Adds what forces on places do by their arms.
+  void add_arms(OuterForces& outer) const;
   /// Moves forces, anchors and register to t + dt and tallies them.
   /// @param frame of a product that turns, as it fits at t + dt
   void end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running);
@@ -106,6 +115,8 @@ class ContactLanes {
   [[nodiscard]] Lane stored_energy() const { return register_.stored_energy(surfaces_); }
   /// Mean pressure of a surface's patch / mean pressure at first yield, from the present tally.
   [[nodiscard]] Lane yield_ratio(int surface, const Lane& yield_stress) const;
+  /// Of the face that meets a surface in one lane.
+  [[nodiscard]] const PatchForm& patch_form(int surface, int lane) const;
   /// Force of one surface on the product along x, y, z, in one lane.
   [[nodiscard]] std::array<double, 3> surface_force(int surface, int lane) const;
 
@@ -126,8 +137,25 @@ class ContactLanes {
   void load_seen(int lane);
   Starts seen_start(const ContactStart& start);
   Ends seen_end(const ContactEnd& end, const FrameLanes* frame);
-  void meet_surface(std::size_t candidate, const ContactStart& start, const Mask& running);
+  /// Where a candidate stands before its surface, at the start of a step and without contact forces at t + theta
+  /// dt.
+  struct Meeting {
+    Lane gap_now, gap_free;
+    Lane rate, second_rate;  ///< of the penetration
+  };
+  void see_facing(const FrameLanes& frame);
+  [[nodiscard]] std::array<Lane, 2> place_on_face(const ContactCandidate& candidate) const;
+  void meet_side(std::size_t candidate, const ContactStart& start, const Mask& running);
+  void meet_place(std::size_t candidate, const ContactStart& start, const Mask& running);
+  void meet_places(std::size_t node, const ContactStart& start, const Mask& running);
+  [[nodiscard]] bool is_far(std::size_t node, int surface, const ContactStart& start) const;
+  void take_in(std::size_t candidate, const Meeting& meeting, const Mask& meets, const Mask& running);
+  [[nodiscard]] Mask may_meet(std::size_t candidate, const Meeting& meeting, const Mask& running) const;
+  [[nodiscard]] LaneVector free_turn(const FreeMotion& free) const;
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
+  void cover_place(std::size_t candidate, const LaneVector& displacement, const CarrierMotion& now,
+                   const Mask& lanes);
+  void set_cover(std::size_t candidate, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
   void carry_open_anchors(const Ends& ends, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
   void advance_forces(std::size_t candidate, const Mask& running, CandidateStep& step);
@@ -140,10 +168,15 @@ class ContactLanes {
   void note_layer_strain(std::size_t candidate, const CandidateStep& step);
   /// Contacts of a pad nearer together than this say nothing about an angle.
   [[nodiscard]] double least_turning_radius_m() const {
-    return 0.1 * std::min(model_.cell_extent_m[kLeftPad][0], model_.cell_extent_m[kLeftPad][1]);
+    const auto& extent_m = model_.cell_extent_m[static_cast<std::size_t>(normal_axis(kLeftPad))];
+    return 0.1 * std::min(extent_m[0], extent_m[1]);
   }
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
+  void measure_place_windows(int surface, const Mask& running);
   /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
+  [[nodiscard]] Lane lowest_seen_place_m(int surface, const LaneArray& u) const;
+  /// The axis across which the face of the product lies that a surface meets.
+  [[nodiscard]] std::size_t face_axis(int surface, int lane) const;
   [[nodiscard]] Lane layer_under_force_N_m3(int surface) const;
 
   const ContactModel& model_;
@@ -154,11 +187,20 @@ class ContactLanes {
   SurfaceLanes surfaces_;
   std::array<FaceLayer, kLanes> pad_layer_, support_layer_;
   ContactRegister register_;
-  std::optional<SeenNodes> seen_;  ///< of a product that turns
+  std::optional<SeenNodes> seen_;    ///< of a product that turns
+  std::optional<SeenPlaces> places_;  ///< of one that may touch the cell anywhere
+  /// Per contact node and surface from the support on: none of its places has been near since they were last
+  /// looked at one by one.
+  std::vector<char> asleep_;
+  std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
+  /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
+  std::array<std::array<Mask, 2>, kSurfaceCount> faces_;
+  const FrameLanes* frame_ = nullptr;  ///< of the present step
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
   ContactSweep sweep_;
-  std::vector<WindowPressure> window_;  ///< over each surface
+  std::vector<WindowPressure> window_;  ///< over each surface whose candidates are a side's particles
+  PlaceWindows place_windows_;
 
   // Of the present step.
   std::array<AxisMotion, kSurfaceCount> motion_;  ///< of each surface along its normal axis, at t

@@ -30,6 +30,7 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
 }
 
 Lane ContactLanes::lowest_place_m(int surface, const LaneArray& given) const {
+  if (model_.has_places(surface)) return lowest_seen_place_m(surface, given);
   const LaneArray& u = seen_ ? seen_->from(carrier_number(surface)).u : given;
   const auto axis = static_cast<std::size_t>(normal_axis(surface));
   const Lane sign(normal_sign(surface));
@@ -42,8 +43,21 @@ Lane ContactLanes::lowest_place_m(int surface, const LaneArray& given) const {
   return lowest;
 }
 
+/// In the frame that fits, which was seen last.
+Lane ContactLanes::lowest_seen_place_m(int surface, const LaneArray& u) const {
+  Lane lowest(std::numeric_limits<double>::infinity());
+  for (const ContactCandidate& candidate : model_.candidate) {
+    if (candidate.surface != surface) continue;
+    const LaneVector there =
+        places_->displacement(candidate, get_vector(u, static_cast<std::size_t>(candidate.node)));
+    lowest = min(lowest, Lane(candidate.surface_m) + there[static_cast<std::size_t>(normal_axis(surface))]);
+  }
+  return lowest;
+}
+
 Lane ContactLanes::layer_under_force_N_m3(int surface) const {
   Lane stiffness = surfaces_[surface].stiffness_N_m3;
+  if (surface >= kFirstCellSurface) return stiffness;
   for (int lane = 0; lane < kLanes; ++lane) {
     const FaceLayer& layer = (is_pad(surface) ? pad_layer_ : support_layer_)[static_cast<std::size_t>(lane)];
     const double force_N = tally_[surface].normal[lane];
@@ -53,15 +67,31 @@ Lane ContactLanes::layer_under_force_N_m3(int surface) const {
   return stiffness;
 }
 
+std::size_t ContactLanes::face_axis(int surface, int lane) const {
+  if (!model_.has_places(surface)) return static_cast<std::size_t>(normal_axis(surface));
+  const auto& [across_x, across_z] = faces_[static_cast<std::size_t>(surface)];
+  return across_x[lane] ? 0 : across_z[lane] ? 2 : 1;
+}
+
 Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
-  const auto at = static_cast<std::size_t>(surface);
-  return unbruised::yield_ratio(tally_[at], model_.patch_form[at], model_.cell_extent_m[at], surfaces_[surface],
-                                layer_under_force_N_m3(surface), yield_stress);
+  const Lane layer_N_m3 = layer_under_force_N_m3(surface);
+  Lane ratio(0.0);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const std::size_t axis = face_axis(surface, lane);
+    const PressedFace face{tally_[surface], model_.patch_form[axis], model_.cell_extent_m[axis], surfaces_[surface]};
+    ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
+  }
+  return ratio;
+}
+
+const PatchForm& ContactLanes::patch_form(int surface, int lane) const {
+  return model_.patch_form[face_axis(surface, lane)];
 }
 
 std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
-  const std::array<Lane, 3> force = tally_[surface].force(surface);
-  return {force[0][lane], force[1][lane], force[2][lane]};
+  const LaneVector force{tally_[surface].force(surface)};
+  if (surface < kFirstCellSurface) return of_lane(force, lane);
+  return of_lane(transposed(surfaces_[surface].axes) * force, lane);
 }
 
 }  // namespace unbruised

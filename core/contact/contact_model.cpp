@@ -4,9 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Dense>
+
 #include "core/algebra/lane_solve.hpp"
+#include "core/contact/surface_places.hpp"
 #include "core/contact/tributary_face.hpp"
 #include "core/door/require.hpp"
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/true_shape.hpp"
 
@@ -14,13 +18,17 @@ namespace unbruised {
 namespace {
 
 /// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
-constexpr std::array<std::size_t, kSurfaceCount> kFacingSide = {0, 1, 4};
+constexpr std::array<std::size_t, kFirstCellSurface> kFacingSide = {0, 1, 4};
 
 /// Cell compliance x E / (1 - nu^2) / width of the rectangle. Calibrated: with it Hertz's force at a given
 /// approach is met within 15 % from five cells per radius on, be it a particle or a cell that stands under the
 /// pole (docs/validation.md); without it a stiff plate meets 1.4 to 1.7 times that force. It vanishes with the
 /// cell size.
 constexpr double kCellCompliance = 0.4;
+
+double cell_compliance_m_Pa(const LatticeParameters& parameters, double cell_m2) {
+  return kCellCompliance * std::sqrt(cell_m2) / plane_strain_modulus_Pa(parameters);
+}
 
 /// Heights of the true surface around the particle; places outside the body never touch.
 void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis,
@@ -47,8 +55,8 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
   if (c.flat) {
     c.relief_m.fill(0.0);
   } else {
-    c.cell_compliance_m_Pa = kCellCompliance * std::sqrt(c.tributary[0].extent_m * c.tributary[1].extent_m) /
-                             plane_strain_modulus_Pa(parameters);
+    c.cell_compliance_m_Pa =
+        cell_compliance_m_Pa(parameters, c.tributary[0].extent_m * c.tributary[1].extent_m);
   }
   c.least_relief_m = *std::min_element(c.relief_m.begin(), c.relief_m.end());
 }
@@ -170,27 +178,75 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
   }
 }
 
+/// The places of the true surface, and each of them against the support and what the cell lists.
+void add_places(const LatticeParameters& parameters, const Lattice& lattice, const ContactChoice& choice,
+                ContactModel& contact) {
+  const auto& cell_m = lattice.cell_extent_m;
+  const double cell_m_Pa = cell_compliance_m_Pa(parameters, std::cbrt(std::pow(cell_m[0] * cell_m[1] * cell_m[2], 2)));
+  for (const SurfacePlace& place : surface_places(parameters, lattice, choice.set)) {
+    const auto& particle_m = lattice.position_m[static_cast<std::size_t>(place.node)];
+    PlaceArm arm{.outward = place.outward};
+    ContactCandidate candidate;
+    candidate.node = place.node;
+    candidate.surface_m = place.place_m[static_cast<std::size_t>(normal_axis(kSupport))];
+    candidate.area_m2 = place.area_m2;
+    candidate.place = static_cast<int>(contact.place.size());
+    for (std::size_t d = 0; d < 3; ++d) arm.arm_m[d] = place.place_m[d] - particle_m[d];
+    for (std::size_t t = 0; t < 2; ++t) {
+      const auto along = static_cast<std::size_t>(tangent_axes(kSupport)[t]);
+      arm.extent_m[t] = std::sqrt(place.area_m2);
+      candidate.tributary[t] = {place.place_m[along], arm.extent_m[t], false, {2, 2}};
+    }
+    if (place.curved) candidate.cell_compliance_m_Pa = cell_m_Pa;
+    contact.place.push_back(arm);
+    for (int surface = kSupport; surface < choice.surface_count; ++surface) {
+      candidate.surface = surface;
+      contact.candidate.push_back(candidate);
+    }
+  }
+}
+
+/// The patch that each face makes, where a surface can meet it.
+void add_face_forms(const LatticeParameters& parameters, const Lattice& lattice, ContactSet set,
+                    ContactModel& contact) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::array<int, 2> tangents = {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+    const FacePlane plane(lattice, axis, tangents);
+    contact.cell_extent_m[axis] = plane.extent_m;
+    if (axis == 1 && set == ContactSet::pads_and_support) continue;
+    contact.patch_form[axis] = patch_form(parameters, axis, plane.tangent, lattice.center_m);
+  }
+}
+
 }  // namespace
 
+ContactChoice contact_choice(const Scenario& scenario) {
+  const ContactSet set = contact_set(scenario);
+  return {set, set == ContactSet::pads_and_support ? kFirstCellSurface : surface_count(scenario),
+          scenario.simulation.pressure_patch_m};
+}
+
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
-                             double pressure_patch_m) {
+                             const ContactChoice& choice) {
   ContactModel contact;
-  contact.patch_side_m = pressure_patch_m;
+  contact.patch_side_m = choice.pressure_patch_m;
+  contact.surface_count = choice.surface_count;
+  add_face_forms(parameters, lattice, choice.set, contact);
+  const bool upright = choice.set == ContactSet::pads_and_support;
+  const int with_sides = upright ? kFirstCellSurface : kSupport;  // whose candidates are particles of a side
   std::vector<FacePlane> plane;
-  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+  for (int surface = 0; surface < with_sides; ++surface) {
     const auto axis = static_cast<std::size_t>(normal_axis(surface));
     plane.emplace_back(lattice, axis, tangent_axes(surface));
     // Of the true shape: with an even number of particles across, none stands on it. The surface lies at the low
     // end where its force points up.
     const double pole = lattice.center_m[axis] - normal_sign(surface) * 0.5 * parameters.size_m[axis];
-    const auto at = static_cast<std::size_t>(surface);
-    if (is_pad(surface)) contact.pole_m[at] = pole;
-    contact.patch_form[at] = patch_form(parameters, axis, plane.back().tangent, lattice.center_m);
-    contact.cell_extent_m[at] = plane.back().extent_m;
+    if (is_pad(surface)) contact.pole_m[static_cast<std::size_t>(surface)] = pole;
     add_candidates(parameters, lattice, surface, plane.back(), pole, contact);
   }
+  if (!upright) add_places(parameters, lattice, choice, contact);
   number_nodes(contact);
-  for (int surface = 0; surface < kSurfaceCount; ++surface) {
+  for (int surface = 0; surface < with_sides; ++surface) {
     const auto at = static_cast<std::size_t>(surface);
     contact.face[at] = face_grid(contact, surface, parameters, plane[at]);
   }
@@ -216,21 +272,56 @@ ContactModel network_contact(const NetworkParameters& parameters) {
 
 namespace {
 
-ContactModel candidates_of(const LatticeParameters& parameters, const BodyModel& body, double pressure_patch_m) {
-  require(body.lattice.has_value(), "product_contact: the body of another product");
-  return lattice_contact(parameters, *body.lattice, pressure_patch_m);
+/// What its places need of the factored body: their arms and how far each moves per force on it. A force on a
+/// place acts on its particle, and with its arm as a moment on the body as a whole.
+void give_arms(const BodyModel& body, const WilsonTheta& wilson, ContactModel& contact) {
+  using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const auto cross_matrix = [](const std::array<double, 3>& v) {
+    Matrix S;
+    S << 0.0, -v[2], v[1], v[2], 0.0, -v[0], -v[1], v[0], 0.0;
+    return S;
+  };
+  const Matrix turn = Eigen::Map<const Matrix>(body.inverse_inertia.data()) / wilson.a0;
+  std::copy_n(turn.data(), 9, contact.turn_per_moment.begin());
+  contact.place_radius_m.assign(contact.node_count(), std::nullopt);
+  for (const ContactCandidate& candidate : contact.candidate) {
+    if (candidate.place < 0) continue;
+    PlaceArm& place = contact.place[static_cast<std::size_t>(candidate.place)];
+    const auto& particle_m = body.position_m[static_cast<std::size_t>(candidate.node)];
+    std::array<double, 3> X{};
+    double square = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      X[d] = particle_m[d] - body.center_of_mass_m[d];
+      place.from_mass_m[d] = X[d] + place.arm_m[d];
+      square += place.arm_m[d] * place.arm_m[d];
+    }
+    std::optional<double>& radius = contact.place_radius_m[static_cast<std::size_t>(candidate.contact_node)];
+    radius = std::max(radius.value_or(0.0), std::sqrt(square));
+    const Matrix o = cross_matrix(place.arm_m), x = cross_matrix(X);
+    const std::size_t own = 9 * static_cast<std::size_t>(candidate.contact_node) * (contact.node_count() + 1);
+    const Matrix W = Eigen::Map<const Matrix>(contact.compliance.data() + own) - o * turn * (x + o) - x * turn * o;
+    std::copy_n(W.data(), 9, place.compliance.begin());
+  }
 }
-ContactModel candidates_of(const NetworkParameters& parameters, const BodyModel& body, double) {
+
+ContactModel candidates_of(const LatticeParameters& parameters, const BodyModel& body,
+                           const ContactChoice& choice) {
+  require(body.lattice.has_value(), "product_contact: the body of another product");
+  return lattice_contact(parameters, *body.lattice, choice);
+}
+ContactModel candidates_of(const NetworkParameters& parameters, const BodyModel& body, const ContactChoice&) {
   require(parameters.particle.size() == body.particle_count, "product_contact: the body of another product");
   return network_contact(parameters);
 }
 
 }  // namespace
 
-ContactModel product_contact(const ProductParameters& product, const BodyModel& body, double pressure_patch_m) {
+ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson) {
+  const ContactChoice choice = contact_choice(scenario);
   ContactModel contact =
-      std::visit([&](const auto& kind) { return candidates_of(kind, body, pressure_patch_m); }, product);
+      std::visit([&](const auto& kind) { return candidates_of(kind, body, choice); }, scenario.product);
   fill_compliance(body.factor, body.slot, contact);
+  if (!contact.place.empty()) give_arms(body, wilson, contact);
   return contact;
 }
 

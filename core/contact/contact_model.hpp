@@ -4,13 +4,16 @@
 /// What all scenarios of a factor key share about contact: which freedoms can touch which surface, and how far the
 /// product yields there, W = J A^-1 J' (docs/theory.md, "Contact").
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/body/body_model.hpp"
 #include "core/contact/patch_form.hpp"
 #include "core/contact/tributary.hpp"
+#include "core/integration/wilson_theta.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
@@ -19,7 +22,7 @@ namespace unbruised {
 /// Places at which the true surface is sampled over a particle's tributary rectangle.
 inline constexpr int kReliefPlaces = kReliefSide * kReliefSide;
 
-/// One particle that may touch one surface.
+/// One particle, or one place of the true surface that it carries, that may touch one surface.
 struct ContactCandidate {
   int surface = 0;
   int node = 0;                                  ///< particle
@@ -36,6 +39,16 @@ struct ContactCandidate {
   double cell_compliance_m_Pa = 0;
   /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
   std::array<double, 2> edge_compliance_m_Pa{};
+  int place = -1;  ///< index into ContactModel::place; -1: the particle meets the surface with the side that faces it
+};
+
+/// One place of the true surface, which turns with the product.
+struct PlaceArm {
+  std::array<double, 3> arm_m{};       ///< from the particle that carries it
+  std::array<double, 3> from_mass_m{};  ///< from the centre of mass
+  std::array<double, 3> outward{};
+  std::array<double, 2> extent_m{};     ///< of the piece of surface around it
+  std::array<double, 9> compliance{};   ///< of the place: how far it moves per force on it [m/N], row-major
 };
 
 /// Stiffness of a layer over that of a cell, k c, at which half of the cell's compliance acts. Calibrated on a
@@ -71,27 +84,51 @@ struct ContactModel {
   std::vector<int> first_candidate;         ///< contact node -> its first candidate; size node.size() + 1
   std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
   std::vector<int> reach;                   ///< supernodes the contact freedoms touch
-  std::array<PatchForm, kSurfaceCount> patch_form;
-  std::array<std::array<double, 2>, kSurfaceCount> cell_extent_m{};  ///< of a contact's cell, along the tangents
+  std::vector<PlaceArm> place;              ///< of a product that meets the cell with more than its bottom
+  /// Of the faces across x, y, z.
+  std::array<PatchForm, 3> patch_form;
+  std::array<std::array<double, 2>, 3> cell_extent_m{};  ///< of a contact's cell on these, along the tangents
   std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
-  std::array<FaceGrid, kSurfaceCount> face;   ///< of a lattice product
-  double patch_side_m = 0;                    ///< of the square over which pressure is averaged
+  std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface
+  double patch_side_m = 0;                       ///< of the square over which pressure is averaged
+  int surface_count = kFirstCellSurface;
+  /// Farthest place of a contact node from it [m]; of one without places none.
+  std::vector<std::optional<double>> place_radius_m;
+  /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
+  std::array<double, 9> turn_per_moment{};
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
+  /// Do places of the true surface meet this surface, and not particles?
+  [[nodiscard]] bool has_places(int surface) const { return !place.empty() && !is_pad(surface); }
 };
+
+/// How much of a candidate's area faces a level support while the product stands as at the start.
+inline double upright_share(const ContactModel& contact, const ContactCandidate& candidate) {
+  if (candidate.place < 0) return 1.0;
+  return std::max(0.0, -contact.place[static_cast<std::size_t>(candidate.place)].outward[2]);
+}
 
 /// In-plane offset of sample place `q` from the particle, as a share of the tributary rectangle's extents.
 constexpr std::array<double, 2> relief_offset(int q) {
   return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};
 }
 
-/// Candidates of a lattice body against both pads and the support.
-ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice, double pressure_patch_m);
+/// What may touch what.
+struct ContactChoice {
+  ContactSet set = ContactSet::pads_and_support;
+  int surface_count = kFirstCellSurface;
+  double pressure_patch_m = 0.01;
+};
+ContactChoice contact_choice(const Scenario& scenario);
+
+/// Candidates of a lattice body against the surfaces.
+ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
+                             const ContactChoice& choice);
 
 /// Candidates of a network: the particles with a contact stiffness, against the support.
 ContactModel network_contact(const NetworkParameters& parameters);
 
 /// The contact model of a factored body, with its compliance W and reach.
-ContactModel product_contact(const ProductParameters& product, const BodyModel& body, double pressure_patch_m);
+ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson);
 
 }  // namespace unbruised

@@ -53,7 +53,7 @@ void ContactRegister::set_rest(int lane, const StaticRest& rest) {
     if (!(rest.normal_force_N[c] > 0.0)) continue;  // the support has no edge
     penetration.at(c, lane) = rest.penetration_m[c];
     normal.at(c, lane) = normal_theta.at(c, lane) = rest.normal_force_N[c];
-    share.at(c, lane) = 1.0;
+    share.at(c, lane) = upright_share(model_, model_.candidate[c]);
   }
 }
 

@@ -30,15 +30,14 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
   for (LaneArray* rows : {&viscous_, &layer_, &shear_, &shear_relaxed_}) *rows = LaneArray(model.candidate.size());
   for (LaneArray* rows : {&base_, &node_force_}) *rows = LaneArray(3 * model.node_count());
   rate_slope_.fill(Lane(0.0));
+  if (!model.place.empty()) levers_ = LeverSums(model.turn_per_moment);
 }
 
-void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const SeenNodes* seen,
-                              const FrameLanes* frame) {
+void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes) {
   theta_ = theta;
-  seen_ = seen;
-  frame_ = frame;
-  if (seen_ != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
-  for (int s = 0; s < kSurfaceCount; ++s) {
+  eyes_ = eyes;
+  if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
+  for (int s = 0; s < model_.surface_count; ++s) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
   }
   node_force_.fill(0.0);
@@ -55,7 +54,7 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   layer_.put(c, contacts_.normal_stiffness(c, surface));
   shear_.put(c, shear);
   Lane compliance(std::max(own[4 * tangents[0]], own[4 * tangents[1]]));
-  if (seen_ != nullptr) {
+  if (eyes_.frame != nullptr) {
     prepare_turned(c);
     const std::size_t row = 9 * c;
     compliance = max(own_.get(row + 4 * static_cast<std::size_t>(tangents[0])),
@@ -66,8 +65,11 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
 
 /// T W_ii T'.
 void ContactSweep::prepare_turned(std::size_t c) {
-  const double* own = model_.compliance.data() + 9 * model_.candidate[c].contact_node * (model_.node_count() + 1);
-  const LaneMatrix& T = axes_of(c).turn;
+  const ContactCandidate& candidate = model_.candidate[c];
+  const double* own = candidate.place < 0
+                          ? model_.compliance.data() + 9 * candidate.contact_node * (model_.node_count() + 1)
+                          : model_.place[static_cast<std::size_t>(candidate.place)].compliance.data();
+  const LaneMatrix& T = axes_of(candidate).turn;
   LaneMatrix W;
   for (std::size_t i = 0; i < 9; ++i) W.at[i] = Lane(own[i]);
   const LaneMatrix turned = T * W * transposed(T);
@@ -91,30 +93,32 @@ void ContactSweep::list_active(const Mask& running) {
   }
 }
 
-void ContactSweep::rebase(const LaneArray& base, const Mask& lanes) {
+LaneVector ContactSweep::force_in_frame(std::size_t c) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const std::array<Lane, 3> force =
+      along_axes(candidate.surface, contacts_.normal_theta.get(c), contacts_.tangent_theta[0].get(c),
+                 contacts_.tangent_theta[1].get(c));
+  return eyes_.frame == nullptr ? LaneVector{force} : transposed(axes_of(candidate).turn) * LaneVector{force};
+}
+
+void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
+  const LaneArray& base = free.displacement;
   require(base.rows() == base_.rows(), "ContactSweep::rebase: displacements of other contact nodes");
   // Lanes that are solved already keep their sums: summing again would round them differently.
   PadForces pad_force = without_force();
+  if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
   for (int node : active_node_) {
     const auto at = 3 * static_cast<std::size_t>(node);
     std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
     for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
       const auto k = static_cast<std::size_t>(c);
-      const int surface = model_.candidate[k].surface;
-      const auto tangents = tangent_axes(surface);
-      const Lane normal = contacts_.normal_theta.get(k);
-      if (seen_ != nullptr) {
-        const LaneVector turned =
-            transposed(axes_of(k).turn) * LaneVector{along_axes(surface, normal, contacts_.tangent_theta[0].get(k),
-                                                                contacts_.tangent_theta[1].get(k))};
-        for (std::size_t i = 0; i < 3; ++i) force[i] += turned[i];
-      } else {
-        force[static_cast<std::size_t>(normal_axis(surface))] += Lane(normal_sign(surface)) * normal;
-        for (std::size_t t = 0; t < 2; ++t) {
-          force[static_cast<std::size_t>(tangents[t])] += contacts_.tangent_theta[t].get(k);
-        }
-      }
-      if (is_pad(surface)) pad_force[surface] += normal;
+      const ContactCandidate& candidate = model_.candidate[k];
+      const LaneVector by_candidate = force_in_frame(k);
+      for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
+      if (is_pad(candidate.surface)) pad_force[candidate.surface] += contacts_.normal_theta.get(k);
+      if (eyes_.places == nullptr) continue;
+      levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
+                  select(lanes, by_candidate, LaneVector{}));
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       base_.put(at + axis, select(lanes, base.get(at + axis), base_.get(at + axis)));
@@ -253,15 +257,25 @@ template <class AnyNode>
                                                                   Pass& pass, Node& node) {
   const Mask active = pass.solving & contacts_.near.get(c);
   if (none(active)) return;
-  if (seen_ == nullptr) {
+  if (eyes_.frame == nullptr) {
     update_forces(c, gripper, active, pass, node);
     return;
   }
-  const CarrierAxes& axes = axes_of(c);
-  const auto contact_node = static_cast<std::size_t>(model_.candidate[c].contact_node);
-  TurnedNode turned{own_.row(9 * c), axes.displacement(seen_->rest_place_m(*frame_, contact_node), {node.d}), {}};
+  const ContactCandidate& candidate = model_.candidate[c];
+  TurnedNode turned{own_.row(9 * c), seen_displacement(candidate, {node.d}), {}};
   update_forces(c, gripper, active, pass, turned);
-  node.push(transposed(axes.turn) * turned.change);
+  const LaneVector change = transposed(axes_of(candidate).turn) * turned.change;
+  node.push(change);
+  if (eyes_.places == nullptr) return;
+  const LaneVector X = rest_place_m(static_cast<std::size_t>(candidate.contact_node));
+  const LaneVector further = cross(levers_.add(X, arm_of(candidate), change), X);
+  for (std::size_t i = 0; i < 3; ++i) node.d[i] += further[i];
+}
+
+/// Of a candidate along the axes of its surface's carrier, by that of its particle.
+inline LaneVector ContactSweep::seen_displacement(const ContactCandidate& candidate, const LaneVector& u) const {
+  if (candidate.place >= 0) return eyes_.places->displacement(candidate, u, levers_.turn());
+  return axes_of(candidate).displacement(rest_place_m(static_cast<std::size_t>(candidate.contact_node)), u);
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
@@ -277,6 +291,10 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
       const double* row = model_.compliance.data() + 9 * i * m;
       Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
       add_blocks(row, active_node_, node_force_, node.d);
+      if (eyes_.places != nullptr) {
+        const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
+        for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
+      }
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
         update_candidate(static_cast<std::size_t>(c), gripper, pass, node);
       }

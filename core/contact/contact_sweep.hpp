@@ -8,10 +8,25 @@
 #include <vector>
 
 #include "core/contact/contact_register.hpp"
+#include "core/contact/lever_sums.hpp"
 #include "core/contact/seen_nodes.hpp"
+#include "core/contact/seen_places.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 
 namespace unbruised {
+
+/// How the product moves without contact forces until t + theta dt.
+struct FreeMotion {
+  const LaneArray& displacement;  ///< rows 3 x contact node + axis
+  LaneVector moment_N_m;          ///< by which it turns; of products that touch with places
+};
+
+/// Through which eyes a product that turns is seen.
+struct Eyes {
+  const FrameLanes* frame = nullptr;  ///< null: the product is upright, and nobody has to look
+  const SeenNodes* nodes = nullptr;
+  const SeenPlaces* places = nullptr;
+};
 
 class ContactSweep {
  public:
@@ -20,17 +35,15 @@ class ContactSweep {
 
   /// Starts a step: the layers of this step, without forces.
   /// @param theta where the carriers are at t + theta dt
-  /// @param seen, frame of a product that turns; else null
-  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const SeenNodes* seen = nullptr,
-                  const FrameLanes* frame = nullptr);
+  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const Eyes& eyes);
   /// Takes in what a candidate's layer is this step.
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
   /// Lists the nodes with something near, once every candidate's `near` is known.
   void list_active(const Mask& running);
 
-  /// Starts from the present forces over a displacement without contact forces, rows 3 x contact node + axis.
-  void rebase(const LaneArray& base, const Mask& lanes);
+  /// Starts from the present forces over a motion without them.
+  void rebase(const FreeMotion& free, const Mask& lanes);
   /// Solves every lane of `solving` to convergence; lanes stop one by one.
   /// @return sweeps taken per lane
   Lane solve(const GripperLanes& gripper, const Mask& solving);
@@ -39,6 +52,10 @@ class ContactSweep {
 
   /// Contact forces at t + theta dt on the freedoms of the contact nodes, rows 3 x contact node + axis.
   [[nodiscard]] const LaneArray& node_force() const { return node_force_; }
+  /// How these forces turn the body as a whole.
+  [[nodiscard]] const LeverSums& levers() const { return levers_; }
+  /// Force of a candidate at t + theta dt in the axes of the product's frame.
+  [[nodiscard]] LaneVector force_in_frame(std::size_t candidate) const;
   /// Contact nodes with something near a surface in any lane.
   [[nodiscard]] const std::vector<int>& active_nodes() const { return active_node_; }
   /// Candidates that are near or carry force in any lane.
@@ -70,8 +87,17 @@ class ContactSweep {
   template <class AnyNode>
   Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node);
   void prepare_turned(std::size_t candidate);
-  [[nodiscard]] const CarrierAxes& axes_of(std::size_t candidate) const {
-    return seen_->axes(carrier_number(model_.candidate[candidate].surface));
+  [[nodiscard]] const CarrierAxes& axes_of(const ContactCandidate& candidate) const {
+    return candidate.place < 0 ? eyes_.nodes->axes(carrier_number(candidate.surface))
+                               : eyes_.places->axes(candidate.surface);
+  }
+  [[nodiscard]] LaneVector arm_of(const ContactCandidate& candidate) const {
+    return candidate.place < 0 ? LaneVector{}
+                               : to_lanes(model_.place[static_cast<std::size_t>(candidate.place)].arm_m);
+  }
+  [[nodiscard]] LaneVector seen_displacement(const ContactCandidate& candidate, const LaneVector& u) const;
+  [[nodiscard]] LaneVector rest_place_m(std::size_t contact_node) const {
+    return eyes_.nodes->rest_place_m(*eyes_.frame, contact_node);
   }
 
   const ContactModel& model_;
@@ -80,10 +106,9 @@ class ContactSweep {
 
   // Of the present step.
   CarrierMotion theta_;
-  const SeenNodes* seen_ = nullptr;
-  const FrameLanes* frame_ = nullptr;
-  LaneArray
-      own_;  ///< 9 per candidate: its node's own block of the compliance in the axes of its surface's carrier
+  Eyes eyes_;
+  LeverSums levers_;
+  LaneArray own_;  ///< 9 per candidate: compliance of its node or place in the axes of its surface's carrier
   std::array<Lane, kSurfaceCount> rate_slope_;  ///< d rate / d penetration of viscous layers: tau a1
   LaneArray viscous_;                           ///< per candidate, as of `prepare`
   LaneArray layer_, shear_, shear_relaxed_;     ///< stiffnesses of the near ones; 1 / (1 + shear x compliance)

@@ -131,17 +131,12 @@ double stress_Pa(const PressedPatch& p, const PatchForm& form, const std::array<
 
 }  // namespace
 
-Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,
-                 const SurfaceLane& surface, const Lane& layer_N_m3, const Lane& yield_stress) {
-  Lane ratio(0.0);
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (!(tally.normal[lane] > kLeastForce)) continue;
-    PressedPatch patch = pressed_patch(tally, form, extent_m, surface, lane);
-    patch.layer_N_m3 = layer_N_m3[lane];
-    const double dragged = form.traction.at(patch.traction_N / patch.force_N);
-    ratio.set(lane, dragged * stress_Pa(patch, form, extent_m) / yield_stress[lane]);
-  }
-  return ratio;
+double yield_ratio(const PressedFace& face, double layer_N_m3, double yield_stress_Pa, int lane) {
+  if (!(face.tally.normal[lane] > kLeastForce)) return 0.0;
+  PressedPatch patch = pressed_patch(face.tally, face.form, face.extent_m, face.surface, lane);
+  patch.layer_N_m3 = layer_N_m3;
+  const double dragged = face.form.traction.at(patch.traction_N / patch.force_N);
+  return dragged * stress_Pa(patch, face.form, face.extent_m) / yield_stress_Pa;
 }
 
 }  // namespace unbruised

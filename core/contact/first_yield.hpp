@@ -9,13 +9,18 @@
 
 namespace unbruised {
 
-/// Largest von Mises stress below a surface's patch over the yield stress: of its mean pressure, times what the
-/// edges of a pad and the traction of its resultants add (pad_edge.hpp, patch_traction.hpp); 0 where it carries
-/// nothing.
-/// @param extent_m of a contact's cell, along the tangents
+/// A face of the product under a surface.
+struct PressedFace {
+  const SurfaceTally& tally;
+  const PatchForm& form;
+  const std::array<double, 2>& extent_m;  ///< of a contact's cell, along the tangents
+  const SurfaceLane& surface;
+};
+
+/// Largest von Mises stress below a surface's patch over the yield stress, in one lane: of its mean pressure, times
+/// what the edges of a pad and the traction of its resultants add (pad_edge.hpp, patch_traction.hpp); 0 where it
+/// carries nothing.
 /// @param layer_N_m3 stiffness of the surface's layer per area, under this force
-/// @param yield_stress of the product [Pa]
-Lane yield_ratio(const SurfaceTally& tally, const PatchForm& form, const std::array<double, 2>& extent_m,
-                 const SurfaceLane& surface, const Lane& layer_N_m3, const Lane& yield_stress);
+double yield_ratio(const PressedFace& face, double layer_N_m3, double yield_stress_Pa, int lane);
 
 }  // namespace unbruised

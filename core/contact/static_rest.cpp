@@ -17,13 +17,24 @@ constexpr int kMaxPasses = 100;
 
 SupportRest::SupportRest(const StaticSolver& statics, const ContactModel& contact)
     : statics_(statics), contact_(contact) {
-  std::vector<std::size_t> freedoms;  // of the candidates, along the support's normal
+  std::vector<std::size_t> freedoms;  // of their particles, along the support's normal; candidates go by particle
   for (std::size_t c = 0; c < contact.candidate.size(); ++c) {
-    if (contact.candidate[c].surface != kSupport) continue;
+    const double share = upright_share(contact, contact.candidate[c]);
+    if (contact.candidate[c].surface != kSupport || !(share > 0.0)) continue;
     support_candidate_.push_back(static_cast<int>(c));
-    freedoms.push_back(3 * static_cast<std::size_t>(contact.candidate[c].node) + 2);
+    share_.push_back(share);
+    const std::size_t along = 3 * static_cast<std::size_t>(contact.candidate[c].node) + 2;
+    if (freedoms.empty() || freedoms.back() != along) freedoms.push_back(along);
+    node_.push_back(freedoms.size() - 1);
   }
+  node_count_ = freedoms.size();
   compliance_ = statics.compliance(freedoms);
+}
+
+LayerSecant SupportRest::layer(std::size_t i, double layer_stiffness_N_m3, double penetration_m) const {
+  LayerSecant secant = layer_at(candidate(i), layer_stiffness_N_m3, penetration_m);
+  secant.stiffness *= share_[i];
+  return secant;
 }
 
 SupportRest::Layers SupportRest::pressed_in(double weight_N, double layer_stiffness_N_m3) const {
@@ -35,7 +46,7 @@ SupportRest::Layers SupportRest::pressed_in(double weight_N, double layer_stiffn
   for (std::size_t i = 0; i < k; ++i) area += candidate(i).area_m2;
   for (std::size_t i = 0; i < k; ++i) {
     layers.penetration_m[i] = 4.0 * weight_N / (area * layer_stiffness_N_m3) - candidate(i).surface_m;
-    layers.secant[i] = layer_at(candidate(i), layer_stiffness_N_m3, layers.penetration_m[i]);
+    layers.secant[i] = layer(i, layer_stiffness_N_m3, layers.penetration_m[i]);
   }
   return layers;
 }
@@ -51,7 +62,7 @@ void SupportRest::solve_forces(const std::vector<double>& free_m, Layers& layers
   for (Eigen::Index r = 0; r < count; ++r) {
     const std::size_t i = active[static_cast<std::size_t>(r)];
     for (Eigen::Index c = 0; c < count; ++c) {
-      A(r, c) = compliance_[i * layers.secant.size() + active[static_cast<std::size_t>(c)]];
+      A(r, c) = compliance(i, active[static_cast<std::size_t>(c)]);
     }
     A(r, r) += 1.0 / layers.secant[i].stiffness;
     b[r] = -(candidate(i).surface_m + free_m[freedom(i)] + layers.secant[i].relief);
@@ -66,8 +77,8 @@ bool SupportRest::press(const std::vector<double>& free_m, Layers& layers) const
   bool changed = false;
   for (std::size_t i = 0; i < k; ++i) {
     layers.penetration_m[i] = -(candidate(i).surface_m + free_m[freedom(i)]);
-    for (std::size_t j = 0; j < k; ++j) layers.penetration_m[i] -= compliance_[i * k + j] * layers.force_N[j];
-    const LayerSecant next = layer_at(candidate(i), layers.stiffness_N_m3, layers.penetration_m[i]);
+    for (std::size_t j = 0; j < k; ++j) layers.penetration_m[i] -= compliance(i, j) * layers.force_N[j];
+    const LayerSecant next = layer(i, layers.stiffness_N_m3, layers.penetration_m[i]);
     changed = changed || next.touching != layers.secant[i].touching;
     layers.secant[i] = next;
   }
@@ -75,7 +86,7 @@ bool SupportRest::press(const std::vector<double>& free_m, Layers& layers) const
   if (std::all_of(layers.secant.begin(), layers.secant.end(),
                   [](const LayerSecant& l) { return l.touching == 0; })) {
     for (std::size_t i = 0; i < k; ++i) {
-      layers.secant[i] = layer_at(candidate(i), layers.stiffness_N_m3, 1e-6 - candidate(i).surface_m);
+      layers.secant[i] = layer(i, layers.stiffness_N_m3, 1e-6 - candidate(i).surface_m);
     }
   }
   return changed;

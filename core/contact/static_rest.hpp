@@ -42,6 +42,11 @@ class SupportRest {
   [[nodiscard]] std::size_t freedom(std::size_t i) const {
     return 3 * static_cast<std::size_t>(candidate(i).node) + 2;
   }
+  /// How far the particle of candidate i moves per force on that of candidate j.
+  [[nodiscard]] double compliance(std::size_t i, std::size_t j) const {
+    return compliance_[node_[i] * node_count_ + node_[j]];
+  }
+  [[nodiscard]] LayerSecant layer(std::size_t i, double layer_stiffness_N_m3, double penetration_m) const;
   /// A body pressed into the layer, to start from.
   [[nodiscard]] Layers pressed_in(double weight_N, double layer_stiffness_N_m3) const;
   /// Forces of the touching layers' secants. @param free_m displacement without them
@@ -52,7 +57,10 @@ class SupportRest {
   const StaticSolver& statics_;
   const ContactModel& contact_;
   std::vector<int> support_candidate_;  ///< candidates on the support
-  std::vector<double> compliance_;      ///< of the shifted matrix in their normal freedoms, [k, k]
+  std::vector<double> share_;           ///< of each one's area that faces the support
+  std::vector<std::size_t> node_;       ///< of each one: which of their particles carries it
+  std::size_t node_count_ = 0;
+  std::vector<double> compliance_;  ///< of the shifted matrix in the normal freedoms of these, [node_count, .]
 };
 
 }  // namespace unbruised

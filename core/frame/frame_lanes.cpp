@@ -54,13 +54,15 @@ FrameLanes::FrameLanes(std::span<const std::array<double, 3>> position_m, std::s
   R_ = attitude_.matrix();
 }
 
-void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<double, 3>& gravity_m_s2) {
+void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<double, 3>& rotation_rad,
+                      const std::array<double, 3>& gravity_m_s2) {
   require(is_lane(lane), "FrameLanes::load: there is no such lane");
   require(motion.u.rows() == 3 * X_.size(), "FrameLanes::load: the state of another body");
   Mask fresh(false);
   fresh.set(lane, true);
-  attitude_ = select(fresh, LaneRotation{}, attitude_);
+  attitude_ = select(fresh, rotation_by(to_lanes(rotation_rad)), attitude_);
   R_ = attitude_.matrix();
+  if (rotation_rad != std::array<double, 3>{}) apply({{}, R_, {}}, motion, fresh);
   for (LaneVector* vector : {&center_, &beta_, &angular_momentum_}) {
     *vector = select(fresh, LaneVector{}, *vector);
   }
@@ -71,9 +73,9 @@ void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<doubl
   }
   StateSums about_center = sums;
   about_center.center(total_mass_);
-  angular_momentum_ = select(fresh, about_center.y_v, angular_momentum_);
-  outer_force_ = select(fresh, sums.a - total_mass_ * to_lanes(gravity_m_s2), outer_force_);
-  outer_moment_ = select(fresh, about_center.y_a, outer_moment_);
+  angular_momentum_ = select(fresh, to_world(about_center.y_v), angular_momentum_);
+  outer_force_ = select(fresh, to_world(sums.a) - total_mass_ * to_lanes(gravity_m_s2), outer_force_);
+  outer_moment_ = select(fresh, to_world(about_center.y_a), outer_moment_);
   corrected_ = select(fresh, Lane(0.0), corrected_);
   apply(fit(sums, fresh, fresh), motion, fresh);
 }
@@ -90,7 +92,7 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   const LaneVector phi = select(running, h * omega_ + half_square * alpha_, LaneVector{});
   const LaneVector way = select(running, h * v_c + half_square * a_c, LaneVector{});
   const LaneRotation turn = rotation_by(phi);
-  const LaneMatrix back = transposed(turn.matrix());
+  const LaneMatrix back = back_ = transposed(turn.matrix());
   center_ += R_ * way;
   turn_frame(turn, running);
   for (std::size_t p = 0; p < X_.size(); ++p) {

@@ -32,7 +32,9 @@ class FrameLanes {
              const WilsonTheta& wilson);
 
   /// Fits the frame of a lane to the state that was put into it, measured from the body at rest and along x, y, z.
-  void load(int lane, const LaneMotion& motion, const std::array<double, 3>& gravity_m_s2);
+  /// @param rotation_rad its attitude but for its deformation, about this vector by its length
+  void load(int lane, const LaneMotion& motion, const std::array<double, 3>& rotation_rad,
+            const std::array<double, 3>& gravity_m_s2);
 
   /// Predicts the frame for t + theta dt and turns the state into it.
   /// @param viscous, rate become a1 u + 2 s + a3 q and s, the velocity and acceleration with which the body
@@ -73,6 +75,14 @@ class FrameLanes {
   [[nodiscard]] double turn_rad(int lane) const { return w_.dt * sqrt(dot(omega_, omega_))[lane]; }
   /// Angular velocity in the axes of the frame.
   [[nodiscard]] const LaneVector& spin_rad_s() const { return omega_; }
+  /// Between `predict` and `advance`: from the axes that fitted at the start of the step to the predicted ones.
+  [[nodiscard]] const LaneMatrix& from_start() const { return back_; }
+  /// Velocity and acceleration at the start of a step of what turns about the centre with the body as a whole, at
+  /// `arm` from it, both in the axes that fitted then.
+  [[nodiscard]] LaneVector velocity_of(const LaneVector& arm) const { return cross(omega_, arm); }
+  [[nodiscard]] LaneVector acceleration_of(const LaneVector& arm) const {
+    return cross(alpha_, arm) + cross(omega_, cross(omega_, arm));
+  }
 
  private:
   /// From the predicted frame to the one that fits.
@@ -104,6 +114,7 @@ class FrameLanes {
   // At the last end of a step, in the axes of the frame that fits.
   LaneVector mass_v_, mass_a_;  ///< sum m v, sum m a
   LaneVector omega_, alpha_;    ///< of the body as a whole
+  LaneMatrix back_;             ///< of the last prediction
 };
 
 }  // namespace unbruised

@@ -60,6 +60,11 @@ struct OuterForces {
     moment += cross(y, f);
     leverage += sqrt(dot(y, y) * dot(f, f));
   }
+  /// A force that has been added acts this far from where it was said to.
+  void add_arm(const LaneVector& arm, const LaneVector& f) {
+    moment += cross(arm, f);
+    leverage += sqrt(dot(arm, arm) * dot(f, f));
+  }
 };
 
 /// y_theta = X + u_theta and the accelerations there.

@@ -41,6 +41,12 @@ struct LaneMatrix {
   }
 };
 
+inline LaneMatrix identity_lanes() {
+  LaneMatrix one;
+  for (std::size_t i = 0; i < 3; ++i) one(i, i) = Lane(1.0);
+  return one;
+}
+
 /// The three rows of a particle, 3 x particle + axis.
 [[gnu::always_inline]] inline LaneVector get_vector(const LaneArray& rows, std::size_t particle) {
   return {{rows.get(3 * particle), rows.get(3 * particle + 1), rows.get(3 * particle + 2)}};

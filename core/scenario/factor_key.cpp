@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/product_frame.hpp"
 
@@ -26,15 +27,16 @@ class KeyWriter {
   template <class T>
   requires std::is_integral_v<T> || std::is_enum_v<T>
   void add(T value) { add(static_cast<double>(value)); }
-  void add(const std::optional<double>& value) {
+  template <class T>
+  void add(const std::optional<T>& value) {
     add(value ? 1.0 : 0.0);
-    add(value.value_or(0.0));
+    add(value.value_or(T{}));
   }
   template <class T, std::size_t N>
   void add(const std::array<T, N>& values) {
     for (const T& value : values) add(value);
   }
-  /// Of the loads, which decide a run only.
+  /// Of loads and of surfaces' paths, which decide a run only.
   template <class T>
   void add(const std::vector<T>&) {}
   [[nodiscard]] std::string take() { return std::move(key_); }
@@ -55,6 +57,10 @@ std::string factor_key(const Scenario& scenario) {
   visit_parameters(scenario,
                    [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, key); });
   key.add(product_frame(scenario));
+  const ContactSet set = contact_set(scenario);
+  key.add(set);
+  // Every surface that the cell lists has candidates of its own.
+  if (set != ContactSet::pads_and_support) key.add(scenario.cell.surface.size());
   return key.take();
 }
 

@@ -45,7 +45,7 @@ template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [shape, size_m, axis, cell_size_m, mass_kg, density_kg_m3, youngs_modulus_Pa, poisson_ratio,
          yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio, at_frequency_Hz, friction,
-         initial_velocity_m_s, initial_spin_rad_s] = p;
+         initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad, initial_height_m] = p;
   visit({"shape", Decides::model}, shape);
   visit({"size_m", Decides::model, kPositive}, size_m);
   visit({"axis", Decides::model}, axis);
@@ -62,6 +62,8 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"friction", Decides::run, kNotNegative}, friction);
   visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
   visit({"initial_spin_rad_s", Decides::run, kAnyNumber}, initial_spin_rad_s);
+  visit({"initial_rotation_rad", Decides::run, kTilt}, initial_rotation_rad);
+  visit({"initial_height_m", Decides::run, kNotNegative}, initial_height_m);
 }
 
 template <FieldsOf<NetworkParticle> T, class Visit>
@@ -129,12 +131,12 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"opening_m", Decides::run, kPositive}, opening_m);
 }
 
-/// The conveyor has fields of its own.
+/// The conveyor and the listed surfaces have fields of their own.
 template <FieldsOf<CellParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m, support_poisson_ratio,
          support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
-         place_height_m, place_velocity_m_s, stop_deceleration_m_s2, conveyor] = p;
+         place_height_m, place_velocity_m_s, stop_deceleration_m_s2, conveyor, surface] = p;
   visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
   visit({"support", Decides::run}, support);
   visit({"support_friction", Decides::run, kNotNegative}, support_friction);
@@ -161,6 +163,20 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"start_s", Decides::run, kNotNegative}, start_s);
   visit({"direction", Decides::run, kAnyNumber}, direction);
   visit({"length_m", Decides::run, kPositive}, length_m);
+}
+
+template <FieldsOf<CellSurfaceParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [center_m, normal, size_m, friction, modulus_Pa, thickness_m, relaxation_time_s, path_time_s, path_m] = p;
+  visit({"center_m", Decides::run, kAnyNumber}, center_m);
+  visit({"normal", Decides::run, kAnyNumber}, normal);
+  visit({"size_m", Decides::run, kPositive}, size_m);
+  visit({"friction", Decides::run, kNotNegative}, friction);
+  visit({"modulus_Pa", Decides::run, kPositive}, modulus_Pa);
+  visit({"thickness_m", Decides::run, kPositive}, thickness_m);
+  visit({"relaxation_time_s", Decides::run, kNotNegative}, relaxation_time_s);
+  visit({"path_time_s", Decides::run, kNotNegative}, path_time_s);
+  visit({"path_m", Decides::run, kAnyNumber}, path_m);
 }
 
 template <FieldsOf<StrategyParameters> T, class Visit>
@@ -215,7 +231,7 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<SimulationParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [time_step_s, theta, duration_s, initial_acceleration, trace_interval_s, pressure_patch_m, max_strain,
-         max_rotation_rad] = p;
+         max_rotation_rad, contact_set] = p;
   visit({"time_step_s", Decides::model, kPositive}, time_step_s);
   visit({"theta", Decides::model, kTheta}, theta);
   visit({"duration_s", Decides::run, kPositive}, duration_s);
@@ -224,6 +240,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"pressure_patch_m", Decides::model, kPositive}, pressure_patch_m);
   visit({"max_strain", Decides::run, kPositive}, max_strain);
   visit({"max_rotation_rad", Decides::run, kPositive}, max_rotation_rad);
+  visit({"contact_set", Decides::run}, contact_set);  // what it comes to enters the key: contact_set.hpp
 }
 
 /// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its
@@ -231,11 +248,11 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<Scenario> T, class Visit>
 void visit_parameters(T& scenario, Visit&& visit) {
   auto& [product, gripper, cell, strategy, limits, simulation] = scenario;
+  const auto each = [&visit](std::string_view prefix, auto& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
+  };
   if (auto* lattice = std::get_if<LatticeParameters>(&product)) visit("product.", -1, *lattice);
   if (auto* network = std::get_if<NetworkParameters>(&product)) {
-    const auto each = [&visit](std::string_view prefix, auto& list) {
-      for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
-    };
     each("product.particle[].", network->particle);
     each("product.spring[].", network->spring);
     each("product.load[].", network->load);
@@ -244,6 +261,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
   std::visit([&visit](auto& kind) { visit("gripper.", -1, kind); }, gripper);
   visit("cell.", -1, cell);
   visit("cell.conveyor.", -1, cell.conveyor);
+  each("cell.surface[].", cell.surface);
   visit("strategy.", -1, strategy);
   visit("limits.", -1, limits);
   visit("simulation.", -1, simulation);

@@ -24,8 +24,6 @@ bool yields(const NetworkParameters& p) {
                      [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
 }
 
-std::array<double, 3> spin_of(const LatticeParameters& p) { return p.initial_spin_rad_s; }
-std::array<double, 3> spin_of(const NetworkParameters&) { return {0.0, 0.0, 0.0}; }
 
 bool is_loaded(const LatticeParameters&) { return false; }
 bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
@@ -52,8 +50,14 @@ bool can_yield(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return yields(kind); }, product);
 }
 
-std::array<double, 3> initial_spin_rad_s(const ProductParameters& product) {
-  return std::visit([](const auto& kind) { return spin_of(kind); }, product);
+bool starts_in_the_air(const LatticeParameters& product) {
+  const std::array<double, 3> none{};
+  return product.initial_spin_rad_s != none || product.initial_rotation_rad != none || product.initial_height_m > 0.0;
+}
+
+bool starts_in_the_air(const ProductParameters& product) {
+  const auto* lattice = std::get_if<LatticeParameters>(&product);
+  return lattice != nullptr && starts_in_the_air(*lattice);
 }
 
 bool has_loads(const ProductParameters& product) {

@@ -32,8 +32,9 @@ std::optional<YieldLaw> yield_law(const ProductParameters& product);
 /// Can it keep a deformation?
 bool can_yield(const ProductParameters& product);
 
-/// Its angular velocity at the start, along x, y, z [rad/s].
-std::array<double, 3> initial_spin_rad_s(const ProductParameters& product);
+/// Does it begin turned, spinning or above its support, and so at rest on nothing?
+bool starts_in_the_air(const LatticeParameters& product);
+bool starts_in_the_air(const ProductParameters& product);
 
 /// Do its parameters say of forces that act on it?
 bool has_loads(const ProductParameters& product);

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/scenario/cell_surface.hpp"
+
 namespace unbruised {
 
 enum class Shape { box, sphere, ellipsoid, cylinder };
@@ -47,8 +49,12 @@ struct LatticeParameters {
   /// >= 0; Coulomb coefficient against the pads.
   double friction = 0.5;
   std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
-  /// Angular velocity at the start, deformed as it is by that; all zero where a gripper or a support may touch it.
+  /// Angular velocity at the start, deformed as it is by that; all zero with a gripper.
   std::array<double, 3> initial_spin_rad_s{0.0, 0.0, 0.0};
+  /// Attitude at the start, about this vector by its length, up to half a turn; all zero with a gripper.
+  std::array<double, 3> initial_rotation_rad{0.0, 0.0, 0.0};
+  /// >= 0; of its lowest place above the support's plane at the start; 0 with a gripper.
+  double initial_height_m = 0.0;
 };
 
 struct NetworkParticle {
@@ -201,6 +207,7 @@ struct CellParameters {
   /// > 0; with which an emergency stop brings the palm to rest
   double stop_deceleration_m_s2 = 10.0;
   ConveyorParameters conveyor;
+  std::vector<CellSurfaceParameters> surface;
 };
 
 enum class PickKind {
@@ -284,6 +291,13 @@ struct LimitParameters {
 
 enum class InitialAcceleration { consistent, zero };
 
+/// Which places of a product can touch which surface; the pads always meet the sides that face them.
+enum class ContactSet {
+  pads_and_support,  ///< the support meets the bottom of a product that stays upright
+  six_sides,         ///< the cell's surfaces meet the six sides of one that turns by quarter turns, near their poles
+  whole_surface,     ///< they meet any place
+};
+
 struct SimulationParameters {
   /// > 0
   double time_step_s = 1e-3;
@@ -300,6 +314,8 @@ struct SimulationParameters {
   double max_strain = 0.3;
   /// > 0; a larger rotation of the product ends the run as out_of_range
   double max_rotation_rad = 0.2;
+  /// None: what the strategy and the cell need (contact_set.hpp).
+  std::optional<ContactSet> contact_set{};
 };
 
 /// One fully specified run.

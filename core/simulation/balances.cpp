@@ -24,8 +24,7 @@ struct PadLoad {
 
 PadLoad pad_load(const LaneView& view) {
   PadLoad load;
-  for (int surface = 0; surface < kSurfaceCount; ++surface) {
-    if (!is_pad(surface)) continue;
+  for (int surface = 0; surface < kFingerCount; ++surface) {
     const SurfaceTally& tally = view.contact.tally()[surface];
     const std::array<Lane, 3> force = tally.force(surface);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -40,7 +39,9 @@ PadLoad pad_load(const LaneView& view) {
 
 void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   for (Lane& force : palm_force_) force.set(lane, 0.0);
-  leave_support(lane);
+  for (LaneVector& surface : cell_force_) {
+    for (Lane& force : surface.at) force.set(lane, 0.0);
+  }
   for (Lane& moment : palm_moment_.at) moment.set(lane, 0.0);
   for (Lane* sum : {&palm_work_, &belt_work_, &gravity_work_}) sum->set(lane, 0.0);
   const auto at = static_cast<std::size_t>(lane);
@@ -54,7 +55,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
 }
 
 void Balances::leave_support(int lane) {
-  for (Lane& force : cell_force_) force.set(lane, 0.0);
+  for (Lane& force : cell_force_[kSupport].at) force.set(lane, 0.0);
 }
 
 void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_mass_u, const CarrierMotion& before,
@@ -70,9 +71,15 @@ void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_ma
     gravity += view.body.gravity()[i] * (view.body.mass_u()[i] - old_mass_u[i]);
     palm += Lane(0.5) * (palm_force_[i] + load.force[i]) * (after.palm[i].place_m - before.palm[i].place_m);
     palm_force_[i] = load.force[i];
-    const Lane below = view.contact.tally()[kSupport].force(kSupport)[i];
-    belt += Lane(0.5) * (cell_force_[i] + below) * (after.cell[i].place_m - before.cell[i].place_m);
-    cell_force_[i] = below;
+  }
+  for (int surface = kSupport; surface < view.model.contact.surface_count; ++surface) {
+    const auto at = static_cast<std::size_t>(surface);
+    const std::array<Lane, 3> force = view.contact.tally()[at].force(surface);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Lane way = carrier_of(surface, after)[i].place_m - carrier_of(surface, before)[i].place_m;
+      belt += Lane(0.5) * (cell_force_[at][i] + force[i]) * way;
+      cell_force_[at][i] = force[i];
+    }
   }
   gravity_work_ += select(running, gravity, Lane(0.0));
   palm_work_ += select(running, palm, Lane(0.0));
@@ -88,7 +95,7 @@ void Balances::book_impulse(int lane, const LaneView& view) {
     if (const FrameLanes* frame = view.body.frame()) {
       force += frame->outer_force_N()[i][lane];
     } else {
-      for (int surface = 0; surface < kSurfaceCount; ++surface)
+      for (int surface = 0; surface < view.model.contact.surface_count; ++surface)
         force += view.contact.surface_force(surface, lane)[i];
     }
     account.impulse[i] += 0.5 * view.model.wilson->dt * (account.outer_force_N[i] + force);

@@ -1,8 +1,12 @@
 #include "core/simulation/initial_state.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <span>
+#include <utility>
 
 #include "core/body/steady_spin.hpp"
+#include "core/body/turned_state.hpp"
 #include "core/contact/layered_face.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
@@ -23,11 +27,9 @@ void ride_along(const ConveyorParameters& conveyor, BodyState& state) {
 
 InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
   InitialState state{written_state(scenario.product, model_.body), nullptr};
-  if (model_.body.is_solid) {
+  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
+    if (starts_in_the_air(*lattice)) launch(*lattice, state);
     lay_down_or_drop(scenario, state);
-    if (model_.frame == ProductFrame::floating) {
-      add_steady_spin(model_.body, initial_spin_rad_s(scenario.product), state.body);
-    }
   } else if (scenario.simulation.initial_acceleration == InitialAcceleration::consistent) {
     accelerate(scenario, plastic_load_N, state.body);
   }
@@ -37,7 +39,7 @@ InitialState InitialStates::of(const Scenario& scenario, const std::vector<doubl
 void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& state) {
   const CellParameters& cell = scenario.cell;
   const double down = -cell.gravity_m_s2[2];
-  const bool rests = cell.support && down > 0.0;
+  const bool rests = cell.support && down > 0.0 && !starts_in_the_air(scenario.product);
   if (rests) {
     const std::array<double, 2> key = {down, support_layer_N_m3(scenario, layer_at_support(scenario))};
     if (key != rest_key_) {
@@ -50,8 +52,32 @@ void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& sta
   }
   for (std::size_t i = 0; i < state.body.acceleration_m_s2.size(); ++i) {
     const std::size_t axis = i % 3;
-    state.body.acceleration_m_s2[i] = rests && axis == 2 ? 0.0 : cell.gravity_m_s2[axis];
+    state.body.acceleration_m_s2[i] += rests && axis == 2 ? 0.0 : cell.gravity_m_s2[axis];
   }
+}
+
+/// As deformed as its spin keeps it, its lowest place at the height that is asked for.
+void InitialStates::launch(const LatticeParameters& product, InitialState& state) const {
+  const std::vector<double> zero(state.body.displacement_m.size(), 0.0);
+  BodyState launched{zero, zero, zero, {}};
+  const Rotation turn(product.initial_rotation_rad);
+  add_steady_spin(model_.body, turn.back(product.initial_spin_rad_s), launched);
+  turn_state(model_.body, turn, launched);
+  const double lift_m = product.initial_height_m - lowest_place_m(turn);
+  for (std::size_t i = 0; i < zero.size(); ++i) {
+    launched.displacement_m[i] += i % 3 == 2 ? lift_m : 0.0;
+    launched.velocity_m_s[i] += state.body.velocity_m_s[i];
+  }
+  state.body = std::move(launched);
+}
+
+/// Of the true surface of a product that is turned about its centre of mass; 0 where nothing can touch it.
+double InitialStates::lowest_place_m(const Rotation& turn) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const PlaceArm& place : model_.contact.place) {
+    lowest = std::min(lowest, model_.body.center_of_mass_m[2] + turn.of(place.from_mass_m)[2]);
+  }
+  return model_.contact.place.empty() ? 0.0 : lowest;
 }
 
 /// M a = f - C v - K u, with what springs that yield as they are mounted keep.

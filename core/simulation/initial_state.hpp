@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/body/body_state.hpp"
+#include "core/body/turned_state.hpp"
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
@@ -22,13 +23,16 @@ class InitialStates {
  public:
   explicit InitialStates(const Model::Parts& model) : model_(model) {}
 
-  /// Solids start at rest on their support, or in free fall where there is none, and may spin; networks as they
-  /// are written.
+  /// Solids start at rest on their support, or in free fall where there is none or they begin turned, high or
+  /// spinning; networks as they are written.
   /// @param plastic_load_N of what yields as it is mounted, [3 x particles]
   InitialState of(const Scenario& scenario, const std::vector<double>& plastic_load_N);
 
  private:
   void lay_down_or_drop(const Scenario& scenario, InitialState& state);
+  /// Lets a solid start in the air, turned and spinning.
+  void launch(const LatticeParameters& product, InitialState& state) const;
+  [[nodiscard]] double lowest_place_m(const Rotation& turn) const;
   /// Fills the accelerations from the balance of all forces.
   void accelerate(const Scenario& scenario, const std::vector<double>& plastic_load_N, BodyState& state) const;
 

@@ -1,5 +1,7 @@
 #include "core/simulation/lane_drives.hpp"
 
+#include "core/motion/surface_path.hpp"
+
 namespace unbruised {
 
 namespace {
@@ -25,6 +27,15 @@ void set_carriers(int lane, const MotionPlan& plan, double time_s, SupportPlane 
 
 void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion) {
   set_carrier(lane, plan.support(plane, time_s), motion.cell);
+}
+
+void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, CarrierMotion& motion) {
+  for (std::size_t s = 0; s < cell.surface.size(); ++s) {
+    const SurfaceMotion state = surface_motion(cell.surface[s], time_s);
+    for (std::size_t i = 0; i < 3; ++i) {
+      set_motion(motion.listed[s][i], lane, {state.place_m[i], state.velocity_m_s[i], state.acceleration_m_s2[i]});
+    }
+  }
 }
 
 void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,

@@ -13,6 +13,8 @@ namespace unbruised {
 void set_carriers(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion);
 /// The same for the plane alone.
 void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane plane, CarrierMotion& motion);
+/// Puts the surfaces that a lane's cell lists where they are at `time_s`.
+void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, CarrierMotion& motion);
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time

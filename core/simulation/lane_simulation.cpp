@@ -97,6 +97,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   r.scenario = scenario;
   r.cycle = HandlingCycle(scenario);
   set_carriers(lane, r.cycle.plan(), 0.0, r.plane, now);
+  set_listed_surfaces(lane, scenario.cell, 0.0, now);
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
                r.cycle.plan().force_limit_N(0.0));
@@ -145,6 +146,8 @@ void LaneSimulation::Impl::follow_plans() {
     const SupportPlane plane = choose_support(lane);
     set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane, theta);
     set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane, next);
+    set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(w), theta);
+    set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
     if (!has_gripper(r.scenario)) continue;
     command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
@@ -210,14 +213,15 @@ void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
 void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
   const bool first_round = none(rounds > Lane(0.0));
   const ContactModel& touch = parts.contact;
-  body.start_solve(material->load_theta());
+  LaneVector moment;
+  body.start_solve(material->load_theta(), touch.place.empty() ? nullptr : &moment);
   if (touch.node_count() > 0) {
     body.solve_without_contact(touch.reach, touch.node, base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step({body.u(), body.v(), body.a(), base, now, theta, gripper, body.frame()}, lanes);
+      contact.begin_step({body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame()}, lanes);
     } else {
-      contact.rebase(base, lanes);
+      contact.rebase({base, moment}, lanes);
     }
     if (!contact.idle()) {
       sweeps += contact.solve(gripper, lanes);
@@ -229,7 +233,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
       body.add_contact(touch.reach, touch.node, contact.sweep().active_nodes(), contact.sweep().node_force());
     }
   }
-  body.finish_solve(lanes);
+  body.finish_solve(lanes, contact.turn_by_arms());
   timer.lap(times.solve_s);
 }
 
@@ -237,8 +241,10 @@ void LaneSimulation::Impl::advance_state() {
   const std::array<Lane, 3> old_mass_u = body.mass_u();
   if (body.frame() != nullptr) {
     contact.see_theta(*body.frame(), body.u_theta());
-    body.advance(running, body.outer_forces(parts.contact.node, contact.sweep().active_nodes(),
-                                            contact.sweep().node_force()));
+    OuterForces outer =
+        body.outer_forces(parts.contact.node, contact.sweep().active_nodes(), contact.sweep().node_force());
+    contact.add_arms(outer);
+    body.advance(running, outer);
   } else {
     body.advance(running);
   }
@@ -250,7 +256,7 @@ void LaneSimulation::Impl::advance_state() {
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  for (int s = 0; s < kSurfaceCount; ++s) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
+  for (int s = 0; s < parts.contact.surface_count; ++s) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
   ++times.steps;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (run_of(lane).busy) observe_lane(lane);

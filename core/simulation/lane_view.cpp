@@ -46,8 +46,8 @@ std::array<PatchDamage, kSurfaceCount> LaneView::damage_below_patches(int lane, 
   const std::optional<FlowLaw> law = flow_law(scenario.product);
   if (!law) return damage;
   const double bruised_strain = scenario.limits.plastic_strain.value_or(kBruisedStrain);
-  for (std::size_t s = 0; s < kSurfaceCount; ++s) {
-    const PatchForm& form = model.contact.patch_form[s];
+  for (std::size_t s = 0; s < static_cast<std::size_t>(model.contact.surface_count); ++s) {
+    const PatchForm& form = contact.patch_form(static_cast<int>(s), lane);
     const SurfaceTally& tally = contact.tally()[s];
     const double traction_N = std::hypot(tally.tangent[0][lane], tally.tangent[1][lane]);
     const PatchLoad load = patch_load(form, *law, yield_ratio[s][lane], tally.normal[lane], traction_N);
@@ -69,8 +69,10 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   seen.rotation_rad = model.body.is_solid ? body.rotation_rad(lane) : 0.0;
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
-  seen.support_N = contact.tally()[kSupport].normal[lane];
-  seen.support_yield_ratio = yield_ratio[kSupport][lane];
+  for (std::size_t s = kSupport; s < static_cast<std::size_t>(model.contact.surface_count); ++s) {
+    seen.support_N += contact.tally()[s].normal[lane];
+    seen.support_yield_ratio = std::max(seen.support_yield_ratio, yield_ratio[s][lane]);
+  }
   seen.patch = damage_below_patches(lane, scenario);
   seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;
@@ -109,7 +111,8 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   row.time_s = time_s;
   row.gripper = has_gripper(scenario);
   row.yields = can_yield(scenario);
-  for (std::size_t surface = 0; surface < kSurfaceCount; ++surface) {
+  row.surface_count = model.contact.surface_count;
+  for (std::size_t surface = 0; surface < static_cast<std::size_t>(row.surface_count); ++surface) {
     row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);
     if (is_pad(static_cast<int>(surface))) turn_by_palm(carriers, lane, row.surface_force_N[surface]);
     row.closed[surface] = contact.tally()[surface].closed[lane];

@@ -1,24 +1,32 @@
 #include <stdexcept>
 
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/factor_key.hpp"
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
 namespace {
 
-ModelSize size_of(const LatticeParameters& parameters, double pressure_patch_m) {
+ModelSize size_of(const LatticeParameters& parameters, const ContactChoice& choice) {
   const Lattice lattice = build_lattice(parameters);
   const std::size_t particles = lattice.position_m.size();
-  return {particles, 3 * particles, lattice_contact(parameters, lattice, pressure_patch_m).candidate.size()};
+  const ContactModel contact = lattice_contact(parameters, lattice, choice);
+  return {particles, 3 * particles, contact.candidate.size(), contact.node_count()};
 }
 
-ModelSize size_of(const NetworkParameters& network, double /*pressure_patch_m*/) {
-  ModelSize size{.particle_count = network.particle.size(), .freedom_count = 0, .contact_candidate_count = 0};
+ModelSize size_of(const NetworkParameters& network, const ContactChoice&) {
+  ModelSize size{.particle_count = network.particle.size(), .freedom_count = 0, .contact_candidate_count = 0, .contact_node_count = 0};
   for (const NetworkParticle& particle : network.particle) {
     for (bool fixed : particle.fixed) size.freedom_count += fixed ? 0 : 1;
     size.contact_candidate_count += particle.contact_stiffness_N_m > 0.0 ? 1 : 0;
+    size.contact_node_count = size.contact_candidate_count;
   }
   return size;
+}
+
+/// A product that may roll turns as its true shape does.
+MassSpread mass_spread(const Scenario& scenario) {
+  return contact_set(scenario) == ContactSet::pads_and_support ? MassSpread::cells : MassSpread::true_shape;
 }
 
 }  // namespace
@@ -33,14 +41,14 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   parts.frame = product_frame(scenario);
   parts.wilson.emplace(scenario.simulation.time_step_s, scenario.simulation.theta);
   try {
-    std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error);
+    std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario));
     if (!body) return nullptr;
     parts.body = std::move(*body);
   } catch (const std::invalid_argument& refused) {
     error = refused.what();
     return nullptr;
   }
-  parts.contact = product_contact(scenario.product, parts.body, scenario.simulation.pressure_patch_m);
+  parts.contact = product_contact(scenario, parts.body, *parts.wilson);
   if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
 }
@@ -52,8 +60,8 @@ std::size_t Model::factor_entry_count() const { return parts_->body.factor.entry
 double Model::max_frequency_Hz() const { return parts_->body.max_frequency_Hz; }
 
 ModelSize model_size(const Scenario& scenario) {
-  return std::visit([&](const auto& kind) { return size_of(kind, scenario.simulation.pressure_patch_m); },
-                    scenario.product);
+  const ContactChoice choice = contact_choice(scenario);
+  return std::visit([&](const auto& kind) { return size_of(kind, choice); }, scenario.product);
 }
 
 }  // namespace unbruised

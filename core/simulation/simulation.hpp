@@ -26,6 +26,7 @@ struct ModelSize {
   std::size_t particle_count = 0;
   std::size_t freedom_count = 0;
   std::size_t contact_candidate_count = 0;
+  std::size_t contact_node_count = 0;  ///< particles with such a candidate
 };
 ModelSize model_size(const Scenario& scenario);
 

@@ -1,5 +1,6 @@
 #include "core/simulation/trace_row.hpp"
 
+#include <span>
 #include <string>
 
 #include "core/outcome/damage_limits.hpp"
@@ -27,8 +28,7 @@ class SignalWriter {
  public:
   explicit SignalWriter(Trace& trace) : trace_(trace) {}
   void put(double value) { trace_.signals[at_++].values.push_back(value); }
-  template <std::size_t N>
-  void put(const std::array<double, N>& values) {
+  void put(std::span<const double> values) {
     auto& out = trace_.signals[at_++].values;
     out.insert(out.end(), values.begin(), values.end());
   }
@@ -45,9 +45,10 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   trace.particle_count = static_cast<int>(position_m.size());
   for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
   declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});
-  declare(trace, "contact_count", "1", "closed contacts per surface: " + surface_codes(), {"surface"},
-          {kSurfaceCount});
-  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {kSurfaceCount});
+  const int surfaces = surface_count(scenario);
+  declare(trace, "contact_count", "1", "closed contacts per surface: " + surface_codes(surfaces), {"surface"},
+          {surfaces});
+  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {surfaces});
   declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
   declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
   declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
@@ -98,9 +99,9 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   append(state.velocity_m_s, trace.velocity_m_s);
   append(state.acceleration_m_s2, trace.acceleration_m_s2);
   SignalWriter signals(trace);
+  const auto surfaces = static_cast<std::size_t>(row.surface_count);
   signals.put(row.surface_force_N[kSupport]);
-  signals.put(row.closed);
-  signals.put(row.sliding);
+  for (const auto* counts : {&row.closed, &row.sliding}) signals.put(std::span(*counts).first(surfaces));
   signals.put(row.plastic_strain);
   signals.put(row.absorbed_energy_J);
   signals.put(row.stored_energy_J);

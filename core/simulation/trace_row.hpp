@@ -20,6 +20,7 @@ struct TraceRow {
   double time_s = 0;
   bool gripper = false;
   bool yields = false;  ///< the product can keep a deformation
+  int surface_count = 0;
   std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
   std::array<double, kSurfaceCount> closed{}, sliding{};
   std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};

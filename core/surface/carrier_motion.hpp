@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/lanes/lane_vector.hpp"
+#include "core/scenario/cell_surface.hpp"
 
 namespace unbruised {
 
@@ -23,9 +24,10 @@ inline void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>
 }
 
 /// The carriers of surfaces at one time, each along x, y, z: the palm carries the fingers with their pads, the
-/// cell the support.
+/// cell the support. A surface that the cell lists is a carrier by itself, along its own axes.
 struct CarrierMotion {
   std::array<AxisMotion, 3> palm, cell;
+  std::array<std::array<AxisMotion, 3>, kMostCellSurfaces> listed;
   /// Of the palm, which turns about the centre of the pads, from upright; the other two along x, y, z.
   LaneVector palm_rotation_rad, palm_spin_rad_s, palm_spin_acceleration_rad_s2;
 };

@@ -3,6 +3,7 @@
 #include "core/door/require.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/cell_surface.hpp"
 
 namespace unbruised {
 namespace {
@@ -13,7 +14,7 @@ constexpr double kFar_m = 1e6;
 }  // namespace
 
 void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& product,
-                        const std::array<double, kSurfaceCount>& layer_N_m3) {
+                        const std::array<double, kFirstCellSurface>& layer_N_m3) {
   require(is_lane(lane), "SurfaceLanes::load: there is no such lane");
   const CellParameters& cell = scenario.cell;
   const auto* jaw = parallel_jaw(scenario);
@@ -40,6 +41,28 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   support.thickness_m.set(lane, cell.support_thickness_m);
   support.relaxation_s.set(lane, cell.support_relaxation_time_s);
   for (Lane& size_m : support.size_m) size_m.set(lane, 2.0 * kFar_m);
+  for (int i = 0; i < kMostCellSurfaces; ++i) {
+    SurfaceLane& listed = surface_[static_cast<std::size_t>(kFirstCellSurface + i)];
+    const bool present = i < static_cast<int>(cell.surface.size());
+    listed.present.set(lane, present);
+    if (present) load_listed(lane, cell.surface[static_cast<std::size_t>(i)], listed);
+  }
+}
+
+void SurfaceLanes::load_listed(int lane, const CellSurfaceParameters& parameters, SurfaceLane& surface) {
+  surface.friction.set(lane, parameters.friction);
+  surface.springs_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
+  surface.stiffness_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
+  surface.thickness_m.set(lane, parameters.thickness_m);
+  surface.relaxation_s.set(lane, parameters.relaxation_time_s);
+  for (std::size_t t = 0; t < 2; ++t) {
+    surface.size_m[t].set(lane, parameters.size_m ? (*parameters.size_m)[t] : 2.0 * kFar_m);
+  }
+  const std::array<std::array<double, 3>, 3> axes = surface_axes(parameters);
+  for (std::size_t i = 0; i < 3; ++i) {
+    surface.origin_m[i].set(lane, parameters.center_m[i]);
+    for (std::size_t j = 0; j < 3; ++j) surface.axes(i, j).set(lane, axes[i][j]);
+  }
 }
 
 AxisMotion SurfaceLanes::motion(int surface, const CarrierMotion& carriers, const AxisMotion& closing) const {

@@ -29,6 +29,10 @@ struct SurfaceLane {
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
   std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< along the tangent axes
   std::array<Lane, 2> size_m{Lane(1.0), Lane(1.0)};    ///< along the tangent axes
+  /// From x, y, z to the axes of a surface that the cell lists, and its origin; of all others the axes of the
+  /// cell.
+  LaneMatrix axes = identity_lanes();
+  LaneVector origin_m;
 };
 
 /// Where the product stands between the surfaces of one lane.
@@ -39,9 +43,10 @@ struct ProductPlace {
 
 class SurfaceLanes {
  public:
-  /// Sets the surfaces of a lane up for a scenario. @param layer_N_m3 stiffness of each one's layer per area
+  /// Sets the surfaces of a lane up for a scenario.
+  /// @param layer_N_m3 stiffness per area of the layers of pads and support
   void load(int lane, const Scenario& scenario, const ProductPlace& product,
-            const std::array<double, kSurfaceCount>& layer_N_m3);
+            const std::array<double, kFirstCellSurface>& layer_N_m3);
 
   [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
 
@@ -56,11 +61,14 @@ class SurfaceLanes {
   [[nodiscard]] Stretch reach(int surface, const CarrierMotion& carriers, std::size_t tangent) const;
 
  private:
+  static void load_listed(int lane, const CellSurfaceParameters& parameters, SurfaceLane& surface);
+
   std::array<SurfaceLane, kSurfaceCount> surface_;
 };
 
 /// How the carrier of a surface moves.
 inline const std::array<AxisMotion, 3>& carrier_of(int surface, const CarrierMotion& carriers) {
+  if (surface >= kFirstCellSurface) return carriers.listed[static_cast<std::size_t>(surface - kFirstCellSurface)];
   return is_pad(surface) ? carriers.palm : carriers.cell;
 }
 

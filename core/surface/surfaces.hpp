@@ -8,11 +8,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/scenario/scenario.hpp"
+
 namespace unbruised {
 
-/// Numbers of the surfaces, as in traces and contact events. The pads come first: pad f belongs to finger f.
-inline constexpr int kLeftPad = 0, kRightPad = 1, kSupport = 2;
-inline constexpr int kSurfaceCount = 3;
+/// Numbers of the surfaces, as in traces and contact events. The pads come first: pad f belongs to finger f. The
+/// surfaces that a cell lists follow the support.
+inline constexpr int kLeftPad = 0, kRightPad = 1, kSupport = 2, kFirstCellSurface = 3;
+inline constexpr int kSurfaceCount = kFirstCellSurface + kMostCellSurfaces;
 /// Fingers of a parallel jaw, and so pads.
 inline constexpr int kFingerCount = 2;
 
@@ -31,24 +34,38 @@ struct SurfaceGeometry {
   std::array<int, 2> tangent_axes;
 };
 
-inline constexpr std::array<SurfaceGeometry, kSurfaceCount> kSurfaces = {{
+inline constexpr std::array<SurfaceGeometry, kFirstCellSurface> kSurfaces = {{
     {"left pad", Carrier::finger, 0, 1.0, {1, 2}},
     {"right pad", Carrier::finger, 0, -1.0, {1, 2}},
     {"support", Carrier::cell, 2, 1.0, {0, 1}},
 }};
 
-constexpr const SurfaceGeometry& geometry_of(int surface) { return kSurfaces[static_cast<std::size_t>(surface)]; }
+/// A surface that the cell lists is, in its own axes, what the support is in those of the cell.
+constexpr const SurfaceGeometry& geometry_of(int surface) {
+  return kSurfaces[static_cast<std::size_t>(surface < kSupport ? surface : kSupport)];
+}
 /// Is it a pad?
 constexpr bool is_pad(int surface) { return geometry_of(surface).carrier == Carrier::finger; }
 constexpr int normal_axis(int surface) { return geometry_of(surface).normal_axis; }
 constexpr double normal_sign(int surface) { return geometry_of(surface).normal_sign; }
 constexpr std::array<int, 2> tangent_axes(int surface) { return geometry_of(surface).tangent_axes; }
 
-/// Their numbers and names: "0 left pad, 1 right pad, 2 support".
-inline std::string surface_codes() {
+/// Pads, support, and what the cell lists.
+inline int surface_count(const Scenario& scenario) {
+  return kFirstCellSurface + static_cast<int>(scenario.cell.surface.size());
+}
+
+/// "left pad", "right pad", "support", "cell.surface.0" and so on.
+inline std::string surface_name(int surface) {
+  if (surface >= kFirstCellSurface) return "cell.surface." + std::to_string(surface - kFirstCellSurface);
+  return std::string(geometry_of(surface).name);
+}
+
+/// The numbers and names of the first `count`: "0 left pad, 1 right pad, 2 support".
+inline std::string surface_codes(int count) {
   std::string text;
-  for (int surface = 0; surface < kSurfaceCount; ++surface) {
-    text += (surface == 0 ? "" : ", ") + std::to_string(surface) + " " + std::string(geometry_of(surface).name);
+  for (int surface = 0; surface < count; ++surface) {
+    text += (surface == 0 ? "" : ", ") + std::to_string(surface) + " " + surface_name(surface);
   }
   return text;
 }

@@ -31,7 +31,7 @@ std::string curve_name(const TraceSignal& signal, std::size_t entry) {
     const std::string& dimension = signal.dimensions[i];
     std::string part = dimension + " " + std::to_string(at + 1);
     if (dimension == "component" && extent == 3) part = kAxes[at];
-    if (dimension == "surface" && extent == kSurfaceCount) part = kSurfaces[at].name;
+    if (dimension == "surface") part = surface_name(static_cast<int>(at));
     text = text.empty() ? part : part + ", " + text;
   }
   return text;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -100,8 +101,10 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
     describe(file, name, "", long_name);
     file.attach_scale(name, dimension.scale, 0);
   };
+  int surfaces = kFirstCellSurface;
+  for (const ContactEvent& event : events) surfaces = std::max(surfaces, event.surface + 1);
   write_index("/contact_events/node", &ContactEvent::node, "index of the particle");
-  write_index("/contact_events/surface", &ContactEvent::surface, surface_codes());
+  write_index("/contact_events/surface", &ContactEvent::surface, surface_codes(surfaces));
   file.write("/contact_events/kind",
              column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),
              {events.size()}, 0);

@@ -34,7 +34,7 @@ SurfaceLanes loaded() {
 TEST(Surfaces, ArePadsOfFingersInTheirOrderThenTheSupport) {
   for (int f = 0; f < kFingerCount; ++f) EXPECT_TRUE(is_pad(f));
   EXPECT_FALSE(is_pad(kSupport));
-  EXPECT_EQ(surface_codes(), "0 left pad, 1 right pad, 2 support");
+  EXPECT_EQ(surface_codes(4), "0 left pad, 1 right pad, 2 support, 3 cell.surface.0");
 }
 
 CarrierMotion at_rest() { return {}; }

@@ -1,0 +1,14 @@
+#include "core/scenario/contact_set.hpp"
+
+#include "core/scenario/product.hpp"
+
+namespace unbruised {
+
+ContactSet contact_set(const Scenario& scenario) {
+  if (!std::holds_alternative<LatticeParameters>(scenario.product)) return ContactSet::pads_and_support;
+  if (scenario.simulation.contact_set) return *scenario.simulation.contact_set;
+  const bool falls = starts_in_the_air(scenario.product) && scenario.cell.support;
+  return falls || !scenario.cell.surface.empty() ? ContactSet::whole_surface : ContactSet::pads_and_support;
+}
+
+}  // namespace unbruised

@@ -1,0 +1,14 @@
+#pragma once
+
+/// @file
+/// Which places of a product can meet the surfaces of its cell: what a scenario asks for, or what its strategy
+/// and its cell need.
+
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// Networks touch the support with their particles, whatever is asked for.
+ContactSet contact_set(const Scenario& scenario);
+
+}  // namespace unbruised

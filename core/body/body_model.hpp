@@ -60,7 +60,7 @@ struct BodyModel {
 
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
 /// @throws std::invalid_argument for products that break a rule
-std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson, std::string& error,
-                                    MassSpread spread = MassSpread::cells);
+std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
+                                    std::string& error, MassSpread spread = MassSpread::cells);
 
 }  // namespace unbruised

@@ -187,7 +187,7 @@ class ContactLanes {
   SurfaceLanes surfaces_;
   std::array<FaceLayer, kLanes> pad_layer_, support_layer_;
   ContactRegister register_;
-  std::optional<SeenNodes> seen_;    ///< of a product that turns
+  std::optional<SeenNodes> seen_;     ///< of a product that turns
   std::optional<SeenPlaces> places_;  ///< of one that may touch the cell anywhere
   /// Per contact node and surface from the support on: none of its places has been near since they were last
   /// looked at one by one.

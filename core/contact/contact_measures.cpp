@@ -78,7 +78,8 @@ Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   Lane ratio(0.0);
   for (int lane = 0; lane < kLanes; ++lane) {
     const std::size_t axis = face_axis(surface, lane);
-    const PressedFace face{tally_[surface], model_.patch_form[axis], model_.cell_extent_m[axis], surfaces_[surface]};
+    const PressedFace face{tally_[surface], model_.patch_form[axis], model_.cell_extent_m[axis],
+                           surfaces_[surface]};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
   }
   return ratio;

@@ -55,8 +55,7 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
   if (c.flat) {
     c.relief_m.fill(0.0);
   } else {
-    c.cell_compliance_m_Pa =
-        cell_compliance_m_Pa(parameters, c.tributary[0].extent_m * c.tributary[1].extent_m);
+    c.cell_compliance_m_Pa = cell_compliance_m_Pa(parameters, c.tributary[0].extent_m * c.tributary[1].extent_m);
   }
   c.least_relief_m = *std::min_element(c.relief_m.begin(), c.relief_m.end());
 }
@@ -182,7 +181,8 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
 void add_places(const LatticeParameters& parameters, const Lattice& lattice, const ContactChoice& choice,
                 ContactModel& contact) {
   const auto& cell_m = lattice.cell_extent_m;
-  const double cell_m_Pa = cell_compliance_m_Pa(parameters, std::cbrt(std::pow(cell_m[0] * cell_m[1] * cell_m[2], 2)));
+  const double cell_m_Pa =
+      cell_compliance_m_Pa(parameters, std::cbrt(std::pow(cell_m[0] * cell_m[1] * cell_m[2], 2)));
   for (const SurfacePlace& place : surface_places(parameters, lattice, choice.set)) {
     const auto& particle_m = lattice.position_m[static_cast<std::size_t>(place.node)];
     PlaceArm arm{.outward = place.outward};

@@ -39,16 +39,17 @@ struct ContactCandidate {
   double cell_compliance_m_Pa = 0;
   /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
   std::array<double, 2> edge_compliance_m_Pa{};
-  int place = -1;  ///< index into ContactModel::place; -1: the particle meets the surface with the side that faces it
+  int place =
+      -1;  ///< index into ContactModel::place; -1: the particle meets the surface with the side that faces it
 };
 
 /// One place of the true surface, which turns with the product.
 struct PlaceArm {
-  std::array<double, 3> arm_m{};       ///< from the particle that carries it
+  std::array<double, 3> arm_m{};        ///< from the particle that carries it
   std::array<double, 3> from_mass_m{};  ///< from the centre of mass
   std::array<double, 3> outward{};
-  std::array<double, 2> extent_m{};     ///< of the piece of surface around it
-  std::array<double, 9> compliance{};   ///< of the place: how far it moves per force on it [m/N], row-major
+  std::array<double, 2> extent_m{};    ///< of the piece of surface around it
+  std::array<double, 9> compliance{};  ///< of the place: how far it moves per force on it [m/N], row-major
 };
 
 /// Stiffness of a layer over that of a cell, k c, at which half of the cell's compliance acts. Calibrated on a

@@ -17,9 +17,9 @@ struct PressedFace {
   const SurfaceLane& surface;
 };
 
-/// Largest von Mises stress below a surface's patch over the yield stress, in one lane: of its mean pressure, times
-/// what the edges of a pad and the traction of its resultants add (pad_edge.hpp, patch_traction.hpp); 0 where it
-/// carries nothing.
+/// Largest von Mises stress below a surface's patch over the yield stress, in one lane: of its mean pressure,
+/// times what the edges of a pad and the traction of its resultants add (pad_edge.hpp, patch_traction.hpp); 0
+/// where it carries nothing.
 /// @param layer_N_m3 stiffness of the surface's layer per area, under this force
 double yield_ratio(const PressedFace& face, double layer_N_m3, double yield_stress_Pa, int lane);
 

@@ -2,8 +2,8 @@
 
 /// @file
 /// The places of a product's true surface as the surfaces of its cell see them: displaced along the axes of each
-/// surface, as if the product had never turned. A place goes with its particle, and turns about it with the body as
-/// a whole (docs/theory.md, "Places that touch").
+/// surface, as if the product had never turned. A place goes with its particle, and turns about it with the body
+/// as a whole (docs/theory.md, "Places that touch").
 
 #include <array>
 #include <vector>
@@ -20,8 +20,8 @@ class SeenPlaces {
   /// All have to outlive this.
   SeenPlaces(const ContactModel& model, const BodyModel& body, const SurfaceLanes& surfaces);
 
-  /// Takes in where the frame is: between its prediction and the end of a step the predicted one, then the one that
-  /// fits.
+  /// Takes in where the frame is: between its prediction and the end of a step the predicted one, then the one
+  /// that fits.
   void see(const FrameLanes& frame);
 
   /// From the axes of the frame into those of a surface.
@@ -36,8 +36,8 @@ class SeenPlaces {
     return max0(-dot(normal(candidate.surface), to_lanes(arm_of(candidate).outward)));
   }
 
-  /// Displacement along the axes of its surface of a candidate's place, by that of its particle and the turn of the
-  /// body as a whole, both against the frame that was seen last.
+  /// Displacement along the axes of its surface of a candidate's place, by that of its particle and the turn of
+  /// the body as a whole, both against the frame that was seen last.
   [[nodiscard]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u,
                                         const LaneVector& turn_rad) const {
     const PlaceArm& place = arm_of(candidate);

@@ -48,7 +48,7 @@ ContactLanes::Starts ContactLanes::seen_start(const ContactStart& start) {
   for (std::size_t i = 0; i < 2; ++i) rest_palm(i == 0 ? start.now : start.theta, resting_[i]);
   const auto from = [&](std::size_t carrier) -> ContactStart {
     const SeenMotion& seen = seen_->from(carrier);
-    return {seen.u,       seen.v,       seen.a,        {seen.base, start.free.moment_N_m},
+    return {seen.u,      seen.v,      seen.a,        {seen.base, start.free.moment_N_m},
             resting_[0], resting_[1], start.gripper, start.frame};
   };
   return {from(kPalm), from(kCell)};

@@ -13,6 +13,8 @@
 namespace unbruised {
 namespace {
 
+/// Parts along each edge of a place's piece, by which its area is summed.
+constexpr int kParts = 7;
 /// Two directions that the surface faces as much as this, relatively, are faced alike.
 constexpr double kAlike = 1e-9;
 /// Spaces between places across a curved side's smallest extent, at least: a sphere on a stiff layer then rolls
@@ -66,27 +68,52 @@ class Side {
   [[nodiscard]] int steps(std::size_t t) const { return per_cell_[t] * plane_.cell_count[t]; }
 
   void append_place(const std::array<int, 2>& step, ContactSet set, std::vector<SurfacePlace>& places) const {
-    std::array<double, 3> from_center{};
-    double across_m2 = 1.0;
-    for (std::size_t t = 0; t < 2; ++t) {
-      const double space = plane_.extent_m[t] / per_cell_[t];
-      from_center[plane_.tangent[t]] = (step[t] - 0.5 * steps(t)) * space;
-      across_m2 *= step[t] == 0 || step[t] == steps(t) ? 0.5 * space : space;
-    }
+    std::array<double, 3> from_center = in_plane(step, {0.0, 0.0});
     const double chord = shape_.half_chord_m(plane_.axis, from_center);
-    if (!(chord >= 0.0)) return;
     const double pole = 0.5 * size_m_[plane_.axis];
+    if (!(chord >= 0.0)) return;
     if (set == ContactSet::six_sides && pole - chord > kDeepestMeeting * size_m_[plane_.axis]) return;
-    from_center[plane_.axis] = sign_ * chord;
     SurfacePlace place;
+    place.area_m2 = area_m2(step);
+    if (!(place.area_m2 > 0.0)) return;
+    from_center[plane_.axis] = sign_ * chord;
     place.outward = outward(from_center);
-    const double share = share_of_side(place.outward);
-    if (share == 0.0) return;
-    place.area_m2 = share * across_m2 / std::abs(place.outward[plane_.axis]);
     place.curved = shape_.curvatures(plane_.axis) > 0;
     place.node = nearest_node(step);
     for (std::size_t d = 0; d < 3; ++d) place.place_m[d] = lattice_.center_m[d] + from_center[d];
     places.push_back(place);
+  }
+
+  /// A place in the plane of the side, from the centre. @param offset from the step, in spaces
+  [[nodiscard]] std::array<double, 3> in_plane(const std::array<int, 2>& step,
+                                               const std::array<double, 2>& offset) const {
+    std::array<double, 3> from_center{};
+    for (std::size_t t = 0; t < 2; ++t) {
+      from_center[plane_.tangent[t]] = (step[t] - 0.5 * steps(t) + offset[t]) * space_m(t);
+    }
+    return from_center;
+  }
+  [[nodiscard]] double space_m(std::size_t t) const { return plane_.extent_m[t] / per_cell_[t]; }
+
+  /// Of the piece of this side's surface that a place stands for: half a space to each side of it, where the side
+  /// goes on.
+  [[nodiscard]] double area_m2(const std::array<int, 2>& step) const {
+    std::array<double, 2> low{}, width{};
+    for (std::size_t t = 0; t < 2; ++t) {
+      low[t] = step[t] == 0 ? 0.0 : -0.5;
+      width[t] = (step[t] == steps(t) ? 0.0 : 0.5) - low[t];
+    }
+    const double part_m2 = width[0] * space_m(0) * width[1] * space_m(1) / (kParts * kParts);
+    double sum = 0.0;
+    for (int i = 0; i < kParts * kParts; ++i) {
+      std::array<double, 3> there = in_plane(step, {low[0] + width[0] * (i % kParts + 0.5) / kParts,
+                                                    low[1] + width[1] * (i / kParts + 0.5) / kParts});
+      there[plane_.axis] = sign_ * shape_.half_chord_m(plane_.axis, there);
+      if (!(sign_ * there[plane_.axis] >= 0.0)) continue;
+      const std::array<double, 3> normal = outward(there);
+      sum += share_of_side(normal) * part_m2 / std::abs(normal[plane_.axis]);
+    }
+    return sum;
   }
 
   /// Normal of the surface at a place of this side.
@@ -143,7 +170,7 @@ class Side {
   TrueShape shape_;
   FacePlane plane_;
   double sign_;
-  std::array<int, 2> per_cell_{};  ///< spaces between places along the edge of a cell
+  std::array<int, 2> per_cell_{};           ///< spaces between places along the edge of a cell
   std::map<std::array<int, 2>, int> node_;  ///< by its place in the grid
 };
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/rule_tables.hpp"
@@ -114,15 +115,33 @@ void sphere_is_round(const Scenario& s, Violations& out) {
   out.push_back({"product.size_m", "", "a sphere has three equal extents; else write shape = \"ellipsoid\""});
 }
 
-void spins_freely(const Scenario& s, Violations& out) {
-  const auto* p = lattice_of(s);
-  if (p == nullptr || (!has_gripper(s) && !s.cell.support)) return;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (p->initial_spin_rad_s[i] == 0.0) continue;
-    out.push_back({"product.initial_spin_rad_s[" + std::to_string(i) + "]", spelled(p->initial_spin_rad_s[i]),
-                   std::string("must be 0 with ") + (has_gripper(s) ? "a gripper" : "cell.support = true") +
-                       ": only a product that nothing can touch may spin"});
+/// "must be 0 with a gripper: ...", for each of these numbers that is not.
+void must_not_begin(const Scenario& s, std::string_view field, std::span<const double> values, Violations& out) {
+  if (!has_gripper(s)) return;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == 0.0) continue;
+    const std::string place = values.size() > 1 ? "[" + std::to_string(i) + "]" : "";
+    out.push_back({std::string(field) + place, spelled(values[i]),
+                   "must be 0 with a gripper: a product that is to be gripped stands still at the start"});
   }
+}
+
+void spins_freely(const Scenario& s, Violations& out) {
+  if (const auto* p = lattice_of(s)) must_not_begin(s, "product.initial_spin_rad_s", p->initial_spin_rad_s, out);
+}
+void turned_freely(const Scenario& s, Violations& out) {
+  if (const auto* p = lattice_of(s))
+    must_not_begin(s, "product.initial_rotation_rad", p->initial_rotation_rad, out);
+}
+void high_freely(const Scenario& s, Violations& out) {
+  if (const auto* p = lattice_of(s)) must_not_begin(s, "product.initial_height_m", {&p->initial_height_m, 1}, out);
+}
+
+void height_above_support(const Scenario& s, Violations& out) {
+  const auto* p = lattice_of(s);
+  if (p == nullptr || p->initial_height_m == 0.0 || s.cell.support) return;
+  out.push_back({"product.initial_height_m", spelled(p->initial_height_m),
+                 "needs cell.support = true: it is measured from the support"});
 }
 
 }  // namespace
@@ -150,9 +169,10 @@ std::vector<Rule> lattice_rules() {
        "goes with loss_ratio",
        loss_complete,
        "goes with at_frequency_Hz"},
-      {{"product.initial_spin_rad_s", "cell.support", "gripper"},
-       "0 with a gripper or a support: only a product that nothing can touch may spin",
-       spins_freely},
+      {{"product.initial_spin_rad_s", "gripper"}, "0 with a gripper", spins_freely},
+      {{"product.initial_rotation_rad", "gripper"}, "0 with a gripper", turned_freely},
+      {{"product.initial_height_m", "gripper"}, "0 with a gripper", high_freely},
+      {{"product.initial_height_m", "cell.support"}, "needs cell.support = true", height_above_support},
   };
 }
 

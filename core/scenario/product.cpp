@@ -24,7 +24,6 @@ bool yields(const NetworkParameters& p) {
                      [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
 }
 
-
 bool is_loaded(const LatticeParameters&) { return false; }
 bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
 
@@ -52,7 +51,8 @@ bool can_yield(const ProductParameters& product) {
 
 bool starts_in_the_air(const LatticeParameters& product) {
   const std::array<double, 3> none{};
-  return product.initial_spin_rad_s != none || product.initial_rotation_rad != none || product.initial_height_m > 0.0;
+  return product.initial_spin_rad_s != none || product.initial_rotation_rad != none ||
+         product.initial_height_m > 0.0;
 }
 
 bool starts_in_the_air(const ProductParameters& product) {

@@ -294,8 +294,8 @@ enum class InitialAcceleration { consistent, zero };
 /// Which places of a product can touch which surface; the pads always meet the sides that face them.
 enum class ContactSet {
   pads_and_support,  ///< the support meets the bottom of a product that stays upright
-  six_sides,         ///< the cell's surfaces meet the six sides of one that turns by quarter turns, near their poles
-  whole_surface,     ///< they meet any place
+  six_sides,      ///< the cell's surfaces meet the six sides of one that turns by quarter turns, near their poles
+  whole_surface,  ///< they meet any place
 };
 
 struct SimulationParameters {

@@ -41,7 +41,7 @@ class Balances {
   /// On the product, at the start of the step.
   std::array<Lane, 3> palm_force_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<LaneVector, kSurfaceCount> cell_force_;  ///< of each surface that is no pad, along its axes
-  LaneVector palm_moment_;  ///< about the centre of the pads; of products that turn
+  LaneVector palm_moment_;                            ///< about the centre of the pads; of products that turn
   Lane palm_work_{0.0}, belt_work_{0.0}, gravity_work_{0.0}, positive_work_{0.0};
 };
 

@@ -15,7 +15,10 @@ ModelSize size_of(const LatticeParameters& parameters, const ContactChoice& choi
 }
 
 ModelSize size_of(const NetworkParameters& network, const ContactChoice&) {
-  ModelSize size{.particle_count = network.particle.size(), .freedom_count = 0, .contact_candidate_count = 0, .contact_node_count = 0};
+  ModelSize size{.particle_count = network.particle.size(),
+                 .freedom_count = 0,
+                 .contact_candidate_count = 0,
+                 .contact_node_count = 0};
   for (const NetworkParticle& particle : network.particle) {
     for (bool fixed : particle.fixed) size.freedom_count += fixed ? 0 : 1;
     size.contact_candidate_count += particle.contact_stiffness_N_m > 0.0 ? 1 : 0;

@@ -1,9 +1,9 @@
 #include "core/surface/surface_lanes.hpp"
 
 #include "core/door/require.hpp"
+#include "core/scenario/cell_surface.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
-#include "core/scenario/cell_surface.hpp"
 
 namespace unbruised {
 namespace {

@@ -14,6 +14,10 @@ namespace {
 constexpr double kBytes = sizeof(double);
 /// Vectors of the length of the freedoms that one lane keeps (u, v, a, right-hand sides, loads, plastic state).
 constexpr double kVectorsPerLane = 24.0;
+/// Rows of the contact register and the sweep, per candidate.
+constexpr double kRowsPerCandidate = 48.0;
+/// Doubles that a contact candidate costs in the model.
+constexpr double kDoublesPerCandidate = 50.0;
 /// Doubles that a particle of a lattice costs in the model: springs, cells, indices.
 constexpr double kDoublesPerParticle = 300.0;
 
@@ -40,13 +44,15 @@ double estimated_steps(const Scenario& scenario) {
 }
 
 double estimated_model_bytes(const ModelSize& size) {
-  const double contact_freedoms = 3.0 * static_cast<double>(size.contact_candidate_count);
+  const double contact_freedoms = 3.0 * static_cast<double>(size.contact_node_count);
   return kBytes * (2.0 * estimated_factor_entries(size) + contact_freedoms * contact_freedoms +
-                   kDoublesPerParticle * static_cast<double>(size.particle_count));
+                   kDoublesPerParticle * static_cast<double>(size.particle_count) +
+                   kDoublesPerCandidate * static_cast<double>(size.contact_candidate_count));
 }
 
 double estimated_lane_bytes(const ModelSize& size) {
-  return kBytes * kVectorsPerLane * static_cast<double>(size.freedom_count);
+  return kBytes * (kVectorsPerLane * static_cast<double>(size.freedom_count) +
+                   kRowsPerCandidate * static_cast<double>(size.contact_candidate_count));
 }
 
 double estimated_trace_rows(const Scenario& scenario) {
@@ -63,7 +69,7 @@ double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size) {
 double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   const LaneStepRate rate = measured_lane_step_rate();
   const double freedoms =
-      std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_candidate_count));
+      std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_node_count));
   const double contact = estimated_sweeps(scenario) * freedoms * freedoms;
   return rate.seconds_per_factor_entry * estimated_factor_entries(size) + rate.seconds_per_contact_entry * contact;
 }

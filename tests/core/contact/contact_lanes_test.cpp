@@ -37,7 +37,7 @@ TEST(ContactLanes, NeedAContactModelWithItsCompliance) {
   Scenario scenario = small_box();
   const auto model = build(scenario);
   const Model::Parts& parts = model->parts();
-  const ContactModel candidates_only = lattice_contact(lattice_of(scenario), *parts.body.lattice, 0.01);
+  const ContactModel candidates_only = lattice_contact(lattice_of(scenario), *parts.body.lattice, {});
   EXPECT_THROW(ContactLanes(candidates_only, parts.body, *parts.wilson), std::logic_error);
 }
 
@@ -46,7 +46,9 @@ TEST(ContactModel, IsMadeOfTheBodyOfItsProduct) {
   const BodyModel& box = model->parts().body;
   NetworkParameters network;
   network.particle.resize(2);
-  EXPECT_THROW(product_contact(network, box, 0.01), std::logic_error);
+  Scenario scenario;
+  scenario.product = network;
+  EXPECT_THROW(product_contact(scenario, box, *model->parts().wilson), std::logic_error);
 }
 
 }  // namespace

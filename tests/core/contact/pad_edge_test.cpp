@@ -35,7 +35,7 @@ struct EvenPress {
       const double pressed = std::min(side_m, product.size_m[t + 1]);
       tally.second[t] = Lane(force_N * pressed * pressed / 12.0);
     }
-    return yield_ratio(tally, form, {0.005, 0.005}, pad, Lane(layer_N_m3), Lane(1.0))[0];
+    return yield_ratio({tally, form, {0.005, 0.005}, pad}, layer_N_m3, 1.0, 0);
   }
   [[nodiscard]] double first_yield_N(double yield_stress_Pa) const {
     double low = 0.1, high = 100.0;

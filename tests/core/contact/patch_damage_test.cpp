@@ -36,7 +36,7 @@ class Pressed {
   void press(const std::array<double, 3>& size_m) {
     LatticeParameters product = kiwi();
     product.size_m = size_m;
-    form = lattice_contact(product, build_lattice(product), 0.005).patch_form[0];
+    form = lattice_contact(product, build_lattice(product), {.pressure_patch_m = 0.005}).patch_form[0];
     law = flow_law(ProductParameters(product)).value();
   }
 
@@ -48,7 +48,7 @@ class Pressed {
     tally.normal = Lane(force_N);
     SurfaceLane pad;
     pad.center_m = {Lane(form.middle_m[0]), Lane(form.middle_m[1])};
-    return yield_ratio(tally, form, {0.005, 0.005}, pad, Lane(springs_Pa_m_), Lane(law.yield.yield_stress_Pa))[0];
+    return yield_ratio({tally, form, {0.005, 0.005}, pad}, springs_Pa_m_, law.yield.yield_stress_Pa, 0);
   }
   [[nodiscard]] PatchDamage damage(double force_N) const {
     return patch_damage(patch_load(form, law, ratio(force_N), force_N, 0.0), form, law, kBruised);

@@ -78,9 +78,10 @@ double first_yield_N(const LayerParameters& layer) {
   for (int i = 0; i < 50; ++i) {
     SurfaceTally tally;
     tally.normal = Lane(0.5 * (low + high));
-    const Lane springs(face.stiffness_N_m3(0.5 * (low + high)));
-    const Lane ratio = yield_ratio(tally, form, {0.005, 0.005}, pad, springs, Lane(kiwi.yield_stress_Pa.value()));
-    (ratio[0] < 1.0 ? low : high) = 0.5 * (low + high);
+    const double springs_N_m3 = face.stiffness_N_m3(0.5 * (low + high));
+    const double ratio =
+        yield_ratio({tally, form, {0.005, 0.005}, pad}, springs_N_m3, kiwi.yield_stress_Pa.value(), 0);
+    (ratio < 1.0 ? low : high) = 0.5 * (low + high);
   }
   return low;
 }

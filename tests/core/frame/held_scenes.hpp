@@ -32,18 +32,6 @@ inline Scenario tilted_block(const std::array<double, 3>& tilt_rad, double grip_
   return scenario;
 }
 
-/// Runs scenarios of one factor key side by side. @return their traces
-inline std::vector<Trace> traces_of(const std::vector<Scenario>& scenarios) {
-  std::vector<Trace> traces(scenarios.size());
-  LaneSimulation simulation(build(scenarios.front()));
-  for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    simulation.load(static_cast<int>(i), scenarios[i]);
-    simulation.record_trace(static_cast<int>(i), traces[i]);
-  }
-  while (simulation.busy_count() > 0) simulation.step();
-  return traces;
-}
-
 /// Forces of the fingers on the product along the axes of the palm, and its rotation, in one row of a trace.
 struct GripRow {
   Eigen::Vector3d left_N, right_N, rotation_rad;

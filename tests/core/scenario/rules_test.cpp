@@ -54,6 +54,46 @@ std::vector<Breach> lattice_breaches() {
        [](S s) {
          lattice_in(s).initial_spin_rad_s = {0.0, 1.0, 0.0};
        }},
+      {"product.initial_rotation_rad[2]", "must be 0 with a gripper", usual_grip,
+       [](S s) {
+         lattice_in(s).initial_rotation_rad = {0.0, 0.0, 1.0};
+       }},
+      {"product.initial_height_m", "must be 0 with a gripper", usual_grip,
+       [](S s) { lattice_in(s).initial_height_m = 0.01; }},
+      {"product.initial_height_m", "needs cell.support = true", usual_grip,
+       [](S s) {
+         s.gripper = NoGripper{};
+         s.cell.support = false;
+         lattice_in(s).initial_height_m = 0.01;
+       }},
+  };
+}
+
+std::vector<Breach> surface_breaches() {
+  return {
+      {"cell.surface", "must be 8 tables at most", usual_grip, [](S s) { s.cell.surface.resize(9); }},
+      {"cell.surface", "needs a product with a shape", usual_network, [](S s) { s.cell.surface.resize(1); }},
+      {"cell.surface[1].normal", "must not be zero", usual_grip,
+       [](S s) {
+         s.cell.surface.resize(2);
+         s.cell.surface[1].normal = {0.0, 0.0, 0.0};
+       }},
+      {"cell.surface[0].path_m", "must have as many places as path_time_s has times, 2", usual_grip,
+       [](S s) {
+         s.cell.surface.resize(1);
+         s.cell.surface[0].path_time_s = {0.0, 1.0};
+       }},
+      {"cell.surface[0].path_time_s", "must rise", usual_grip,
+       [](S s) {
+         s.cell.surface.resize(1);
+         s.cell.surface[0].path_time_s = {1.0, 1.0};
+         s.cell.surface[0].path_m.resize(2);
+       }},
+      {"simulation.contact_set", "does not serve [[cell.surface]]", usual_grip,
+       [](S s) {
+         s.cell.surface.resize(1);
+         s.simulation.contact_set = ContactSet::pads_and_support;
+       }},
   };
 }
 
@@ -173,7 +213,7 @@ std::vector<Breach> handling_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), network_breaches(), handling_breaches()}) {
+  for (const auto& part : {lattice_breaches(), surface_breaches(), network_breaches(), handling_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

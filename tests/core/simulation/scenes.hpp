@@ -33,11 +33,15 @@ inline ScenarioResult run(const Scenario& scenario, Trace* trace = nullptr) {
 }
 
 /// Runs scenarios of one factor key side by side; as many as there are lanes at most.
-inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>& scenarios) {
+/// @param traces one for each, where not null
+inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>& scenarios,
+                                                    std::vector<Trace>* traces = nullptr) {
   LaneSimulation simulation(build(scenarios.front()));
+  if (traces != nullptr) traces->resize(scenarios.size());
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     EXPECT_EQ(factor_key(scenarios[i]), factor_key(scenarios.front()));
     simulation.load(static_cast<int>(i), scenarios[i]);
+    if (traces != nullptr) simulation.record_trace(static_cast<int>(i), (*traces)[i]);
   }
   std::vector<ScenarioResult> results(scenarios.size());
   while (simulation.busy_count() > 0) {
@@ -47,6 +51,13 @@ inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>&
     }
   }
   return results;
+}
+
+/// The traces of the same.
+inline std::vector<Trace> traces_of(const std::vector<Scenario>& scenarios) {
+  std::vector<Trace> traces;
+  run_side_by_side(scenarios, &traces);
+  return traces;
 }
 
 inline const TraceSignal& signal(const Trace& trace, const std::string& name) {

@@ -10,8 +10,7 @@ namespace {
 TEST(TraceCurves, CallSurfacesAsTheListOfSurfacesDoes) {
   const TraceSignal signal{"contact_count", "1", "closed contacts", {"surface"}, {kSurfaceCount}, {}};
   for (int surface = 0; surface < kSurfaceCount; ++surface) {
-    EXPECT_EQ(curve_name(signal, static_cast<std::size_t>(surface)),
-              kSurfaces[static_cast<std::size_t>(surface)].name);
+    EXPECT_EQ(curve_name(signal, static_cast<std::size_t>(surface)), surface_name(surface));
   }
 }
 

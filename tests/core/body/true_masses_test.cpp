@@ -1,0 +1,64 @@
+// Masses by which a lattice turns as its true shape does.
+
+#include "core/body/true_masses.hpp"
+
+#include <gtest/gtest.h>
+
+namespace unbruised {
+namespace {
+
+struct Case {
+  Shape shape;
+  std::array<double, 3> mean_square_share;  ///< of the true shape, over the squares of its extents
+};
+
+TEST(TrueMasses, HaveTheMassAndTheMomentsOfTheShapeAndStayPositive) {
+  const double flat = 1.0 / 12.0, disc = 1.0 / 16.0, ball = 1.0 / 20.0;
+  for (const Case& each : {Case{Shape::box, {flat, flat, flat}}, Case{Shape::cylinder, {disc, disc, flat}},
+                           Case{Shape::ellipsoid, {ball, ball, ball}}}) {
+    for (const int cells : {2, 3, 5, 8}) {
+      LatticeParameters product;
+      product.shape = each.shape;
+      product.size_m = {0.05, 0.06, 0.055};
+      product.cell_size_m = 0.05 / cells;
+      product.mass_kg = 0.1;
+      const Lattice lattice = build_lattice(product);
+      double mass_kg = 0.0;
+      std::array<double, 3> square{};
+      const std::vector<double> masses = true_masses(product, lattice);
+      for (std::size_t p = 0; p < masses.size(); ++p) {
+        EXPECT_GT(masses[p], 0.0);
+        mass_kg += masses[p];
+        for (std::size_t d = 0; d < 3; ++d) {
+          const double q = (lattice.position_m[p][d] - lattice.center_m[d]) / product.size_m[d];
+          square[d] += masses[p] * q * q;
+        }
+      }
+      // Newton's method ends at rounding.
+      EXPECT_NEAR(mass_kg, 0.1, 1e-14);
+      for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(square[d] / 0.1, each.mean_square_share[d], 1e-13);
+    }
+  }
+}
+
+// A lattice that has the moments already keeps its masses: so the change vanishes with the cells.
+TEST(TrueMasses, ChangeLessOnFinerCells) {
+  double before = 1.0;
+  for (const int cells : {4, 8, 16}) {
+    LatticeParameters product;
+    product.size_m = {0.06, 0.06, 0.06};
+    product.cell_size_m = 0.06 / cells;
+    product.mass_kg = 0.1;
+    const Lattice lattice = build_lattice(product);
+    const std::vector<double> masses = true_masses(product, lattice);
+    double largest = 0.0;
+    for (std::size_t p = 0; p < masses.size(); ++p) {
+      largest = std::max(largest, std::abs(masses[p] / lattice.mass_kg[p] - 1.0));
+    }
+    EXPECT_LT(largest, 0.5 * before);
+    before = largest;
+  }
+}
+
+}  // namespace
+}  // namespace unbruised

@@ -67,6 +67,8 @@ class FrameLanes {
   [[nodiscard]] LaneVector mass_acceleration_N() const { return to_world(mass_a_); }
   /// Outer force, without gravity, at the end of a step, along x, y, z.
   [[nodiscard]] const LaneVector& outer_force_N() const { return outer_force_; }
+  /// Moment of the outer forces about the centre of mass at the end of a step, along x, y, z.
+  [[nodiscard]] const LaneVector& outer_moment_N_m() const { return outer_moment_; }
   /// About the centre of mass, along x, y, z: what the outer forces have made of it.
   [[nodiscard]] const LaneVector& angular_momentum_kg_m2_s() const { return angular_momentum_; }
   /// What the steps since load would have lost of it by themselves, step by step; it is given back.

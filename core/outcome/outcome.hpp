@@ -67,6 +67,7 @@ enum class Metric : std::uint8_t {
   pick_error_m,
   place_error_m,
   place_attitude_rad,
+  angular_impulse_balance_error,
   count_  // not a metric: the number of them
 };
 
@@ -142,6 +143,10 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "horizontal distance of the product's centre of mass from its place on the target, at the end of the run"},
     {Metric::place_attitude_rad, "place_attitude_rad", "attitude when placed", "rad",
      "angle by which the product has turned from the start to the end of the run"},
+    {Metric::angular_impulse_balance_error, "angular_impulse_balance_error", "angular impulse balance error", "1",
+     "|change of angular momentum - sum of moment x dt| / (its size at the start + sum of |moment| x dt), about "
+     "the "
+     "centre of mass of a product that may turn"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

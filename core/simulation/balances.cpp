@@ -22,6 +22,10 @@ struct PadLoad {
   }
 };
 
+double length(const std::array<double, 3>& vector) {
+  return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+}
+
 PadLoad pad_load(const LaneView& view) {
   PadLoad load;
   for (int surface = 0; surface < kFingerCount; ++surface) {
@@ -48,6 +52,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   impulse_[at] = Impulse{};
   impulse_[at].initial_momentum = view.body.momentum(lane);
   for (std::size_t i = 0; i < 3; ++i) impulse_[at].outer_force_N[i] = view.body.mass_a()[i][lane];
+  if (const FrameLanes* frame = view.body.frame()) open_angular_account(lane, *frame);
   initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
   double kinetic = view.body.kinetic_energy_J(lane);
   if (has_gripper(scenario)) kinetic += view.gripper.energy()[lane];
@@ -101,6 +106,36 @@ void Balances::book_impulse(int lane, const LaneView& view) {
     account.impulse[i] += 0.5 * view.model.wilson->dt * (account.outer_force_N[i] + force);
     account.outer_force_N[i] = force;
   }
+  if (const FrameLanes* frame = view.body.frame()) book_angular_impulse(lane, view.model.wilson->dt, *frame);
+}
+
+void Balances::open_angular_account(int lane, const FrameLanes& frame) {
+  AngularImpulse& account = angular_impulse_[static_cast<std::size_t>(lane)];
+  account = AngularImpulse{};
+  account.initial_momentum = of_lane(frame.angular_momentum_kg_m2_s(), lane);
+  account.outer_moment_N_m = of_lane(frame.outer_moment_N_m(), lane);
+  account.size = length(account.initial_momentum);
+}
+
+void Balances::book_angular_impulse(int lane, double step_s, const FrameLanes& frame) {
+  AngularImpulse& account = angular_impulse_[static_cast<std::size_t>(lane)];
+  const std::array<double, 3> moment_N_m = of_lane(frame.outer_moment_N_m(), lane);
+  std::array<double, 3> gained{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    gained[i] = 0.5 * step_s * (account.outer_moment_N_m[i] + moment_N_m[i]);
+    account.impulse[i] += gained[i];
+  }
+  account.size += length(gained);
+  account.outer_moment_N_m = moment_N_m;
+}
+
+void Balances::measure_angular_impulse(int lane, const FrameLanes& frame, Metrics& metrics) const {
+  const AngularImpulse& account = angular_impulse_[static_cast<std::size_t>(lane)];
+  if (!(account.size > 0.0)) return;
+  const std::array<double, 3> momentum = of_lane(frame.angular_momentum_kg_m2_s(), lane);
+  std::array<double, 3> error{};
+  for (std::size_t i = 0; i < 3; ++i) error[i] = momentum[i] - account.initial_momentum[i] - account.impulse[i];
+  metrics[Metric::angular_impulse_balance_error] = length(error) / account.size;
 }
 
 double Balances::impulse_mismatch(int lane, const LaneView& view) const {
@@ -123,6 +158,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
     metrics[Metric::impulse_balance_error] =
         impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }
+  if (const FrameLanes* frame = view.body.frame()) measure_angular_impulse(lane, *frame, metrics);
   const bool driven = has_gripper(scenario);
   const double dissipated = view.body.damped_J(lane)                                                         //
                             + view.contact.dissipated()[lane]                                                //

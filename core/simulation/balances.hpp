@@ -34,9 +34,20 @@ class Balances {
     std::array<double, 3> impulse{};
     std::array<double, 3> outer_force_N{};  ///< on the product as a whole, at the start of the step
   };
+  /// Of a product in a floating frame, about its centre of mass.
+  struct AngularImpulse {
+    std::array<double, 3> initial_momentum{};
+    std::array<double, 3> impulse{};
+    std::array<double, 3> outer_moment_N_m{};  ///< at the start of the step
+    double size = 0;                           ///< of the momentum at the start and of all that came to it
+  };
   [[nodiscard]] double impulse_mismatch(int lane, const LaneView& view) const;
+  void open_angular_account(int lane, const FrameLanes& frame);
+  void book_angular_impulse(int lane, double step_s, const FrameLanes& frame);
+  void measure_angular_impulse(int lane, const FrameLanes& frame, Metrics& metrics) const;
 
   std::array<Impulse, kLanes> impulse_;
+  std::array<AngularImpulse, kLanes> angular_impulse_;
   std::array<double, kLanes> initial_energy_J_{};
   /// On the product, at the start of the step.
   std::array<Lane, 3> palm_force_{Lane(0.0), Lane(0.0), Lane(0.0)};

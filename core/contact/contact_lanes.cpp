@@ -34,7 +34,6 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
   places_.emplace(model, body, surfaces_);
-  asleep_.assign(model.node_count() * kSurfaceCount, 0);
   for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
 }
 
@@ -52,7 +51,28 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m},
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
   if (seen_) load_seen(lane);
-  std::ranges::fill(asleep_, char{0});
+  wake_all();
+}
+
+void ContactLanes::wake_all() {
+  if (!places_) return;
+  asleep_.assign(model_.candidate.size(), 0);
+  awake_.assign(model_.node_count() * kSurfaceCount, 0);
+  for (const ContactCandidate& candidate : model_.candidate) {
+    if (candidate.place < 0) continue;
+    ++awake_[static_cast<std::size_t>(candidate.contact_node) * kSurfaceCount +
+             static_cast<std::size_t>(candidate.surface)];
+  }
+}
+
+Lane ContactLanes::stored_energy() const {
+  Lane energy(0.0);
+  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
+    if (!asleep_.empty() && asleep_[c] != 0) continue;
+    const LayerEnergy stored = register_.stored_energy(c, surfaces_[model_.candidate[c].surface]);
+    energy += stored.pressed + stored.sheared;
+  }
+  return energy;
 }
 
 void ContactLanes::set_rest(int lane, const StaticRest& rest) {
@@ -95,8 +115,9 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
     const ContactCandidate& candidate = model_.candidate[c];
     if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
   }
+  if (places_) free_turn_ = sweep_.levers().turn_by(given.free.moment_N_m);
   for (std::size_t node = 0; places_ && node < model_.node_count(); ++node) meet_places(node, given, running);
-  sweep_.list_active(running);
+  sweep_.list_active(running, asleep_);
   sweep_.rebase(given.free, running);
 }
 

@@ -112,7 +112,7 @@ class ContactLanes {
   /// Dissipated by sliding and in viscous layers since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
   /// Stored in the layers, [J].
-  [[nodiscard]] Lane stored_energy() const { return register_.stored_energy(surfaces_); }
+  [[nodiscard]] Lane stored_energy() const;
   /// Mean pressure of a surface's patch / mean pressure at first yield, from the present tally.
   [[nodiscard]] Lane yield_ratio(int surface, const Lane& yield_stress) const;
   /// Of the face that meets a surface in one lane.
@@ -135,6 +135,7 @@ class ContactLanes {
   using Starts = std::array<ContactStart, kCarrierCount>;
   using Ends = std::array<ContactEnd, kCarrierCount>;
   void load_seen(int lane);
+  void wake_all();
   Starts seen_start(const ContactStart& start);
   Ends seen_end(const ContactEnd& end, const FrameLanes* frame);
   /// Where a candidate stands before its surface, at the start of a step and without contact forces at t + theta
@@ -149,9 +150,9 @@ class ContactLanes {
   void meet_place(std::size_t candidate, const ContactStart& start, const Mask& running);
   void meet_places(std::size_t node, const ContactStart& start, const Mask& running);
   [[nodiscard]] bool is_far(std::size_t node, int surface, const ContactStart& start) const;
+  [[nodiscard]] bool is_far(std::size_t candidate, const ContactStart& start) const;
   void take_in(std::size_t candidate, const Meeting& meeting, const Mask& meets, const Mask& running);
   [[nodiscard]] Mask may_meet(std::size_t candidate, const Meeting& meeting, const Mask& running) const;
-  [[nodiscard]] LaneVector free_turn(const FreeMotion& free) const;
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
   void cover_place(std::size_t candidate, const LaneVector& displacement, const CarrierMotion& now,
                    const Mask& lanes);
@@ -189,9 +190,11 @@ class ContactLanes {
   ContactRegister register_;
   std::optional<SeenNodes> seen_;     ///< of a product that turns
   std::optional<SeenPlaces> places_;  ///< of one that may touch the cell anywhere
-  /// Per contact node and surface from the support on: none of its places has been near since they were last
-  /// looked at one by one.
+  /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was last
+  /// looked at closely.
   std::vector<char> asleep_;
+  std::vector<int> awake_;  ///< how many others there are, per contact node and surface
+  LaneVector free_turn_;    ///< of the body as a whole until t + theta dt without contact forces
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
   /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
   std::array<std::array<Mask, 2>, kSurfaceCount> faces_;

@@ -125,15 +125,6 @@ LayerEnergy ContactRegister::stored_energy(std::size_t c, const SurfaceLane& sur
   return {select(closed | pressed, stored, Lane(0.0)), select(closed, sheared, Lane(0.0))};
 }
 
-Lane ContactRegister::stored_energy(const SurfaceLanes& surfaces) const {
-  Lane energy(0.0);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    const LayerEnergy stored = stored_energy(c, surfaces[model_.candidate[c].surface]);
-    energy += stored.pressed + stored.sheared;
-  }
-  return energy;
-}
-
 void ContactRegister::append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& w,
                                     std::vector<ContactEvent>& events) const {
   using Kind = ContactEvent::Kind;

@@ -57,8 +57,6 @@ class ContactRegister {
   void set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
   /// Stored in one candidate's layer [J].
   [[nodiscard]] LayerEnergy stored_energy(std::size_t c, const SurfaceLane& surface) const;
-  /// Stored in the layers, [J].
-  [[nodiscard]] Lane stored_energy(const SurfaceLanes& surfaces) const;
 
   /// Appends one candidate's changes of the last step in `lane`.
   void append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& wilson,

@@ -34,7 +34,7 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
 }
 
 void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes) {
-  theta_ = theta;
+  theta_ = &theta;
   eyes_ = eyes;
   if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < model_.surface_count; ++s) {
@@ -76,7 +76,7 @@ void ContactSweep::prepare_turned(std::size_t c) {
   for (std::size_t i = 0; i < 9; ++i) own_.put(9 * c + i, turned.at[i]);
 }
 
-void ContactSweep::list_active(const Mask& running) {
+void ContactSweep::list_active(const Mask& running, std::span<const char> asleep) {
   active_node_.clear();
   live_candidate_.clear();
   has_near_ = Mask(false);
@@ -84,6 +84,7 @@ void ContactSweep::list_active(const Mask& running) {
     bool active = false;
     for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
       const auto at = static_cast<std::size_t>(c);
+      if (!asleep.empty() && asleep[at] != 0) continue;
       const Mask near = contacts_.near.get(at);
       has_near_ = has_near_ | near;
       active = active || any(near);
@@ -191,7 +192,7 @@ template <class AnyNode>
     compliance += gripper.compliance();
     way = gripper.way_at_theta(surface, pad_force_);
   }
-  const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - surfaces_.place(surface, theta_, way));
+  const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - surfaces_.place(surface, *theta_, way));
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
   const Lane& rate_slope = rate_slope_[surface];
@@ -220,7 +221,7 @@ template <class AnyNode>
   const auto tangents = tangent_axes(surface);
   const auto t1 = static_cast<std::size_t>(tangents[0]);
   const auto t2 = static_cast<std::size_t>(tangents[1]);
-  const auto& carrier = carrier_of(surface, theta_);
+  const auto& carrier = carrier_of(surface, *theta_);
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
   const Lane r1 = node.d[t1] - carrier[t1].place_m;

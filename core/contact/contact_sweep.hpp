@@ -5,6 +5,7 @@
 /// (docs/theory.md, "Contact").
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/contact/contact_register.hpp"
@@ -34,13 +35,14 @@ class ContactSweep {
   ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts);
 
   /// Starts a step: the layers of this step, without forces.
-  /// @param theta where the carriers are at t + theta dt
+  /// @param theta where the carriers are at t + theta dt; has to outlive the step
   void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const Eyes& eyes);
   /// Takes in what a candidate's layer is this step.
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
   /// Lists the nodes with something near, once every candidate's `near` is known.
-  void list_active(const Mask& running);
+  /// @param asleep candidates that are not, where it is not empty
+  void list_active(const Mask& running, std::span<const char> asleep = {});
 
   /// Starts from the present forces over a motion without them.
   void rebase(const FreeMotion& free, const Mask& lanes);
@@ -105,7 +107,7 @@ class ContactSweep {
   ContactRegister& contacts_;
 
   // Of the present step.
-  CarrierMotion theta_;
+  const CarrierMotion* theta_ = nullptr;
   Eyes eyes_;
   LeverSums levers_;
   LaneArray own_;  ///< 9 per candidate: compliance of its node or place in the axes of its surface's carrier

@@ -18,9 +18,11 @@ class LeverSums {
     for (std::size_t i = 0; i < 9; ++i) turn_per_moment_.at[i] = Lane(turn_per_moment[i]);
   }
 
+  /// How a moment turns the body within a step.
+  [[nodiscard]] LaneVector turn_by(const LaneVector& moment_N_m) const { return turn_per_moment_ * moment_N_m; }
   /// Starts anew in `lanes`. @param moment_N_m of all that acts but contact
   void restart(const LaneVector& moment_N_m, const Mask& lanes) {
-    turn_ = select(lanes, turn_per_moment_ * moment_N_m, turn_);
+    turn_ = select(lanes, turn_by(moment_N_m), turn_);
     turn_by_arms_ = select(lanes, LaneVector{}, turn_by_arms_);
   }
   /// A force has changed. @param X of the particle it acts on @param arm from there to its place

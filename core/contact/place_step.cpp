@@ -16,7 +16,8 @@ Lane share_within(const Lane& place, const Lane& size, double extent_m) {
 
 }  // namespace
 
-/// The candidates of a node with one surface stand side by side.
+/// The candidates of a node with one surface stand side by side. Those that sleep are looked at closely only when
+/// they come near.
 void ContactLanes::meet_places(std::size_t node, const ContactStart& start, const Mask& running) {
   const auto last = static_cast<std::size_t>(model_.first_candidate[node + 1]);
   auto c = static_cast<std::size_t>(model_.first_candidate[node]);
@@ -25,14 +26,16 @@ void ContactLanes::meet_places(std::size_t node, const ContactStart& start, cons
     std::size_t end = c + 1;
     while (end < last && model_.candidate[end].surface == surface) ++end;
     if (model_.candidate[c].place >= 0) {
-      char& asleep = asleep_[node * kSurfaceCount + static_cast<std::size_t>(surface)];
-      const bool far = is_far(node, surface, start);
-      bool quiet = far;
-      for (std::size_t k = c; quiet && k < end; ++k) {
-        quiet = none(register_.normal_theta.get(k) > Lane(0.0)) && none(register_.normal.get(k) > Lane(0.0));
+      int& awake = awake_[node * kSurfaceCount + static_cast<std::size_t>(surface)];
+      const bool all_far = is_far(node, surface, start);
+      for (std::size_t k = c; (awake > 0 || !all_far) && k < end; ++k) {
+        const bool far = all_far || is_far(k, start);
+        if (far && asleep_[k] != 0) continue;
+        meet_place(k, start, running);
+        const bool sleeps = far && none(register_.normal.get(k) > Lane(0.0));
+        awake += (asleep_[k] != 0 ? 1 : 0) - (sleeps ? 1 : 0);
+        asleep_[k] = sleeps ? 1 : 0;
       }
-      for (std::size_t k = c; !(quiet && asleep != 0) && k < end; ++k) meet_place(k, start, running);
-      asleep = quiet ? 1 : 0;
     }
     c = end;
   }
@@ -45,7 +48,17 @@ bool ContactLanes::is_far(std::size_t node, int surface, const ContactStart& sta
   const LaneVector seen = places_->axes(surface).displacement(seen_->rest_place_m(*frame_, node), u);
   const Lane height = Lane(body_.position_m[static_cast<std::size_t>(model_.node[node])][axis]) + seen[axis] -
                       place_free_[surface];
+  // A body that turns within the step turns the arms, by less than twice their length.
   return none(surfaces_[surface].present & (height < near_margin_ + Lane(2.0 * *model_.place_radius_m[node])));
+}
+
+/// Is this place?
+bool ContactLanes::is_far(std::size_t c, const ContactStart& start) const {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const LaneVector u =
+      get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node));
+  const Lane gap = places_->height(candidate, u, free_turn_) - place_free_[candidate.surface];
+  return none(register_.is_closed(c) | (surfaces_[candidate.surface].present & (gap < near_margin_)));
 }
 
 void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Mask& running) {
@@ -57,7 +70,7 @@ void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Ma
                                                 get_vector(start.v, node), get_vector(start.a, node));
   const LaneVector free = places_->displacement(
       candidate, get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node)),
-      free_turn(start.free));
+      free_turn_);
   const Lane rest(candidate.surface_m);
   const Meeting meeting{rest + seen.displacement[axis] - motion_[surface].place_m,
                         rest + free[axis] - place_free_[surface],
@@ -93,14 +106,6 @@ void ContactLanes::cover_place(std::size_t c, const LaneVector& displacement, co
     piece[t].share *= share_within(there, surface.size_m[t], place.extent_m[t]);
   }
   set_cover(c, piece, lanes);
-}
-
-LaneVector ContactLanes::free_turn(const FreeMotion& free) const {
-  LaneVector turn;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) turn[i] += Lane(model_.turn_per_moment[3 * i + j]) * free.moment_N_m[j];
-  }
-  return turn;
 }
 
 void ContactLanes::see_theta(const FrameLanes& frame, const LaneArray& u_theta) {

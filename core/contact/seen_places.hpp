@@ -44,6 +44,13 @@ class SeenPlaces {
     const LaneVector moved = u + cross(turn_rad, to_lanes(place.arm_m));
     return axes(candidate.surface).displacement(to_lanes(place.from_mass_m), moved);
   }
+  /// How high such a place stands over the plane of its surface where that has not moved.
+  [[nodiscard]] Lane height(const ContactCandidate& candidate, const LaneVector& u,
+                            const LaneVector& turn_rad) const {
+    const PlaceArm& place = arm_of(candidate);
+    const LaneVector there = to_lanes(place.from_mass_m) + u + cross(turn_rad, to_lanes(place.arm_m));
+    return dot(normal(candidate.surface), there) + axes(candidate.surface).origin[2] + center_of_mass_m_[2];
+  }
   /// The same in a frame that fits: the body has not turned against it.
   [[nodiscard]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u) const {
     return axes(candidate.surface).displacement(to_lanes(arm_of(candidate).from_mass_m), u);

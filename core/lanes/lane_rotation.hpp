@@ -47,6 +47,17 @@ inline LaneRotation rotation_by(const LaneVector& vector_rad) {
   return LaneRotation{cosine, Lane(0.5) * sine * vector_rad} * LaneRotation{};
 }
 
+/// The vector v of exp[v] of small rotations, right to rounding below 0.1 rad.
+inline LaneVector small_rotation_rad(const LaneRotation& rotation) {
+  // asin(s) / s of the sine of half the angle, by its series; -q is the same rotation as q.
+  const Lane square = dot(rotation.axis, rotation.axis);
+  const Lane ratio =
+      Lane(1.0) +
+      square * (Lane(1.0 / 6.0) +
+                square * (Lane(3.0 / 40.0) + square * (Lane(15.0 / 336.0) + square * Lane(105.0 / 3456.0))));
+  return select(rotation.w < Lane(0.0), Lane(-2.0), Lane(2.0)) * ratio * rotation.axis;
+}
+
 inline LaneRotation select(const Mask& mask, const LaneRotation& yes, const LaneRotation& no) {
   return {select(mask, yes.w, no.w), select(mask, yes.axis, no.axis)};
 }

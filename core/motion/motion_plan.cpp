@@ -44,6 +44,16 @@ PalmState horizontal(const Horizontal& direction, const MotionProfile::State& al
   return state;
 }
 
+PalmState at_place(const MovingTransfer::State& flat) {
+  PalmState state;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    state.position_m[axis] = flat.place_m[axis];
+    state.velocity_m_s[axis] = flat.velocity_m_s[axis];
+    state.acceleration_m_s2[axis] = flat.acceleration_m_s2[axis];
+  }
+  return state;
+}
+
 double transfer_acceleration_m_s2(const StrategyParameters& s) {
   return s.transfer_acceleration_m_s2.value_or(s.lift_acceleration_m_s2);
 }
@@ -72,45 +82,59 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (has_gripper(scenario)) {
     const StrategyParameters& s = strategy_;
-    const CellParameters& cell = scenario.cell;
     pressing_speed_m_s_ = s.approach_speed_m_s;
     // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
     if (const auto gain = drive_gain_N_s_m(scenario.gripper)) {
       pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / *gain);
     }
-    lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
-    const double angle = size(s.tilt_rad);
-    if (angle > 0.0) {
-      for (std::size_t i = 0; i < 3; ++i) tilt_axis_[i] = s.tilt_rad[i] / angle;
-    }
-    tilt_ = MotionProfile::plan(s.profile, angle, s.tilt_acceleration_rad_s2, s.tilt_speed_rad_s);
-    const double way = std::hypot(cell.transfer_m[0], cell.transfer_m[1]);
-    if (way > 0.0) transfer_direction_ = {cell.transfer_m[0] / way, cell.transfer_m[1] / way};
-    transfer_ = MotionProfile::plan(s.profile, way, transfer_acceleration_m_s2(s), s.speed_m_s);
-    lower_ = MotionProfile::plan(s.profile, cell.place_height_m + s.release_height_m - cell.lift_height_m,
-                                 s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+    plan_ways(scenario);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
     if (ramp_start_s < kNever) schedule(scenario);
-    if (s.stop_time_s && *s.stop_time_s < release_start_s_) stop(*s.stop_time_s, cell.stop_deceleration_m_s2);
+    if (s.stop_time_s && *s.stop_time_s < release_start_s_)
+      stop(*s.stop_time_s, scenario.cell.stop_deceleration_m_s2);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
+}
+
+void MotionPlan::plan_ways(const Scenario& scenario) {
+  const StrategyParameters& s = strategy_;
+  const CellParameters& cell = scenario.cell;
+  lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
+  const PalmPath::Limits m{s.speed_m_s, transfer_acceleration_m_s2(s)};
+  const PalmPath::Limits rad{s.tilt_speed_rad_s, s.tilt_acceleration_rad_s2};
+  const PalmStop lifted = lifted_stop(scenario), placing = placing_stop(scenario);
+  const std::vector<PalmStop> stops = palm_stops(scenario);
+  path_ = PalmPath(lifted, stops, s.profile, m, rad);
+  if (!stops.empty()) {
+    PalmStop level = stops.back();
+    level.attitude = placing.attitude;
+    level.wait_s = 0.0;
+    level_ = PalmPath(stops.back(), {level}, s.profile, m, rad);
+  }
+  const Horizontal across_m = {cell.transfer_m[0] - placing.place_m[0], cell.transfer_m[1] - placing.place_m[1]};
+  const double way_m = std::hypot(across_m[0], across_m[1]);
+  if (way_m > 0.0) transfer_direction_ = {across_m[0] / way_m, across_m[1] / way_m};
+  transfer_ = MotionProfile::plan(s.profile, way_m, m.acceleration, m.speed);
+  const double end_m = cell.place_height_m + s.release_height_m - lowest_place_m(scenario, placing.attitude);
+  lower_ = MotionProfile::plan(s.profile, end_m - placing.place_m[2],
+                               s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
 }
 
 void MotionPlan::schedule(const Scenario& scenario) {
   const StrategyParameters& s = strategy_;
   lift_start_s_ = ramp_start_s_ + s.grip_ramp_s + s.settle_s;
   lift_end_s_ = lift_start_s_ + lift_.duration_s();
-  hold_start_s_ = lift_end_s_ + tilt_.duration_s();
+  hold_start_s_ = lift_end_s_ + path_.duration_s();
   hold_end_s_ = hold_start_s_ + s.hold_s;
   if (moving_transfer_) {
-    const PalmState picked = across(hold_end_s_);
+    const PalmState picked = planned_palm(hold_end_s_);
     moving_transfer_ = MovingTransfer::plan(
         s.profile,
         {{picked.position_m[0], picked.position_m[1]}, {picked.velocity_m_s[0], picked.velocity_m_s[1]}},
         {target_m(hold_end_s_), place_velocity_m_s_}, transfer_acceleration_m_s2(s), s.speed_m_s);
   }
   level_start_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
-  transfer_end_s_ = level_start_s_ + tilt_.duration_s();
+  transfer_end_s_ = level_start_s_ + level_.duration_s();
   lower_end_s_ = transfer_end_s_ + lower_.duration_s();
   release_start_s_ = lower_end_s_ + s.place_settle_s;
   release_end_s_ = release_start_s_ + approach_gap_m(scenario) / s.release_speed_m_s;
@@ -133,10 +157,20 @@ void MotionPlan::stop(double time_s, double deceleration_m_s2) {
 
 CyclePhase MotionPlan::phase_after_contact(double time_s) const {
   if (is_stopped(time_s)) return CyclePhase::stop;
-  const std::array<double, 6> ends_s = {lift_start_s_,   lift_end_s_,      hold_end_s_,
-                                        transfer_end_s_, release_start_s_, release_end_s_};
-  const auto end = std::upper_bound(ends_s.begin(), ends_s.end(), time_s);
-  return static_cast<CyclePhase>(1 + (end - ends_s.begin()));
+  struct PhaseEnd {
+    double time_s;
+    CyclePhase phase;
+  };
+  const std::array<PhaseEnd, 8> ends = {{{lift_start_s_, CyclePhase::grip},
+                                         {lift_end_s_, CyclePhase::lift},
+                                         {hold_start_s_, CyclePhase::turn},
+                                         {hold_end_s_, CyclePhase::hold},
+                                         {level_start_s_, CyclePhase::transfer},
+                                         {transfer_end_s_, CyclePhase::turn},
+                                         {release_start_s_, CyclePhase::lower},
+                                         {release_end_s_, CyclePhase::release}}};
+  const auto end = std::ranges::find_if(ends, [time_s](const PhaseEnd& each) { return time_s < each.time_s; });
+  return end == ends.end() ? CyclePhase::recover : end->phase;
 }
 
 PalmState MotionPlan::palm(double time_s) const {
@@ -146,44 +180,48 @@ PalmState MotionPlan::palm(double time_s) const {
 PalmState MotionPlan::braking_palm(double time_s) const {
   PalmState palm = stopped_;
   brake(time_s - stop_s_, stop_deceleration_m_s2_, palm.position_m, palm.velocity_m_s, palm.acceleration_m_s2);
-  brake(time_s - stop_s_, strategy_.tilt_acceleration_rad_s2, palm.rotation_rad, palm.spin_rad_s,
+  std::array<double, 3> turn_rad{};
+  brake(time_s - stop_s_, strategy_.tilt_acceleration_rad_s2, turn_rad, palm.spin_rad_s,
         palm.spin_acceleration_rad_s2);
+  palm.rotation_rad = rotation_to(attitude_of(turn_rad) * attitude_of(stopped_.rotation_rad));
   return palm;
 }
 
 PalmState MotionPlan::planned_palm(double time_s) const {
-  PalmState palm = across(time_s);
-  if (time_s <= lift_start_s_) return palm;
-  const auto up = lift_.at(time_s - lift_start_s_);
-  const auto down = lower_.at(time_s - transfer_end_s_);
-  const auto turn = tilt_.at(time_s - lift_end_s_), back = tilt_.at(time_s - level_start_s_);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    palm.rotation_rad[axis] = tilt_axis_[axis] * (turn.position_m - back.position_m);
-    palm.spin_rad_s[axis] = tilt_axis_[axis] * (turn.velocity_m_s - back.velocity_m_s);
-    palm.spin_acceleration_rad_s2[axis] = tilt_axis_[axis] * (turn.acceleration_m_s2 - back.acceleration_m_s2);
+  PalmState palm = path_.at(time_s - lift_end_s_);
+  if (time_s > level_start_s_) {
+    const PalmState level = level_.at(time_s - level_start_s_);
+    palm.rotation_rad = level.rotation_rad;
+    palm.spin_rad_s = level.spin_rad_s;
+    palm.spin_acceleration_rad_s2 = level.spin_acceleration_rad_s2;
   }
-  palm.position_m[2] = up.position_m + down.position_m;
-  palm.velocity_m_s[2] = up.velocity_m_s + down.velocity_m_s;
-  palm.acceleration_m_s2[2] = up.acceleration_m_s2 + down.acceleration_m_s2;
+  go_across(time_s, palm);
+  const auto up = lift_.at(time_s - lift_start_s_), down = lower_.at(time_s - transfer_end_s_);
+  palm.position_m[2] = time_s < lift_end_s_ ? up.position_m : palm.position_m[2] + down.position_m;
+  palm.velocity_m_s[2] += up.velocity_m_s + down.velocity_m_s;
+  palm.acceleration_m_s2[2] += up.acceleration_m_s2 + down.acceleration_m_s2;
   return palm;
 }
 
-PalmState MotionPlan::across(double time_s) const {
-  if (!moving_transfer_) return horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
-  if (time_s > hold_end_s_) {
-    const MovingTransfer::State flat = moving_transfer_->at(time_s - hold_end_s_);
-    PalmState palm;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      palm.position_m[axis] = flat.place_m[axis];
-      palm.velocity_m_s[axis] = flat.velocity_m_s[axis];
-      palm.acceleration_m_s2[axis] = flat.acceleration_m_s2[axis];
-    }
-    return palm;
+void MotionPlan::go_across(double time_s, PalmState& palm) const {
+  PalmState flat;
+  if (!moving_transfer_) {
+    flat = horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
+  } else if (time_s > hold_end_s_) {
+    flat = at_place(moving_transfer_->at(time_s - hold_end_s_));
+  } else if (strategy_.pick == PickKind::tracking) {
+    MotionProfile::State along = belt_.at(time_s - strategy_.tracking_lag_s);
+    along.position_m += strategy_.pick_offset_m;
+    flat = horizontal(belt_.direction(), along);
+  } else {
+    return;
   }
-  MotionProfile::State along;
-  if (strategy_.pick == PickKind::tracking) along = belt_.at(time_s - strategy_.tracking_lag_s);
-  along.position_m += strategy_.pick_offset_m;
-  return horizontal(belt_.direction(), along);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // Only a transfer between places at rest goes on from where the stops end; the others know where they are.
+    palm.position_m[axis] = (moving_transfer_ ? 0.0 : palm.position_m[axis]) + flat.position_m[axis];
+    palm.velocity_m_s[axis] += flat.velocity_m_s[axis];
+    palm.acceleration_m_s2[axis] += flat.acceleration_m_s2[axis];
+  }
 }
 
 double MotionPlan::force_limit_N(double time_s) const {

@@ -1,10 +1,10 @@
 #pragma once
 
 /// @file
-/// The plan of one handling cycle: grip, lift, hold, transfer, lower, release, recover. A tilt is taken as the
-/// hold begins and taken back as the transfer ends. Times are real numbers; everything is fixed by the scenario
-/// and the time at which the grip is ramped up. A plan never changes: the simulator follows one, and the estimate
-/// of a run's cost reads its end.
+/// The plan of one handling cycle: grip, lift, turn, hold, transfer, lower, release, recover. The palm turns by
+/// its waypoints, as which it then puts the product down, or by a tilt, which it takes back before it lowers.
+/// Times are real numbers; everything is fixed by the scenario and the time at which the grip is ramped up. A plan
+/// never changes: the simulator follows one, and the estimate of a run's cost reads its end.
 
 #include <array>
 #include <cstdint>
@@ -14,27 +14,17 @@
 
 #include "core/motion/belt.hpp"
 #include "core/motion/moving_transfer.hpp"
+#include "core/motion/palm_path.hpp"
 #include "core/motion/profile.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 
-/// Motion along x, y, z from where the product's starting place has its palm and its plane: of the palm, of a
-/// plane.
-struct PalmState {
-  std::array<double, 3> position_m{};
-  std::array<double, 3> velocity_m_s{};
-  std::array<double, 3> acceleration_m_s2{};
-  /// About the centre of the pads, from upright: about the vector by its length; the other two along it.
-  std::array<double, 3> rotation_rad{};
-  std::array<double, 3> spin_rad_s{};
-  std::array<double, 3> spin_acceleration_rad_s2{};
-};
-
-/// The phases in their order; the codes stand in results files.
-enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover, stop };
-inline constexpr std::array<std::string_view, 9> kCyclePhaseWords = {
-    "approach", "grip", "lift", "hold", "transfer", "lower", "release", "recover", "stop"};
+/// The phases; the codes stand in results files. A palm turns between lift and hold, and a tilted one between
+/// transfer and lowering too.
+enum class CyclePhase : std::uint8_t { approach, grip, lift, hold, transfer, lower, release, recover, stop, turn };
+inline constexpr std::array<std::string_view, 10> kCyclePhaseWords = {
+    "approach", "grip", "lift", "hold", "transfer", "lower", "release", "recover", "stop", "turn"};
 
 /// The planes under the product.
 enum class SupportPlane {
@@ -63,13 +53,13 @@ class MotionPlan {
   /// The plane under a product that follows the plan.
   [[nodiscard]] SupportPlane support_plane(double time_s) const;
   [[nodiscard]] PalmState support(SupportPlane plane, double time_s) const;
-  /// Where the product is to stand, from where it stood at the start, along x and y [m].
+  /// Where the palm is to put the product down, from where the product stood at the start, along x and y [m].
   [[nodiscard]] Horizontal target_m(double time_s) const;
   [[nodiscard]] const Belt& belt() const { return belt_; }
 
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
-  /// The lift and the tilt are over.
+  /// The lift and the tilt or the waypoints are over.
   [[nodiscard]] double hold_start_s() const { return hold_start_s_; }
   [[nodiscard]] double hold_end_s() const { return hold_end_s_; }
   [[nodiscard]] double lower_end_s() const { return lower_end_s_; }
@@ -79,12 +69,13 @@ class MotionPlan {
   [[nodiscard]] double end_s() const { return end_s_; }
 
  private:
+  void plan_ways(const Scenario& scenario);
   void schedule(const Scenario& scenario);
   void stop(double time_s, double deceleration_m_s2);
   [[nodiscard]] PalmState planned_palm(double time_s) const;
   [[nodiscard]] PalmState braking_palm(double time_s) const;
-  /// The horizontal part.
-  [[nodiscard]] PalmState across(double time_s) const;
+  /// Gives a palm that goes from stop to stop its horizontal way beside that: with a belt, and of the transfer.
+  void go_across(double time_s, PalmState& palm) const;
 
   StrategyParameters strategy_{};
   double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises
@@ -92,9 +83,10 @@ class MotionPlan {
   Horizontal transfer_m_{}, place_velocity_m_s_{};
   Belt belt_;
   bool target_differs_ = false;
-  MotionProfile lift_, tilt_, transfer_, lower_;  ///< the tilt in rad
+  MotionProfile lift_, transfer_, lower_;
+  PalmPath path_;   ///< from the end of the lift to the hold
+  PalmPath level_;  ///< back to upright, after a tilt
   Horizontal transfer_direction_{};
-  std::array<double, 3> tilt_axis_{0.0, 0.0, 0.0};
   /// Instead of transfer_ where palm or target move during the pick or the placing.
   std::optional<MovingTransfer> moving_transfer_;
   double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever;

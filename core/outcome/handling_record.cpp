@@ -7,6 +7,7 @@
 
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/conveyor.hpp"
+#include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/words.hpp"
 
@@ -40,10 +41,13 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
     : limits_(scenario.limits),
       friction_(product_friction(scenario.product)),
       hold_s_(scenario.strategy.hold_s),
+      placing_attitude_(placing_stop(scenario).attitude),
       has_gripper_(has_gripper(scenario)),
       has_belt_(has_belt(scenario.cell)),
       has_product_yield_(yield_stress_Pa(scenario.product).has_value()) {
   if (has_gripper_) {
+    const auto shift_m = centre_shift_m(scenario, placing_attitude_);
+    placing_shift_m_ = {shift_m[0], shift_m[1]};
     for (Metric metric :
          {Metric::peak_finger_force_N, Metric::peak_pressure_Pa, Metric::compression_max_m, Metric::slip_max_m,
           Metric::slip_max_rad, Metric::peak_sensor_force_N, Metric::peak_sensor_torque_N_m,
@@ -145,8 +149,10 @@ void HandlingRecord::observe_places(const StepObservation& now, const HandlingCy
   }
   if (now.time_s < cycle.plan().release_end_s()) return;
   const Horizontal target = cycle.plan().target_m(now.time_s);
-  metrics[Metric::place_error_m] = std::hypot(x - target[0], y - target[1]);
-  metrics[Metric::place_attitude_rad] = now.rotation_rad;
+  metrics[Metric::place_error_m] =
+      std::hypot(x - target[0] - placing_shift_m_[0], y - target[1] - placing_shift_m_[1]);
+  metrics[Metric::place_attitude_rad] =
+      now.attitude ? angle_between_rad(*now.attitude, placing_attitude_) : now.rotation_rad;
 }
 
 /// Of the finger that presses hardest; of the support where it comes nearer to yield than they.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/peak_rise.hpp"
+#include "core/scenario/attitude.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
@@ -38,7 +40,8 @@ struct StepObservation {
   std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass
   std::array<double, 3> center_acceleration_m_s2{};
   std::array<double, 3> palm_m{};
-  double rotation_rad = 0;  ///< of the product as a whole
+  double rotation_rad = 0;           ///< of the product as a whole
+  std::optional<Attitude> attitude;  ///< of a product that may turn far
   double compression_m = 0;
   double patch_pressure_Pa = 0;
   double support_N = 0;  ///< normal force of the support
@@ -95,6 +98,8 @@ class HandlingRecord {
   LimitParameters limits_{};
   double friction_ = 0;
   double hold_s_ = 0;
+  Attitude placing_attitude_;     ///< of the palm when it puts the product down
+  Horizontal placing_shift_m_{};  ///< of the product's centre over where the palm is then
   bool has_gripper_ = false;
   bool has_belt_ = false;
   bool has_product_yield_ = false;

@@ -33,6 +33,11 @@ class KeyWriter {
     add(value.value_or(T{}));
   }
   template <class T, std::size_t N>
+  void add(const std::optional<std::array<T, N>>& values) {
+    add(values ? 1.0 : 0.0);
+    add(values.value_or(std::array<T, N>{}));
+  }
+  template <class T, std::size_t N>
   void add(const std::array<T, N>& values) {
     for (const T& value : values) add(value);
   }

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/scenario/attitude.hpp"
 #include "core/scenario/range.hpp"
 #include "core/scenario/scenario.hpp"
 
@@ -31,8 +32,9 @@ inline constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
 /// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
 inline constexpr Range kTheta{.min = 1.37, .max = 3.0};
 inline constexpr Range kRubberPoissonRatio{.min = 0.0, .max = 0.5};
-/// Half a turn, rounded up in the last of the digits a person writes.
-inline constexpr Range kTilt{.min = -3.1416, .max = 3.1416};
+inline constexpr Range kTilt{.min = -kHalfTurn_rad, .max = kHalfTurn_rad};
+/// Of a length that is 1 within 1e-6.
+inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
 /// Is T, const or not, the parameter struct S?
@@ -179,12 +181,22 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"path_m", Decides::run, kAnyNumber}, path_m);
 }
 
+template <FieldsOf<Waypoint> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [place_m, rotation_rad, quaternion, wait_s] = p;
+  visit({"place_m", Decides::run, kAnyNumber}, place_m);
+  visit({"rotation_rad", Decides::run, kTilt}, rotation_rad);
+  visit({"quaternion", Decides::run, kQuaternion}, quaternion);
+  visit({"wait_s", Decides::run, kNotNegative}, wait_s);
+}
+
+/// Waypoints have fields of their own.
 template <FieldsOf<StrategyParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, pick,
          pick_offset_m, tracking_lag_s, profile, lift_acceleration_m_s2, transfer_acceleration_m_s2,
          lower_acceleration_m_s2, speed_m_s, tilt_rad, tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s,
-         release_height_m, place_settle_s, release_speed_m_s, recover_s, stop_time_s] = p;
+         release_height_m, place_settle_s, release_speed_m_s, recover_s, stop_time_s, waypoint] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
   visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
   visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
@@ -263,6 +275,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
   visit("cell.conveyor.", -1, cell.conveyor);
   each("cell.surface[].", cell.surface);
   visit("strategy.", -1, strategy);
+  each("strategy.waypoint[].", strategy.waypoint);
   visit("limits.", -1, limits);
   visit("simulation.", -1, simulation);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/scenario/conveyor.hpp"
+#include "core/scenario/palm_stops.hpp"
 #include "core/scenario/rule_tables.hpp"
 #include "core/scenario/words.hpp"
 
@@ -26,12 +27,16 @@ void place_below_lift(const Scenario& s, Violations& out) {
 
 void release_below_lift(const Scenario& s, Violations& out) {
   const double release = s.strategy.release_height_m;
-  const double room = s.cell.lift_height_m - s.cell.place_height_m;
+  const PalmStop placing = placing_stop(s);
+  const double room = placing.place_m[2] + lowest_place_m(s, placing.attitude) - s.cell.place_height_m;
   constexpr double kRounding_m = 1e-12;  // 0.1 - 0.03 is not 0.07
   if (!has_gripper(s) || room < 0.0 || release <= room + kRounding_m) return;
   out.push_back({"strategy.release_height_m", spelled(release),
-                 "must be <= cell.lift_height_m - cell.place_height_m = " + for_people(room) +
-                     " m: the product would be lowered upwards"});
+                 "must be <= " +
+                     std::string(s.strategy.waypoint.empty()
+                                     ? "cell.lift_height_m - cell.place_height_m"
+                                     : "the height of the product above the target at the last waypoint") +
+                     " = " + for_people(room) + " m: the product would be lowered upwards"});
 }
 
 void belt_runs_somewhere(const Scenario& s, Violations& out) {
@@ -96,7 +101,9 @@ std::vector<Rule> motion_rules() {
       gripped(bounded("strategy.contact_force_N", "<= strategy.grip_force_N", "strategy.grip_force_N")),
       gripped(bounded("strategy.release_speed_m_s", "<= gripper.max_speed_m_s", "gripper.max_speed_m_s")),
       {{"cell.place_height_m", "cell.lift_height_m"}, "< lift_height_m when there is a lift", place_below_lift},
-      {{"strategy.release_height_m", "cell.lift_height_m", "cell.place_height_m"},
+      {{"strategy.release_height_m", "cell.lift_height_m", "cell.place_height_m", "strategy.waypoint[].place_m",
+        "strategy.waypoint[].rotation_rad", "strategy.waypoint[].quaternion", "cell.grip_offset_m",
+        "cell.grip_height_m", "product.size_m", "product.shape", "product.axis"},
        "<= cell.lift_height_m - cell.place_height_m",
        release_below_lift},
       {{"cell.conveyor.direction"}, "not zero", belt_runs_somewhere},

@@ -17,11 +17,20 @@ template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 template <class T>
 inline constexpr bool kIsNumber<std::vector<T>> = kIsNumber<T>;
+template <class T, std::size_t N>
+inline constexpr bool kIsNumber<std::optional<std::array<T, N>>> = kIsNumber<T>;
+
+template <class T>
+inline constexpr bool kIsOptionalList = false;
+template <class T, std::size_t N>
+inline constexpr bool kIsOptionalList<std::optional<std::array<T, N>>> = true;
 
 template <typename T>
 void visit_numbers(T& member, NumberPlace place, const NumberVisit& visit) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, std::optional<double>>) {
     visit(place, NumberSlot(&member));
+  } else if constexpr (kIsOptionalList<T>) {
+    if (member) visit_numbers(*member, place, visit);
   } else {
     for (std::size_t i = 0; i < member.size(); ++i) {
       NumberPlace at = place;
@@ -55,6 +64,7 @@ std::vector<Scenario> specimens() {
       Scenario& scenario = all.emplace_back();
       scenario.product = product;
       scenario.gripper = gripper;
+      scenario.strategy.waypoint.resize(1);
     }
   }
   return all;

@@ -1,8 +1,7 @@
 #include "core/scenario/product_frame.hpp"
 
-#include <algorithm>
-
 #include "core/scenario/contact_set.hpp"
+#include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -13,9 +12,7 @@ ProductFrame product_frame(const Scenario& scenario) {
   if (!has_gripper(scenario)) {
     return starts_in_the_air(scenario.product) ? ProductFrame::floating : ProductFrame::upright;
   }
-  const bool turns =
-      std::ranges::any_of(scenario.strategy.tilt_rad, [](double component) { return component != 0.0; });
-  return turns ? ProductFrame::floating : ProductFrame::upright;
+  return turns_product(scenario) ? ProductFrame::floating : ProductFrame::upright;
 }
 
 }  // namespace unbruised

@@ -12,7 +12,7 @@ enum class ProductFrame {
   floating,  ///< axes that turn with the product (core/frame)
 };
 
-/// A solid that spins without a gripper, is tilted by one, or may meet the cell with more than its bottom is
+/// A solid that spins without a gripper, is tilted or turned by one, or may meet the cell with more than its bottom is
 /// followed by a floating frame; every other product is upright.
 ProductFrame product_frame(const Scenario& scenario);
 

@@ -12,7 +12,7 @@ std::vector<Rule> network_rules();
 std::vector<Rule> gripper_rules();
 std::vector<Rule> motion_rules();
 std::vector<Rule> surface_rules();
-std::vector<Rule> tilt_rules();
+std::vector<Rule> turn_rules();
 
 /// lower <= upper, or < with `Strictness::below`, wherever both are there.
 enum class Strictness { at_most, below };

@@ -217,6 +217,20 @@ enum class PickKind {
 
 enum class ProfileKind { trapezoid, minimum_jerk };
 
+/// Where the palm goes after the lift, from rest to rest. What is not said is as at the waypoint before it, at the
+/// first as the lift ends.
+struct Waypoint {
+  /// Of the palm: x and y as transfer_m, z as lift_height_m
+  std::optional<std::array<double, 3>> place_m{};
+  /// Of the palm about its pads' centre, from upright, about the vector by its length, <= pi. At most one of
+  /// rotation_rad and quaternion is given.
+  std::optional<std::array<double, 3>> rotation_rad{};
+  /// Of length 1 within 1e-6: w, x, y, z. Turned is by the shortest way.
+  std::optional<std::array<double, 4>> quaternion{};
+  /// >= 0; rest there
+  double wait_s = 0.0;
+};
+
 /// The decision variables.
 struct StrategyParameters {
   /// > 0, per finger; the fingers start at this speed (at rest with ramp_from_start)
@@ -246,10 +260,10 @@ struct StrategyParameters {
   /// Rotation of the gripper about its pads' centre, taken after the lift and taken back before it is lowered:
   /// about the vector by its length, <= pi. Not zero: needs a lift and centric fingers.
   std::array<double, 3> tilt_rad{0.0, 0.0, 0.0};
-  /// > 0; speed limit and peak acceleration of the tilt
+  /// > 0; speed limit and peak acceleration of the tilt, and of turns between waypoints
   double tilt_speed_rad_s = 6.0;
   double tilt_acceleration_rad_s2 = 40.0;
-  /// >= 0; rest after the lift and the tilt
+  /// >= 0; rest after the lift and the tilt or the waypoints
   double hold_s = 0.0;
   /// >= 0, <= lift_height_m - place_height_m; height above the target plane at which the fingers open
   double release_height_m = 0.0;
@@ -262,6 +276,8 @@ struct StrategyParameters {
   /// >= 0; an emergency stop ends the cycle there: the palm brakes along its path and the fingers hold what they
   /// have. None, or after the release has begun: no stop.
   std::optional<double> stop_time_s{};
+  /// At most 16, and not with a tilt or a palm that tracks. The product is put down as it was turned last.
+  std::vector<Waypoint> waypoint;
 };
 
 enum class DamageJudging {

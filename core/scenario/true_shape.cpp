@@ -92,6 +92,16 @@ double TrueShape::half_chord_m(std::size_t axis, const std::array<double, 3>& pl
   return 0.5 * size_m_[axis] * (round_[axis] ? std::sqrt(rest) : 1.0);
 }
 
+double TrueShape::reach_m(const std::array<double, 3>& direction) const {
+  double flat_m = 0.0, round_m2 = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double along_m = 0.5 * size_m_[d] * direction[d];
+    if (round_[d]) round_m2 += along_m * along_m;
+    if (!round_[d]) flat_m += std::abs(along_m);
+  }
+  return flat_m + std::sqrt(round_m2);
+}
+
 /// Of the ellipse or ellipsoid over the round axes.
 NearestSurface TrueShape::nearest_round(const std::array<double, 3>& place_m) const {
   EllipsoidPlace place;

@@ -38,6 +38,8 @@ class TrueShape {
   [[nodiscard]] double pole_radius_m(std::size_t axis, std::size_t along) const {
     return 0.5 * size_m_[along] * size_m_[along] / size_m_[axis];
   }
+  /// How far it reaches from its centre along a unit vector: its support function [m].
+  [[nodiscard]] double reach_m(const std::array<double, 3>& direction) const;
   /// Distance and normal at a place; where several places are nearest, as in the middle, one of them.
   [[nodiscard]] NearestSurface nearest(const std::array<double, 3>& place_m) const;
 

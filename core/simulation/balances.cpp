@@ -68,8 +68,10 @@ void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_ma
   Lane gravity(0.0), palm(0.0), belt(0.0);
   PadLoad load = pad_load(view);
   if (view.body.frame() != nullptr) {
-    load.turn(rotation_by(after.palm_rotation_rad).matrix());
-    palm += Lane(0.5) * dot(palm_moment_ + load.moment, after.palm_rotation_rad - before.palm_rotation_rad);
+    const LaneRotation turned = rotation_by(after.palm_rotation_rad);
+    load.turn(turned.matrix());
+    const LaneVector turn_rad = small_rotation_rad(turned * rotation_by(Lane(-1.0) * before.palm_rotation_rad));
+    palm += Lane(0.5) * dot(palm_moment_ + load.moment, turn_rad);
     palm_moment_ = load.moment;
   }
   for (std::size_t i = 0; i < 3; ++i) {

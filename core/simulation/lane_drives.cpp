@@ -41,8 +41,9 @@ void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, Ca
 void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
                     const CarrierMotion& carriers, DriveCommand& command) {
   command.palm_acceleration_x_m_s2.set(lane, carriers.palm[normal_axis(kLeftPad)].acceleration_m_s2[lane]);
-  const LaneVector& spin = carriers.palm_spin_rad_s;  // along the axis of the turn, so the same in the palm's axes
-  command.centrifugal_1_s2.set(lane, spin[1][lane] * spin[1][lane] + spin[2][lane] * spin[2][lane]);
+  const std::array<double, 3> spin = turned(inverse(attitude_of(of_lane(carriers.palm_rotation_rad, lane))),
+                                            of_lane(carriers.palm_spin_rad_s, lane));
+  command.centrifugal_1_s2.set(lane, spin[1] * spin[1] + spin[2] * spin[2]);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   double speed = plan.set_speed_m_s(time_s);
   // Opened is where the fingers started; inwards the stroke ends at a stop.

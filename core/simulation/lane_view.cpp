@@ -67,6 +67,10 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     seen.palm_m[i] = carriers.palm[i].place_m[lane];
   }
   seen.rotation_rad = model.body.is_solid ? body.rotation_rad(lane) : 0.0;
+  if (const FrameLanes* frame = body.frame()) {
+    const std::array<double, 4> q = frame->attitude().of_lane(lane);
+    seen.attitude = Attitude{q[0], {q[1], q[2], q[3]}};
+  }
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
   for (std::size_t s = kSupport; s < static_cast<std::size_t>(model.contact.surface_count); ++s) {

@@ -5,14 +5,12 @@
 #include <string>
 
 #include "core/scenario/pad_meeting.hpp"
+#include "core/scenario/palm_stops.hpp"
 #include "core/scenario/words.hpp"
 
 namespace unbruised {
 
 namespace {
-
-/// Of the product within a step: its centrifugal strain is then wrong by 0.35 x 0.1^2 = 0.4 %, its angle by 1e-5.
-constexpr double kLargestTurn_rad = 0.1;
 
 bool is_finite(const LaneStep& step) {
   double size = step.view.material.largest_strain()[step.lane];
@@ -48,7 +46,7 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.lean_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
     return "the lean of the product against the pads > simulation.max_rotation_rad";
   }
-  if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestTurn_rad) {
+  if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestStepTurn_rad) {
     return "the product turns by more than 0.1 rad within a step; use a smaller simulation.time_step_s";
   }
   if (belt_has_ended(step)) return "the belt carries the product beyond cell.conveyor.length_m before the lift";

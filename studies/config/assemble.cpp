@@ -107,6 +107,7 @@ struct Assembler {
       network->load.resize(list_size("product.load["));
       scenario.cell.support = false;
     }
+    scenario.strategy.waypoint.resize(list_size("strategy.waypoint["));
     if (input.has_gripper) scenario.gripper = ParallelJawParameters{};
     give_usual_layer_damping(scenario);
     if (!input.has_gripper) return;
@@ -133,17 +134,15 @@ struct Assembler {
 
   /// Is there a table and an element of that number?
   std::optional<std::string> missing_place(const KeyAddress& address) {
-    const auto* network = std::get_if<NetworkParameters>(&out.scenario.product);
-    const std::string_view path = address.spec->path;
-    if (network != nullptr && path.find("[]") != std::string_view::npos) {
-      const std::size_t count = path.starts_with("product.particle") ? network->particle.size()
-                                : path.starts_with("product.spring") ? network->spring.size()
-                                                                     : network->load.size();
-      if (static_cast<std::size_t>(address.index) >= count) {
-        return "there are only " + std::to_string(count) + " of them, counted from 0";
-      }
+    const auto count = scenario_list_size(out.scenario, address.spec->path);
+    if (count && static_cast<std::size_t>(address.index) >= *count) {
+      return "there are only " + std::to_string(*count) + " of them, counted from 0";
     }
     const auto field = field_of(address);
+    const auto* maybe = field ? std::get_if<MaybeSpan>(&*field) : nullptr;
+    if (maybe != nullptr && !address.elements.empty() && maybe->data(maybe->object) == nullptr) {
+      return "is not given here; write the whole array first";
+    }
     if (field && !has_element(*field, address.elements)) return "the array has no such element";
     return std::nullopt;
   }
@@ -241,9 +240,7 @@ struct Assembler {
         continue;
       }
       const std::string list(spec.path.substr(0, open));
-      const std::size_t count = list == "product.particle" ? network->particle.size()
-                                : list == "product.spring" ? network->spring.size()
-                                                           : network->load.size();
+      const std::size_t count = scenario_list_size(out.scenario, spec.path).value_or(0);
       for (std::size_t i = 0; i < count; ++i) {
         const std::string path = list + "[" + std::to_string(i) + "]" + std::string(spec.path.substr(open + 2));
         // An array may come element by element, from CSV columns.

@@ -28,6 +28,8 @@ std::string type_words(const KeySpec& spec) {
       return choices_text(spec);
     case KeyType::numbers:
       return n + " numbers";
+    case KeyType::maybe_numbers:
+      return n + " numbers or \"none\"";
     case KeyType::integers:
       return n + " integers";
     case KeyType::axes:
@@ -48,6 +50,7 @@ std::string type_words(const KeySpec& spec) {
 Scenario specimen(const KeySpec& spec) {
   Scenario scenario;
   scenario.gripper = ParallelJawParameters{};
+  scenario.strategy.waypoint.resize(1);
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
     NetworkParameters network;
     network.particle.resize(1);

@@ -26,6 +26,8 @@ std::string type_rule(const KeySpec& spec) {
       return "must be one of " + choices_text(spec);
     case KeyType::numbers:
       return "must be an array of " + n + " numbers" + in;
+    case KeyType::maybe_numbers:
+      return "must be an array of " + n + " numbers" + in + ", or \"none\"";
     case KeyType::integers:
       return "must be an array of " + n + " integers";
     case KeyType::axes:
@@ -92,6 +94,10 @@ double* number_slot(FieldRef field, const std::vector<int>& at) {
   if (const auto* span = std::get_if<NumberSpan>(&field)) {
     return at.size() == 1 && at[0] < span->size ? span->data + at[0] : nullptr;
   }
+  if (const auto* span = std::get_if<MaybeSpan>(&field)) {
+    double* data = span->data(span->object);
+    return data != nullptr && at.size() == 1 && at[0] < span->size ? data + at[0] : nullptr;
+  }
   if (auto* const* series = std::get_if<std::vector<double>*>(&field)) {
     const bool inside = at.size() == 1 && static_cast<std::size_t>(at[0]) < (*series)->size();
     return inside ? &(**series)[static_cast<std::size_t>(at[0])] : nullptr;
@@ -138,6 +144,9 @@ std::optional<std::string> check_value(const KeySpec& spec, const Value& value, 
     case KeyType::choice:
     case KeyType::axes:
       return check_words(spec, value);
+    case KeyType::maybe_numbers:
+      if (value.kind == Value::Kind::text && value.text == "none") return std::nullopt;
+      [[fallthrough]];
     case KeyType::numbers:
     case KeyType::integers:
     case KeyType::series:
@@ -205,6 +214,7 @@ void assign(const KeySpec& spec, FieldRef field, const Value& value, const std::
     (*vectors)->clear();
     for (const Value& item : value.items) (*vectors)->push_back(vector_of(item));
   } else {
+    if (const auto* span = std::get_if<MaybeSpan>(&field)) span->give(span->object, !value.items.empty());
     if (auto* const* series = std::get_if<std::vector<double>*>(&field)) (*series)->resize(value.items.size());
     for (std::size_t i = 0; i < value.items.size(); ++i) {
       assign_number(field, value.items[i].number, {static_cast<int>(i)});
@@ -237,6 +247,12 @@ std::string spelled(const KeySpec& spec, FieldRef field) {
     }
     std::string operator()(const NumberSpan& x) const {
       return array_text(std::vector<double>(x.data, x.data + x.size), [](double v) { return spelled(v); });
+    }
+    std::string operator()(const MaybeSpan& x) const {
+      const double* data = x.data(x.object);
+      return data == nullptr
+                 ? ""
+                 : array_text(std::vector<double>(data, data + x.size), [](double v) { return spelled(v); });
     }
     std::string operator()(const IntegerSpan& x) const {
       return array_text(std::vector<int>(x.data, x.data + x.size), [](int v) { return std::to_string(v); });

@@ -48,20 +48,19 @@ struct Writer {
     keys(name, scenario, 0);
   }
 
+  /// The tables of a list of the scenario, "product.particle[]", each under a header.
+  void list(const std::string& path, const std::string& header_text, Scenario& scenario) {
+    for (std::size_t i = 0; i < scenario_list_size(scenario, path).value_or(0); ++i) {
+      header("[[" + header_text + "]]");
+      keys(path, scenario, static_cast<int>(i));
+    }
+  }
+
   /// The product's table under `name` ("product" or "vary.variant"), without its header.
   void product(const std::string& name, Scenario& scenario) {
     keys("product", scenario, 0);
-    const auto* network = std::get_if<NetworkParameters>(&scenario.product);
-    if (network == nullptr) return;
-    const auto list = [&](const std::string& leaf, std::size_t count) {
-      for (std::size_t i = 0; i < count; ++i) {
-        header("[[" + name + "." + leaf + "]]");
-        keys("product." + leaf + "[]", scenario, static_cast<int>(i));
-      }
-    };
-    list("particle", network->particle.size());
-    list("spring", network->spring.size());
-    list("load", network->load.size());
+    for (const std::string leaf : {"particle", "spring", "load"})
+      list("product." + leaf + "[]", name + "." + leaf, scenario);
   }
 
   void variants(const VaryColumn& column) {
@@ -168,7 +167,10 @@ std::string resolved_text(const StudyData& data) {
   }
   writer.table("cell", base);
   if (scenario_uses(Use::lattice_support, base, writer.varied_keys)) writer.table("cell.conveyor", base);
-  if (has_gripper(base)) writer.table("strategy", base);
+  if (has_gripper(base)) {
+    writer.table("strategy", base);
+    writer.list("strategy.waypoint[]", "strategy.waypoint", base);
+  }
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);
   for (std::size_t i = 0; i < data.plan.blocks.size(); ++i) writer.block(i);

@@ -59,7 +59,7 @@ KeyAddress find_key(std::string_view path) {
   std::reverse(elements.begin(), elements.end());
   if (found == index.end()) return {};
   const KeyType type = found->second->type;
-  const bool has_items = type == KeyType::numbers || type == KeyType::integers || type == KeyType::series;
+  const bool has_items = is_number_array(type) || type == KeyType::integers;
   const std::size_t depth = type == KeyType::vector_series ? 2 : (has_items ? 1 : 0);
   if (!elements.empty() && elements.size() != depth) return {};
   return {found->second, numbers.empty() ? 0 : numbers[0], std::move(elements)};
@@ -70,16 +70,28 @@ KeyAddress find_strategy_key(std::string_view path) {
   return find_key("strategy." + std::string(path.substr(path.rfind('.') + 1)));
 }
 
+bool is_number_array(KeyType type) {
+  return type == KeyType::numbers || type == KeyType::maybe_numbers || type == KeyType::series ||
+         type == KeyType::vector_series;
+}
+
+std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path) {
+  if (path.starts_with("strategy.waypoint[")) return scenario.strategy.waypoint.size();
+  const auto* network = std::get_if<NetworkParameters>(&scenario.product);
+  if (network == nullptr) return std::nullopt;
+  if (path.starts_with("product.particle[")) return network->particle.size();
+  if (path.starts_with("product.spring[")) return network->spring.size();
+  if (path.starts_with("product.load[")) return network->load.size();
+  return std::nullopt;
+}
+
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
   if (spec.field == nullptr) return false;
   if (spec.path.starts_with("gripper.")) return has_gripper(scenario);
+  if (const auto size = scenario_list_size(scenario, spec.path)) return static_cast<std::size_t>(index) < *size;
   if (!spec.path.starts_with("product.") || spec.path == "product.friction") return true;
-  const auto* network = std::get_if<NetworkParameters>(&scenario.product);
-  const auto inside = [index](const auto& list) { return static_cast<std::size_t>(index) < list.size(); };
-  if (spec.path.starts_with("product.particle[]")) return network != nullptr && inside(network->particle);
-  if (spec.path.starts_with("product.spring[]")) return network != nullptr && inside(network->spring);
-  if (spec.path.starts_with("product.load[]")) return network != nullptr && inside(network->load);
-  return network == nullptr;
+  const bool is_lattice = std::holds_alternative<LatticeParameters>(scenario.product);
+  return is_lattice && spec.path.find("[]") == std::string_view::npos;
 }
 
 bool is_of_block(std::string_view path) {

@@ -137,11 +137,19 @@ struct IntegerSpan {
   int* data;
   int size;
 };
+/// An array of numbers that may be absent.
+struct MaybeSpan {
+  void* object;
+  int size;
+  double* (*data)(void*);  ///< nullptr where it is absent
+  void (*give)(void*, bool is_there);
+};
 
 /// The field a key writes to.
-using FieldRef = std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*,
-                              ChoiceRef, NumberSpan, IntegerSpan, std::array<bool, 3>*, std::vector<double>*,
-                              std::vector<std::array<double, 3>>*, std::vector<std::string>*>;
+using FieldRef =
+    std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*, ChoiceRef, NumberSpan,
+                 IntegerSpan, MaybeSpan, std::array<bool, 3>*, std::vector<double>*,
+                 std::vector<std::array<double, 3>>*, std::vector<std::string>*>;
 
 enum class KeyType {
   number,
@@ -151,6 +159,7 @@ enum class KeyType {
   text,
   choice,
   numbers,        ///< array of a fixed number of numbers
+  maybe_numbers,  ///< the same, or "none"
   integers,       ///< array of a fixed number of integers
   axes,           ///< any of "x", "y", "z"
   series,         ///< array of numbers
@@ -219,6 +228,11 @@ struct KeyAddress {
 KeyAddress find_key(std::string_view path);
 /// The same for keys of a candidate's strategy: "candidate[0].grip_force_N" is "strategy.grip_force_N".
 KeyAddress find_strategy_key(std::string_view path);
+/// Is it an array of numbers, whose elements are numbers of their own?
+bool is_number_array(KeyType type);
+/// Length of the list of a scenario that a path with [] or an index leads into ("strategy.waypoint[].wait_s");
+/// none: it leads into none.
+std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path);
 /// Does the scenario have the field of this key, at this index of its array of tables?
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index);
 /// Is it a table or key of [[variable]], [[random]] or [[candidate]]?

@@ -20,8 +20,7 @@ std::optional<std::string> why_not_numeric(const std::string& key) {
   if (address.spec == nullptr) return unknown_key_rule(key);
   const KeySpec& spec = *address.spec;
   const bool plain = spec.type == KeyType::number || spec.type == KeyType::optional_number;
-  const bool array =
-      spec.type == KeyType::numbers || spec.type == KeyType::series || spec.type == KeyType::vector_series;
+  const bool array = is_number_array(spec.type);
   if (spec.field == nullptr || (!plain && !array)) return "must be a key with a number";
   if (array && address.elements.empty()) return "name one element: \"" + key + "[0]\"";
   return std::nullopt;

@@ -11,7 +11,8 @@ std::string strategy_lines(const Scenario& scenario) {
   Scenario copy = scenario;
   std::string text;
   for (const KeySpec& spec : key_table()) {
-    if (!spec.path.starts_with(kTable) || spec.field == nullptr) continue;
+    const bool is_list = spec.path.find("[]") != std::string_view::npos;
+    if (!spec.path.starts_with(kTable) || spec.field == nullptr || is_list) continue;
     if (!scenario_uses(spec.use, copy, {})) continue;
     const std::string value = spelled(spec, spec.field(copy, 0));
     if (!value.empty()) text += std::string(spec.path.substr(kTable.size())) + " = " + value + "\n";

@@ -98,8 +98,7 @@ struct Planner {
     const KeySpec& spec = *address.spec;
     if (spec.path == "product.use" || spec.path == "gripper.use") return true;
     if (spec.field == nullptr) return complain("this key cannot be varied");
-    const bool array = spec.type == KeyType::numbers || spec.type == KeyType::integers ||
-                       spec.type == KeyType::series || spec.type == KeyType::vector_series;
+    const bool array = is_number_array(spec.type) || spec.type == KeyType::integers;
     if (array && address.elements.empty()) return complain("vary one element: \"" + block.key + "[0]\"");
     if (spec.type == KeyType::axes) return complain("this key cannot be varied");
     return true;

@@ -29,6 +29,20 @@ FieldRef field_ref(std::array<double, n>& member) {
   return NumberSpan{member.data(), static_cast<int>(n)};
 }
 template <std::size_t n>
+FieldRef field_ref(std::optional<std::array<double, n>>& member) {
+  using Maybe = std::optional<std::array<double, n>>;
+  return MaybeSpan{&member, static_cast<int>(n),
+                   [](void* object) {
+                     Maybe& maybe = *static_cast<Maybe*>(object);
+                     return maybe ? maybe->data() : nullptr;
+                   },
+                   [](void* object, bool is_there) {
+                     Maybe& maybe = *static_cast<Maybe*>(object);
+                     maybe.reset();
+                     if (is_there) maybe.emplace();
+                   }};
+}
+template <std::size_t n>
 FieldRef field_ref(std::array<int, n>& member) {
   return IntegerSpan{member.data(), static_cast<int>(n)};
 }
@@ -75,6 +89,10 @@ FieldRef conveyor(Scenario& scenario, int /*index*/) {
 template <auto member>
 FieldRef strategy(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.strategy.*member);
+}
+template <auto member>
+FieldRef waypoint(Scenario& scenario, int index) {
+  return field_ref(scenario.strategy.waypoint.at(static_cast<std::size_t>(index)).*member);
 }
 template <auto member>
 FieldRef limits(Scenario& scenario, int /*index*/) {

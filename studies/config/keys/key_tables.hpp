@@ -29,6 +29,7 @@ Table conveyor_keys();
 Table grip_keys();
 Table pick_keys();
 Table motion_keys();
+Table waypoint_keys();
 Table limit_keys();
 Table simulation_keys();
 Table vary_keys();

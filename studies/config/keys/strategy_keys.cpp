@@ -103,23 +103,24 @@ Table motion_keys() {
        .type = numbers,
        .meaning =
            "Rotation of the gripper about the centre of its pads, about the vector by its length; taken after the "
-           "lift and taken back before the lowering.",
+           "lift and taken back before the lowering. A product is put down as it was turned by "
+           "[[strategy.waypoint]].",
        .size = 3,
        .use = use,
        .field = strategy<&S::tilt_rad>},
       {.path = "strategy.tilt_speed_rad_s",
        .type = number,
-       .meaning = "Speed limit of the tilt.",
+       .meaning = "Speed limit of the tilt, and of turns between waypoints.",
        .use = use,
        .field = strategy<&S::tilt_speed_rad_s>},
       {.path = "strategy.tilt_acceleration_rad_s2",
        .type = number,
-       .meaning = "Peak acceleration of the tilt.",
+       .meaning = "Peak acceleration of the tilt, and of turns between waypoints.",
        .use = use,
        .field = strategy<&S::tilt_acceleration_rad_s2>},
       {.path = "strategy.hold_s",
        .type = number,
-       .meaning = "Rest after the lift and the tilt.",
+       .meaning = "Rest after the lift and the tilt or the waypoints.",
        .use = use,
        .field = strategy<&S::hold_s>},
       {.path = "strategy.release_height_m",
@@ -150,6 +151,42 @@ Table motion_keys() {
        .use = use,
        .note = "absent, or after the release has begun: no stop",
        .field = strategy<&S::stop_time_s>},
+  };
+}
+
+Table waypoint_keys() {
+  using W = Waypoint;
+  const Use use = Use::gripper;
+  return {
+      {.path = "strategy.waypoint[].place_m",
+       .type = maybe_numbers,
+       .meaning = "Place that the palm goes to after the lift and rests at: x and y as cell.transfer_m, z as "
+                  "cell.lift_height_m. The transfer starts from the last one.",
+       .size = 3,
+       .use = use,
+       .note = "absent: that of the waypoint before, at the first where the lift ends",
+       .field = waypoint<&W::place_m>},
+      {.path = "strategy.waypoint[].rotation_rad",
+       .type = maybe_numbers,
+       .meaning =
+           "Rotation of the gripper there about the centre of its pads, from upright, about the vector by its "
+           "length. It turns by the shortest way as it goes; the product is put down with the last rotation.",
+       .size = 3,
+       .use = use,
+       .note = "absent: that of the waypoint before, at the first none",
+       .field = waypoint<&W::rotation_rad>},
+      {.path = "strategy.waypoint[].quaternion",
+       .type = maybe_numbers,
+       .meaning = "The same rotation as a quaternion w, x, y, z.",
+       .size = 4,
+       .use = use,
+       .note = "in place of rotation_rad",
+       .field = waypoint<&W::quaternion>},
+      {.path = "strategy.waypoint[].wait_s",
+       .type = number,
+       .meaning = "Rest at the waypoint.",
+       .use = use,
+       .field = waypoint<&W::wait_s>},
   };
 }
 

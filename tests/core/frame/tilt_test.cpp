@@ -68,7 +68,7 @@ TEST(Tilt, ThatIsTakenBackLeavesTheGripAsItWas) {
   const std::vector<double> phase = column(trace, "phase");
   std::size_t level = 0;  // settled after the tilt is taken back, before the fingers open
   for (std::size_t i = 0; i < phase.size(); ++i) {
-    if (phase[i] == static_cast<double>(CyclePhase::transfer)) level = i;
+    if (phase[i] == static_cast<double>(CyclePhase::turn)) level = i;
   }
   const GripRow row = grip_row(trace, level);
   EXPECT_LT(row.rotation_rad.norm(), 1e-4);  // the last step of the way back

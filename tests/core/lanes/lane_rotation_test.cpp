@@ -34,6 +34,17 @@ TEST(LaneRotation, HasTheSineAndCosineOfAnyAngleUpToThree) {
   }
 }
 
+TEST(LaneRotation, GivesTheVectorOfASmallRotationBack) {
+  for (const double size : {1e-12, 1e-3, 0.1}) {
+    const LaneVector small = vector(0.6 * size, 0.0, -0.8 * size);
+    const LaneRotation rotation = rotation_by(small);
+    expect_equal(small_rotation_rad(rotation), small, 4e-15 * size);
+    // The same rotation with the other sign, as where half a turn is passed.
+    const LaneRotation other{Lane(-1.0) * rotation.w, Lane(-1.0) * rotation.axis};
+    expect_equal(small_rotation_rad(other), small, 4e-15 * size);
+  }
+}
+
 TEST(LaneRotation, OfAProductIsTheProductOfTheMatrices) {
   const LaneRotation a = rotation_by(vector(0.3, -0.2, 0.9)), b = rotation_by(vector(-1.1, 0.4, 0.1));
   const LaneMatrix product = (a * b).matrix(), matrices = a.matrix() * b.matrix();

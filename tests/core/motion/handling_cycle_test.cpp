@@ -157,7 +157,9 @@ TEST(HandlingCycle, TiltsWhenItIsLiftedAndIsLevelAgainBeforeItIsLowered) {
   EXPECT_NEAR(plan.hold_start_s(), plan.lift_end_s() + 1.0, kSum);
   EXPECT_NEAR(plan.hold_end_s(), level.hold_end_s() + 1.0, kSum);
   EXPECT_NEAR(plan.lower_end_s(), level.lower_end_s() + 2.0, kSum);
-  EXPECT_EQ(plan.phase_after_contact(plan.lift_end_s() + 0.5), CyclePhase::hold);
+  EXPECT_EQ(plan.phase_after_contact(plan.lift_end_s() + 0.5), CyclePhase::turn);
+  EXPECT_EQ(plan.phase_after_contact(plan.hold_start_s()), CyclePhase::hold);
+  EXPECT_EQ(plan.phase_after_contact(plan.hold_end_s() + way_s(0.5) + 0.5), CyclePhase::turn);
   // Half-way up: half the angle, the largest spin.
   const PalmState half = plan.palm(plan.lift_end_s() + 0.5);
   EXPECT_NEAR(half.rotation_rad[1], 0.3, kSum);
@@ -169,6 +171,67 @@ TEST(HandlingCycle, TiltsWhenItIsLiftedAndIsLevelAgainBeforeItIsLowered) {
   }
   const PalmState down = plan.palm(plan.release_start_s() - 0.05);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(down.rotation_rad[i], 0.0, kSum);
+}
+
+/// Lifted, turned about the grip axis while it goes 0.1 m up and along y, then put down as it is.
+Scenario turned_scene(double rotation_rad) {
+  Scenario scenario = scene();
+  LatticeParameters& box = std::get<LatticeParameters>(scenario.product);
+  box.size_m = {0.05, 0.06, 0.08};
+  scenario.cell.grip_height_m = 0.01;
+  scenario.strategy.tilt_acceleration_rad_s2 = 4.0;
+  scenario.strategy.tilt_speed_rad_s = 10.0;
+  scenario.strategy.waypoint = {{.place_m = std::array<double, 3>{0.0, 0.1, 0.2},
+                                 .rotation_rad = std::array<double, 3>{rotation_rad, 0.0, 0.0},
+                                 .wait_s = 0.25}};
+  return scenario;
+}
+
+TEST(MotionPlan, VisitsItsWaypointsAfterTheLiftAndHoldsThen) {
+  const MotionPlan plan(turned_scene(1.0), 1.5);
+  const double leg_s = std::max(way_s(std::hypot(0.1, 0.1)), 1.0);
+  EXPECT_NEAR(plan.hold_start_s(), plan.lift_end_s() + leg_s + 0.25, kSum);
+  EXPECT_EQ(plan.phase_after_contact(plan.hold_start_s() - 0.1), CyclePhase::turn);
+  EXPECT_EQ(plan.phase_after_contact(plan.hold_start_s()), CyclePhase::hold);
+  const PalmState there = plan.palm(plan.hold_start_s());
+  EXPECT_NEAR(there.position_m[1], 0.1, kSum);
+  EXPECT_NEAR(there.position_m[2], 0.2, kSum);
+  // From there across, and down to where the box's lowest place is 0.01 above the target at 0.02.
+  EXPECT_NEAR(plan.palm(plan.hold_end_s()).position_m[1], 0.1, kSum);
+  const PalmState end = plan.palm(plan.release_start_s());
+  EXPECT_NEAR(end.position_m[0], 0.3, kSum);
+  EXPECT_NEAR(end.position_m[1], 0.4, kSum);
+  const double reach_m = 0.03 * std::sin(1.0) + 0.04 * std::cos(1.0);
+  // The centre of the pads is 0.05 high at the start; the box hangs 0.01 below it.
+  EXPECT_NEAR(0.05 + end.position_m[2] - 0.01 * std::cos(1.0) - reach_m, 0.03, kSum);
+  EXPECT_NEAR(end.rotation_rad[0], 1.0, kSum);
+  EXPECT_NEAR(plan.palm(plan.end_s()).rotation_rad[0], 1.0, kSum) << "it stays as it was turned";
+}
+
+TEST(MotionPlan, MeetsAMovingTargetFromItsLastWaypoint) {
+  Scenario scenario = turned_scene(1.0);
+  scenario.cell.place_velocity_m_s = {0.2, 0.0};
+  const MotionPlan plan(scenario, 1.5);
+  EXPECT_NEAR(plan.palm(plan.hold_end_s()).position_m[1], 0.1, kSum);
+  EXPECT_NEAR(plan.palm(plan.hold_end_s() + 1e-9).position_m[1], 0.1, 1e-8);
+  const double time_s = plan.release_start_s();
+  EXPECT_NEAR(plan.palm(time_s).position_m[0], 0.3 + 0.2 * time_s, 1e-13);
+  EXPECT_NEAR(plan.palm(time_s).velocity_m_s[0], 0.2, 1e-13);
+}
+
+TEST(MotionPlan, IsContinuousFromTheLiftToTheEnd) {
+  const MotionPlan plan(turned_scene(1.0), 1.5);
+  constexpr double kStep_s = 1e-4;
+  for (double time_s = 1.5; time_s < plan.end_s(); time_s += kStep_s) {
+    const PalmState a = plan.palm(time_s), b = plan.palm(time_s + kStep_s);
+    for (std::size_t i = 0; i < 3; ++i) {
+      // 1.6 m/s2 and 4 rad/s2 over a step.
+      ASSERT_NEAR(b.position_m[i], a.position_m[i] + kStep_s * a.velocity_m_s[i], 1.6 * kStep_s * kStep_s)
+          << time_s;
+      ASSERT_NEAR(b.rotation_rad[i], a.rotation_rad[i] + kStep_s * a.spin_rad_s[i], 4.0 * kStep_s * kStep_s)
+          << time_s;
+    }
+  }
 }
 
 }  // namespace

@@ -68,6 +68,22 @@ TEST(EmergencyStop, BrakesATiltWithTheAccelerationOfTheTilt) {
               size(free.palm(stop_s).rotation_rad) + 0.5 * spin * braking_s, kRounding);
 }
 
+TEST(EmergencyStop, BrakesATurnAboutItsOwnAxisFromWhereverThePalmHasTurnedTo) {
+  Scenario scenario = carried(0.0);
+  scenario.strategy.stop_time_s.reset();
+  scenario.strategy.tilt_rad = {};
+  scenario.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{1.2, 0.0, 0.0}},
+                                {.rotation_rad = std::array<double, 3>{0.0, 1.2, 0.0}}};
+  const MotionPlan free = plan_of(scenario);
+  const double stop_s = free.lift_end_s() + 0.75 * (free.hold_start_s() - free.lift_end_s());
+  scenario.strategy.stop_time_s = stop_s;
+  const PalmState from = free.palm(stop_s), rest = plan_of(scenario).palm(stop_s + 1.0);
+  const double spin = size(from.spin_rad_s), way_rad = 0.5 * spin * spin / 40.0;
+  ASSERT_GT(spin, 0.5);
+  const auto turn = rotation_to(attitude_of(rest.rotation_rad) * inverse(attitude_of(from.rotation_rad)));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(turn[i], way_rad * from.spin_rad_s[i] / spin, kRounding);
+}
+
 TEST(EmergencyStop, NothingThatWasPlannedForLaterComes) {
   const double stop_s = plan_without_stop().hold_end_s() + 0.1;
   const MotionPlan plan = plan_of(carried(stop_s));

@@ -84,6 +84,19 @@ TEST(HandlingRecord, HoldsAndAddsUpTheImpulseOfTheGrip) {
   EXPECT_EQ(result.metrics[Metric::hold_drift_m_s], 0.0);
 }
 
+TEST(HandlingRecord, MeasuresPlaceAndAttitudeAgainstHowThePalmPutsTheProductDown) {
+  Scenario scenario = scene();
+  scenario.cell.grip_height_m = 0.01;
+  scenario.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{1.0, 0.0, 0.0}}};
+  const ScenarioResult result = record_of(scenario, [&](StepObservation& seen) {
+    seen.attitude = attitude_of({0.75, 0.0, 0.0});
+    seen.center_motion_m = {scenario.cell.transfer_m[0], scenario.cell.transfer_m[1], 0.0};
+  });
+  EXPECT_NEAR(result.metrics[Metric::place_attitude_rad], 0.25, 1e-15);
+  // The centre, 0.01 below the pads, swings aside by 0.01 sin 1 as they turn.
+  EXPECT_NEAR(result.metrics[Metric::place_error_m], 0.01 * std::sin(1.0), 1e-15);
+}
+
 TEST(HandlingRecord, MeasuresTheDriftOfTheLastQuarterOfTheHoldAgainstThePalm) {
   const ScenarioResult result = record_of(scene(), [](StepObservation& seen) {
     seen.palm_m = {0.0, 0.0, 0.1 * seen.time_s};

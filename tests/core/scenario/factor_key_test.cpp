@@ -43,6 +43,11 @@ class Perturbation {
   static void change(std::array<T, N>& values) {
     change(values.back());
   }
+  template <class T, std::size_t N>
+  static void change(std::optional<std::array<T, N>>& values) {
+    if (!values) values.emplace();
+    change(values->back());
+  }
   template <class T>
   static void change(std::vector<T>& values) {
     change(values.back());
@@ -88,6 +93,7 @@ Scenario by_mass() {
   product.mass_kg = 0.01;
   product.yield_stress_Pa = 1e3;
   product.tangent_modulus_Pa = 1e4;
+  scenario.strategy.waypoint.push_back({.place_m = std::array<double, 3>{0.0, 0.05, 0.2}});
   return scenario;
 }
 
@@ -137,7 +143,7 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
                      [&](std::string_view, int, auto& parameters) { visit_fields(parameters, perturbation); });
     if (!perturbation.happened()) break;
     const bool key_changed = factor_key(changed) != factor_key(base);
-    // A tilt that becomes one lets the product turn.
+    // A rotation of the gripper that becomes one lets the product turn.
     const bool decides = perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.

@@ -183,6 +183,7 @@ bool trips(const PlausibleRow& row, const Scenario& scenario) {
 bool can_be_tripped(const PlausibleRow& row) {
   Scenario grip = usual_grip();
   jaw_of(grip).opening_m = 0.08;
+  grip.strategy.waypoint = {{.place_m = std::array<double, 3>{}, .rotation_rad = std::array<double, 3>{}}};
   for (const Scenario& base : {grip, small_pads_up_a_ball()}) {
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;

@@ -171,6 +171,59 @@ std::vector<Breach> handling_breaches() {
          s.strategy.tilt_rad = {0.8, 0.0, 0.0};
          s.cell.lift_height_m = 0.01;
        }},
+      {"strategy.tilt_rad", "does not go with [[strategy.waypoint]]", usual_grip,
+       [](S s) {
+         s.strategy.tilt_rad = {0.1, 0.0, 0.0};
+         s.strategy.waypoint.resize(1);
+       }},
+      {"strategy.tilt_speed_rad_s", "turns the product by up to 0.1549", usual_grip,
+       [](S s) {
+         s.strategy.tilt_rad = {0.6, 0.0, 0.0};
+         s.strategy.tilt_speed_rad_s = 200.0;
+         s.strategy.tilt_acceleration_rad_s2 = 4e4;
+       }},
+      {"strategy.pick", "does not go with [[strategy.waypoint]]", usual_grip,
+       [](S s) {
+         s.cell.conveyor.speed_m_s = 0.2;
+         s.strategy.pick = PickKind::tracking;
+         s.strategy.waypoint.resize(1);
+       }},
+      {"strategy.waypoint", "there are 17 waypoints", usual_grip, [](S s) { s.strategy.waypoint.resize(17); }},
+      {"strategy.waypoint[1].rotation_rad", "turns by 3.", usual_grip,
+       [](S s) {
+         s.strategy.waypoint.resize(2);
+         s.strategy.waypoint[1].rotation_rad = {2.5, 2.5, 0.0};
+       }},
+      {"strategy.waypoint[0].rotation_rad", "needs gripper.coupling", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{0.1, 0.0, 0.0}}};
+         jaw_of(s).coupling = FingerCoupling::independent;
+       }},
+      {"strategy.waypoint[0].quaternion", "has the length 1.118; a rotation has the length 1", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.quaternion = std::array<double, 4>{1.0, 0.5, 0.0, 0.0}}};
+       }},
+      {"strategy.waypoint[0].quaternion", "excludes rotation_rad", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{0.1, 0.0, 0.0},
+                                 .quaternion = std::array<double, 4>{1.0, 0.0, 0.0, 0.0}}};
+       }},
+      {"strategy.waypoint[1].place_m", "takes the product's lowest place down to -0.01 m", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.place_m = std::array<double, 3>{0.0, 0.1, 0.1}},
+                                {.place_m = std::array<double, 3>{0.0, 0.2, -0.01}}};
+       }},
+      {"strategy.waypoint[0].place_m", "takes the product's lowest place down to", usual_grip,
+       [](S s) {
+         s.cell.lift_height_m = 0.01;
+         s.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{1.5708, 0.0, 0.0}}};
+       }},
+      {"strategy.release_height_m", "must be <= the height of the product above the target at the last waypoint",
+       usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.place_m = std::array<double, 3>{0.0, 0.1, 0.01}}};
+         s.strategy.release_height_m = 0.02;
+       }},
       {"cell.place_height_m", "must be < cell.lift", usual_grip, [](S s) { s.cell.place_height_m = 0.1; }},
       {"cell.place_height_m", "must be <= cell.lift", usual_grip,
        [](S s) {
@@ -283,9 +336,9 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape", "product.kind",     "product.particle[].fixed",
-                                            "gripper",       "gripper.coupling", "cell.support",
-                                            "strategy.pick"};
+  const std::set<std::string_view> words = {
+      "product.shape", "product.axis",     "product.kind", "product.particle[].fixed",
+      "gripper",       "gripper.coupling", "cell.support", "strategy.pick"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -41,6 +41,37 @@ void expect_nearest(const TrueShape& shape, const Place& place, double distance_
   for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(nearest.normal[d], normal[d], 1e-12) << d;
 }
 
+TEST(TrueShape, ReachesAsFarAsItsFarthestPlace) {
+  const double a = 0.6, b = 0.8;
+  EXPECT_NEAR(TrueShape(all_shapes()[0]).reach_m({0.0, a, -b}), 0.03 * a + 0.04 * b, kRoundOff_m);
+  EXPECT_NEAR(TrueShape(all_shapes()[1]).reach_m({a, b, 0.0}), 0.025, kRoundOff_m);
+  EXPECT_NEAR(TrueShape(all_shapes()[2]).reach_m({a, 0.0, b}), std::hypot(0.02 * a, 0.05 * b), kRoundOff_m);
+  EXPECT_NEAR(TrueShape(all_shapes()[3]).reach_m({0.0, a, b}), 0.03 * a + 0.04 * b, kRoundOff_m);
+  EXPECT_NEAR(TrueShape(all_shapes()[3]).reach_m({a, 0.0, b}), std::hypot(0.02 * a, 0.04 * b), kRoundOff_m);
+  EXPECT_NEAR(TrueShape(all_shapes()[4]).reach_m({a, 0.0, b}), 0.025 * a + 0.01 * b, kRoundOff_m);
+}
+
+TEST(TrueShape, NoPlaceOfItLiesBeyondItsReach) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  for (const LatticeParameters& parameters : all_shapes()) {
+    const TrueShape shape(parameters);
+    Place way = {part(random), part(random), part(random)};
+    const double length = std::hypot(way[0], way[1], way[2]);
+    for (double& component : way) component /= length;
+    const double reach_m = shape.reach_m(way);
+    double farthest_m = 0.0;
+    for (int i = 0; i < 200000; ++i) {
+      Place place;
+      for (std::size_t d = 0; d < 3; ++d) place[d] = 0.5 * part(random) * parameters.size_m[d];
+      if (!shape.contains(place)) continue;
+      farthest_m = std::max(farthest_m, place[0] * way[0] + place[1] * way[1] + place[2] * way[2]);
+    }
+    EXPECT_LE(farthest_m, reach_m);
+    EXPECT_GT(farthest_m, 0.9 * reach_m);  // 2e5 places come within 2 % of a side in each direction
+  }
+}
+
 TEST(TrueShape, HoldsTheVolumeThatItContains) {
   for (const LatticeParameters& parameters : all_shapes()) {
     const TrueShape shape(parameters);

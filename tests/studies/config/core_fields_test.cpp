@@ -13,8 +13,7 @@ namespace {
 
 bool is_numeric(KeyType type) {
   return type == KeyType::number || type == KeyType::optional_number || type == KeyType::integer ||
-         type == KeyType::numbers || type == KeyType::integers || type == KeyType::series ||
-         type == KeyType::vector_series;
+         type == KeyType::integers || is_number_array(type);
 }
 
 TEST(CoreFields, AreTheNumericKeysOfAScenarioWithTheirRanges) {

@@ -169,6 +169,25 @@ std::vector<Arrival> strategy_arrivals() {
   };
 }
 
+/// Of a study with one waypoint.
+std::vector<Arrival> waypoint_arrivals() {
+  return {
+      {"strategy.waypoint[0].place_m", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.strategy.waypoint[0].place_m == A3{0.125, -0.25, 0.5};
+       }},
+      {"strategy.waypoint[0].rotation_rad", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.strategy.waypoint[0].rotation_rad == A3{0.125, -0.25, 0.5};
+       }},
+      {"strategy.waypoint[0].quaternion", "[0.0, 0.6, 0.8, 0.0]",
+       [](S s) {
+         return s.strategy.waypoint[0].quaternion == std::array<double, 4>{0.0, 0.6, 0.8, 0.0};
+       }},
+      {"strategy.waypoint[0].wait_s", "0.875", [](S s) { return s.strategy.waypoint[0].wait_s == 0.875; }},
+  };
+}
+
 std::vector<Arrival> limit_and_simulation_arrivals() {
   return {
       {"limits.permanent_set_m", "0.875", [](S s) { return s.limits.permanent_set_m == 0.875; }},
@@ -289,11 +308,15 @@ TEST(ScenarioKeys, EveryKeyOfAFreeFlightReachesTheFieldItNames) {
       "[cell]\nsupport = false\n[simulation]\nduration_s = 1.0\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfAWaypointReachesTheFieldItNames) {
+  expect_arrivals(waypoint_arrivals(), gripped_block("simulate") + "[[strategy.waypoint]]\nwait_s = 0.25\n");
+}
+
 TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
 
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
-  for (const auto& list : {lattice_arrivals(), flight_arrivals(), network_arrivals()}) {
+  for (const auto& list : {lattice_arrivals(), waypoint_arrivals(), flight_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -1,0 +1,84 @@
+#include "core/scenario/palm_stops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scenario/conveyor.hpp"
+#include "core/scenario/true_shape.hpp"
+
+namespace unbruised {
+namespace {
+
+bool is_zero(const std::array<double, 3>& vector) {
+  return std::ranges::all_of(vector, [](double component) { return component == 0.0; });
+}
+
+Attitude attitude_at(const Waypoint& waypoint, const Attitude& before) {
+  if (waypoint.rotation_rad) return attitude_of(*waypoint.rotation_rad);
+  if (!waypoint.quaternion) return before;
+  const std::array<double, 4>& q = *waypoint.quaternion;
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (!(length > 0.0)) return before;
+  return {q[0] / length, {q[1] / length, q[2] / length, q[3] / length}};
+}
+
+}  // namespace
+
+PalmStop lifted_stop(const Scenario& scenario) {
+  const auto along = belt_direction(scenario.cell.conveyor);
+  const double offset_m = scenario.strategy.pick_offset_m;
+  PalmStop stop{{0.0, 0.0, scenario.cell.lift_height_m}, {}, 0.0};
+  if (offset_m == 0.0) return stop;
+  for (std::size_t i = 0; i < 2; ++i) stop.place_m[i] = along[i] * offset_m;
+  return stop;
+}
+
+std::vector<PalmStop> palm_stops(const Scenario& scenario) {
+  std::vector<PalmStop> stops;
+  PalmStop stop = lifted_stop(scenario);
+  if (!is_zero(scenario.strategy.tilt_rad)) {
+    stop.attitude = attitude_of(scenario.strategy.tilt_rad);
+    stops.push_back(stop);
+  }
+  for (const Waypoint& waypoint : scenario.strategy.waypoint) {
+    stop = {waypoint.place_m.value_or(stop.place_m), attitude_at(waypoint, stop.attitude), waypoint.wait_s};
+    stops.push_back(stop);
+  }
+  return stops;
+}
+
+bool turns_product(const Scenario& scenario) {
+  if (!has_gripper(scenario)) return false;
+  return std::ranges::any_of(palm_stops(scenario),
+                             [](const PalmStop& stop) { return !is_zero(stop.attitude.axis); });
+}
+
+PalmStop placing_stop(const Scenario& scenario) {
+  return scenario.strategy.waypoint.empty() ? lifted_stop(scenario) : palm_stops(scenario).back();
+}
+
+std::array<double, 3> centre_shift_m(const Scenario& scenario, const Attitude& attitude) {
+  const std::array<double, 3> centre = {0.0, -scenario.cell.grip_offset_m, -scenario.cell.grip_height_m};
+  std::array<double, 3> shift = turned(attitude, centre);
+  for (std::size_t i = 0; i < 3; ++i) shift[i] -= centre[i];
+  return shift;
+}
+
+double lowest_place_m(const Scenario& scenario, const Attitude& attitude) {
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  if (lattice == nullptr) return 0.0;
+  const double reach_m = TrueShape(*lattice).reach_m(turned(inverse(attitude), {0.0, 0.0, -1.0}));
+  return 0.5 * lattice->size_m[2] + centre_shift_m(scenario, attitude)[2] - reach_m;
+}
+
+double largest_turn_rad(const Scenario& scenario) {
+  double largest = 0.0;
+  Attitude before;
+  for (const PalmStop& stop : palm_stops(scenario)) {
+    largest = std::max(largest, angle_between_rad(before, stop.attitude));
+    before = stop.attitude;
+  }
+  return largest;
+}
+
+}  // namespace unbruised

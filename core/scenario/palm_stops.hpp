@@ -1,0 +1,50 @@
+#pragma once
+
+/// @file
+/// Where the palm rests between lift and transfer, from the waypoints or the tilt of a strategy, and where that
+/// leaves the product.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/scenario/attitude.hpp"
+#include "core/scenario/scenario.hpp"
+
+namespace unbruised {
+
+/// Most waypoints of a strategy.
+inline constexpr std::size_t kWaypointsMost = 16;
+
+/// Largest turn of a product within a step that steps follow: its centrifugal strain is then wrong by 0.35 x 0.1^2
+/// = 0.4 %, its angle by 1e-5.
+inline constexpr double kLargestStepTurn_rad = 0.1;
+
+/// A place and an attitude in which the palm rests.
+struct PalmStop {
+  std::array<double, 3> place_m{};  ///< x, y as cell.transfer_m, z as cell.lift_height_m
+  Attitude attitude;
+  double wait_s = 0.0;
+};
+
+/// Where the lift ends, the palm upright.
+PalmStop lifted_stop(const Scenario& scenario);
+/// The stops of the waypoints, or of the tilt, in their order; empty where there are none. A waypoint has what it
+/// does not say from the one before it.
+std::vector<PalmStop> palm_stops(const Scenario& scenario);
+
+/// Does the palm turn the product?
+bool turns_product(const Scenario& scenario);
+/// How the product is put down: the last of its stops where that is a waypoint, else upright over the place where
+/// the lift ended.
+PalmStop placing_stop(const Scenario& scenario);
+
+/// How the product's centre moves where the palm turns about the centre of its pads [m].
+std::array<double, 3> centre_shift_m(const Scenario& scenario, const Attitude& attitude);
+/// The lowest place of a lattice product that a palm in this attitude holds, above that of the upright one [m].
+double lowest_place_m(const Scenario& scenario, const Attitude& attitude);
+
+/// Size of the largest turn from one stop to the next [rad].
+double largest_turn_rad(const Scenario& scenario);
+
+}  // namespace unbruised

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/scenario/palm_stops.hpp"
+#include "core/scenario/product.hpp"
+#include "core/scenario/rule_tables.hpp"
+#include "core/scenario/words.hpp"
+
+namespace unbruised {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+/// Of the way from stop to stop, at which the product's lowest place is looked at.
+constexpr int kLooks = 32;
+/// By which the length of a quaternion may differ from 1.
+constexpr double kUnitRoom = 1e-6;
+
+double length(const Vector& x) { return std::hypot(x[0], x[1], x[2]); }
+
+std::string waypoint_key(std::size_t i, std::string_view leaf) {
+  return "strategy.waypoint[" + std::to_string(i) + "]." + std::string(leaf);
+}
+
+bool is_tilted(const Scenario& s) { return has_gripper(s) && length(s.strategy.tilt_rad) > 0.0; }
+
+constexpr std::string_view kNeedsCentric =
+    "needs gripper.coupling = \"centric\": fingers that are driven alone by a force cannot carry the product "
+    "along "
+    "the grip axis";
+
+void tilts_with_both_fingers(const Scenario& s, Violations& out) {
+  const auto* jaw = parallel_jaw(s);
+  if (!is_tilted(s) || jaw == nullptr || jaw->coupling == FingerCoupling::centric) return;
+  out.push_back({"strategy.tilt_rad", "", std::string(kNeedsCentric)});
+}
+
+void turns_with_both_fingers(const Scenario& s, Violations& out) {
+  const auto* jaw = parallel_jaw(s);
+  if (jaw == nullptr || jaw->coupling == FingerCoupling::centric) return;
+  for (std::size_t i = 0; i < s.strategy.waypoint.size(); ++i) {
+    const Waypoint& waypoint = s.strategy.waypoint[i];
+    const bool turns = waypoint.rotation_rad && length(*waypoint.rotation_rad) > 0.0;
+    if (!turns && !waypoint.quaternion) continue;
+    out.push_back({waypoint_key(i, turns ? "rotation_rad" : "quaternion"), "", std::string(kNeedsCentric)});
+    return;
+  }
+}
+
+void by_half_a_turn(const Vector& turn_rad, const std::string& key, Violations& out) {
+  if (length(turn_rad) <= kHalfTurn_rad) return;
+  out.push_back({key, "", "turns by " + for_people(length(turn_rad)) + " rad; it must be <= pi in length"});
+}
+
+void turns_by_half_a_turn(const Scenario& s, Violations& out) {
+  for (std::size_t i = 0; i < s.strategy.waypoint.size(); ++i) {
+    if (const auto& turn = s.strategy.waypoint[i].rotation_rad)
+      by_half_a_turn(*turn, waypoint_key(i, "rotation_rad"), out);
+  }
+}
+
+void quaternions_are_rotations(const Scenario& s, Violations& out) {
+  for (std::size_t i = 0; i < s.strategy.waypoint.size(); ++i) {
+    const auto& q = s.strategy.waypoint[i].quaternion;
+    if (!q) continue;
+    const double size = std::hypot(std::hypot((*q)[0], (*q)[1]), std::hypot((*q)[2], (*q)[3]));
+    if (std::abs(size - 1.0) <= kUnitRoom) continue;
+    out.push_back({waypoint_key(i, "quaternion"), "",
+                   "has the length " + for_people(size) + "; a rotation has the length 1 (within 1e-6)"});
+  }
+}
+
+void one_kind_of_rotation(const Scenario& s, Violations& out) {
+  for (std::size_t i = 0; i < s.strategy.waypoint.size(); ++i) {
+    if (!s.strategy.waypoint[i].quaternion || !s.strategy.waypoint[i].rotation_rad) continue;
+    out.push_back({waypoint_key(i, "quaternion"), "", "excludes rotation_rad; give one of them"});
+  }
+}
+
+void not_too_many_waypoints(const Scenario& s, Violations& out) {
+  if (s.strategy.waypoint.size() <= kWaypointsMost) return;
+  out.push_back({"strategy.waypoint", "",
+                 "there are " + std::to_string(s.strategy.waypoint.size()) + " waypoints; at most " +
+                     std::to_string(kWaypointsMost) + " are followed"});
+}
+
+void no_tilt_with_waypoints(const Scenario& s, Violations& out) {
+  if (!is_tilted(s) || s.strategy.waypoint.empty()) return;
+  out.push_back({"strategy.tilt_rad", "",
+                 "does not go with [[strategy.waypoint]], which say how the gripper turns; give one of the two"});
+}
+
+void no_tracking_with_waypoints(const Scenario& s, Violations& out) {
+  if (!has_gripper(s) || s.strategy.pick == PickKind::still || s.strategy.waypoint.empty()) return;
+  out.push_back({"strategy.pick", "\"tracking\"",
+                 "does not go with [[strategy.waypoint]]: a palm that goes with a belt is at rest nowhere"});
+}
+
+/// The lowest that the product comes above the plane that it was lifted from or is put down on, whichever is
+/// higher, on the way from stop to stop [m].
+double least_clearance_m(const Scenario& s, const PalmStop& from, const PalmStop& to) {
+  const Vector turn_rad = rotation_to(to.attitude * inverse(from.attitude));
+  double least = std::numeric_limits<double>::infinity();
+  for (int look = 1; look <= kLooks; ++look) {
+    const double share = static_cast<double>(look) / kLooks;
+    const Attitude attitude =
+        attitude_of({share * turn_rad[0], share * turn_rad[1], share * turn_rad[2]}) * from.attitude;
+    const double height_m = from.place_m[2] + share * (to.place_m[2] - from.place_m[2]);
+    least = std::min(least, height_m + lowest_place_m(s, attitude));
+  }
+  return least - std::max(0.0, s.cell.place_height_m);
+}
+
+void stops_clear_the_plane(const Scenario& s, Violations& out) {
+  if (!has_gripper(s) || !shape_extents_m(s.product)) return;
+  PalmStop from = lifted_stop(s);
+  std::size_t waypoint = 0;
+  for (const PalmStop& stop : palm_stops(s)) {
+    const double clearance_m = least_clearance_m(s, from, stop);
+    const bool is_tilt = is_tilted(s) && waypoint == 0 && s.strategy.waypoint.empty();
+    if (!(clearance_m > 0.0) && is_tilt) {
+      const double room_m = s.cell.lift_height_m - std::max(0.0, s.cell.place_height_m);
+      out.push_back({"strategy.tilt_rad", "",
+                     "turns the product into the plane below it: it needs a lift of more than " +
+                         for_people(room_m - clearance_m) + " m above that, and has " + for_people(room_m) +
+                         " m (cell.lift_height_m)"});
+      return;
+    }
+    if (!(clearance_m > 0.0)) {
+      const bool arrives = least_clearance_m(s, stop, stop) <= clearance_m;
+      out.push_back({waypoint_key(waypoint, "place_m"), "",
+                     "takes the product's lowest place down to " + for_people(clearance_m) +
+                         " m above the support or the target" + (arrives ? "" : ", on the way there") +
+                         "; it has to stay clear of both"});
+      return;
+    }
+    from = stop;
+    ++waypoint;
+  }
+}
+
+void steps_resolve_the_turn(const Scenario& s, Violations& out) {
+  if (!has_gripper(s)) return;
+  const double most_rad_s =
+      std::min(s.strategy.tilt_speed_rad_s, std::sqrt(s.strategy.tilt_acceleration_rad_s2 * largest_turn_rad(s)));
+  const double turn_rad = most_rad_s * s.simulation.time_step_s;
+  if (turn_rad <= kLargestStepTurn_rad) return;
+  out.push_back({"strategy.tilt_speed_rad_s", spelled(s.strategy.tilt_speed_rad_s),
+                 "turns the product by up to " + for_people(turn_rad) +
+                     " rad within simulation.time_step_s = " + spelled(s.simulation.time_step_s) +
+                     "; steps follow " + for_people(kLargestStepTurn_rad) + " rad"});
+}
+
+constexpr std::string_view kPlace = "strategy.waypoint[].place_m", kRotation = "strategy.waypoint[].rotation_rad",
+                           kQuaternion = "strategy.waypoint[].quaternion";
+
+}  // namespace
+
+std::vector<Rule> turn_rules() {
+  return {
+      {{"strategy.tilt_rad", "gripper", "gripper.coupling"}, "needs centric fingers", tilts_with_both_fingers},
+      {{"strategy.tilt_rad"},
+       "<= pi in length",
+       [](const Scenario& s, Violations& out) { by_half_a_turn(s.strategy.tilt_rad, "strategy.tilt_rad", out); }},
+      {{"strategy.tilt_rad", "gripper"}, "not with waypoints", no_tilt_with_waypoints},
+      {{"strategy.pick", "gripper"}, "\"tracking\" not with waypoints", no_tracking_with_waypoints},
+      {{kPlace}, "at most 16 waypoints", not_too_many_waypoints},
+      {{kRotation}, "<= pi in length", turns_by_half_a_turn},
+      {{kQuaternion}, "of length 1", quaternions_are_rotations},
+      {{kQuaternion, kRotation}, "excludes rotation_rad", one_kind_of_rotation, "excludes quaternion"},
+      {{kRotation, kQuaternion, "gripper", "gripper.coupling"},
+       "needs centric fingers",
+       turns_with_both_fingers,
+       "needs centric fingers"},
+      {{kPlace, "strategy.tilt_rad", kRotation, kQuaternion, "gripper", "cell.lift_height_m",
+        "cell.place_height_m", "cell.grip_offset_m", "cell.grip_height_m", "product.size_m", "product.shape",
+        "product.axis"},
+       "clear of the plane below",
+       stops_clear_the_plane,
+       "clear of the plane below"},
+      {{"strategy.tilt_speed_rad_s", "strategy.tilt_acceleration_rad_s2", "strategy.tilt_rad", kRotation,
+        kQuaternion, "gripper", "simulation.time_step_s"},
+       "turns by <= 0.1 rad a step",
+       steps_resolve_the_turn},
+  };
+}
+
+}  // namespace unbruised

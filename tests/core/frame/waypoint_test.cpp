@@ -1,0 +1,125 @@
+// A product that a gripper takes through waypoints: statics wherever it has been, what the turning costs, and how it
+// is put down.
+
+#include "tests/core/frame/held_scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+constexpr double kStep_s = 2e-3;
+constexpr double kForce_N = 4.0;
+constexpr double kMass_kg = 0.1;
+
+using Vector = std::array<double, 3>;
+
+/// The block of a tilt, which goes through these rotations instead and rests after the last.
+Scenario through(const std::vector<Vector>& rotations_rad) {
+  Scenario scenario = tilted_block({0.0, 0.0, 0.0}, kForce_N, kStep_s);
+  for (const Vector& rotation_rad : rotations_rad)
+    scenario.strategy.waypoint.push_back({.rotation_rad = rotation_rad});
+  return scenario;
+}
+
+/// The last step of the hold that does not look ahead to what comes then.
+GripRow at_the_end_of_the_hold(const Trace& trace) {
+  return grip_row(trace, last_in_phase(trace, CyclePhase::hold) - 1);
+}
+
+TEST(Waypoints, LeaveTheProductInTheGripAsStaticsSayWhicheverWayItCame) {
+  // Each attitude by a tilt, and by a way round.
+  const double q = kQuarter_rad;
+  const std::vector<std::pair<Vector, std::vector<Vector>>> ways = {
+      {{q, 0.0, 0.0}, {{0.0, 0.7, 0.0}, {q, 0.0, 0.0}}},
+      {{0.0, q, 0.0}, {{0.3, 0.3, -0.8}, {0.0, q, 0.0}}},
+      {{0.0, 0.0, q}, {{0.6, 0.0, 0.0}, {0.0, 0.0, q}}},
+      {{2.0 * q, 0.0, 0.0}, {{0.0, 0.0, q}, {q, 0.0, 0.0}, {2.0 * q, 0.0, 0.0}}},
+      {{0.0, 2.0 * q, 0.0}, {{0.0, 2.0 * q, 0.0}}},
+      {{0.0, 0.0, 2.0 * q}, {{0.0, q, 0.0}, {0.0, 0.0, 2.0 * q}}}};
+  std::vector<Scenario> tilted, taken;
+  for (const auto& [tilt, rotations] : ways) {
+    tilted.push_back(tilted_block(tilt, kForce_N, kStep_s));
+    tilted.back().strategy.hold_s = 0.8;
+    tilted.back().simulation.duration_s = 2.0;
+    taken.push_back(through(rotations));
+    taken.back().strategy.hold_s = 0.8;
+    taken.back().simulation.duration_s = 3.0;
+  }
+  const std::vector<Trace> by_tilt = traces_of(tilted), by_way = traces_of(taken);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const GripRow a = at_the_end_of_the_hold(by_tilt[i]), b = at_the_end_of_the_hold(by_way[i]);
+    SCOPED_TRACE(a.rotation_rad.transpose());
+    const Eigen::Vector3d weight_N(0.0, 0.0, -kMass_kg * kGravity);
+    EXPECT_LT((b.left_N + b.right_N + palm_attitude(b.rotation_rad).conjugate() * weight_N).norm(), 1e-9);
+    EXPECT_LT((a.left_N - b.left_N).norm(), 1e-9);
+    EXPECT_LT((a.right_N - b.right_N).norm(), 1e-9);
+  }
+}
+
+/// Largest loss of the mean normal force against the drive's limit during the last of two turns.
+double largest_loss_N(const Vector& first_rad, const Vector& second_rad) {
+  Scenario scenario = through({first_rad, second_rad});
+  scenario.strategy.waypoint[0].wait_s = 0.3;
+  scenario.strategy.tilt_acceleration_rad_s2 = 36.0;
+  scenario.simulation.duration_s = 2.0;
+  const Trace trace = traces_of({scenario}).front();
+  const std::size_t end = last_in_phase(trace, CyclePhase::turn);
+  double largest = 0.0;
+  for (std::size_t i = end - 240; i <= end; ++i)
+    largest = std::max(largest, kForce_N - grip_row(trace, i).mean_normal_N());
+  return largest;
+}
+
+TEST(Waypoints, TheTurningFingersPullByTheSpinAcrossThemNotAcrossTheRoom) {
+  // A quarter about the vertical brings the grip axis along y. A turn about y is then one about the grip axis, which
+  // pulls at no finger; one about x is across, m Omega^2 s = 0.1 x 5.87^2 x 0.024 N.
+  const double q = kQuarter_rad;
+  const auto after_quarter = [q](const Vector& turn_rad) {
+    return rotation_to(attitude_of(turn_rad) * attitude_of({0.0, 0.0, q}));
+  };
+  EXPECT_LT(largest_loss_N({0.0, 0.0, q}, after_quarter({0.0, q, 0.0})), 0.01);
+  EXPECT_NEAR(largest_loss_N({0.0, 0.0, q}, after_quarter({q, 0.0, 0.0})), 0.083, 0.01);
+}
+
+TEST(Waypoints, BalanceEnergyAndImpulseAboutAxesThatChange) {
+  // The moment of the pads times the turn of each step, about whatever axis: the error falls with its square.
+  Scenario scenario = through({{0.0, 1.4, 0.0}, {1.2, 0.0, 0.9}});
+  scenario.strategy.waypoint[1].place_m = Vector{0.05, 0.1, 0.15};
+  scenario.cell.grip_height_m = 0.01;
+  scenario.simulation.duration_s = 2.4;
+  const ScenarioResult result = run(scenario);
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_LT(std::abs(result.metrics[Metric::energy_balance_error]), 2e-3);
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-10);
+}
+
+TEST(Waypoints, PutTheProductDownAsItWasTurned) {
+  // About the vertical, so that it stands on the face that it stood on.
+  for (const double turn_rad : {kQuarter_rad, -2.0 * kQuarter_rad, 0.5}) {
+    Scenario scenario = through({{0.0, 0.0, turn_rad}});
+    scenario.cell.grip_offset_m = 0.005;
+    scenario.cell.transfer_m = {0.1, 0.05};
+    scenario.cell.place_height_m = 0.02;
+    scenario.strategy.recover_s = 0.5;
+    Trace trace;
+    const ScenarioResult result = run(scenario, &trace);
+    SCOPED_TRACE(turn_rad);
+    EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+    EXPECT_LT(result.metrics[Metric::place_attitude_rad], 2e-3);  // the grip's own lean, and what the release leaves
+    EXPECT_LT(result.metrics[Metric::place_error_m], 1e-4);
+    const SpinRow body = last_row(trace, points_of(scenario));
+    EXPECT_NEAR(signal(trace, "support_force_N").values.rbegin()[0], kMass_kg * kGravity, 1e-3);
+    EXPECT_NEAR(body.center_motion_m.z(), 0.02, 1e-4);
+  }
+}
+
+TEST(Waypoints, AreTheSameWhateverIsTurnedBesideThem) {
+  std::vector<Scenario> all = {through({{0.3, 0.0, 0.0}}), through({{0.0, 0.6, 0.0}, {0.5, 0.0, 0.4}}),
+                               through({{0.0, 0.0, 1.0}})};
+  for (Scenario& scenario : all) scenario.simulation.duration_s = 1.2;
+  expect_same_bits(run(all[1]), run_side_by_side(all)[1], "beside others");
+}
+
+}  // namespace
+}  // namespace unbruised

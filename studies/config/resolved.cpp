@@ -49,7 +49,7 @@ struct Writer {
   }
 
   /// The tables of a list of the scenario, "product.particle[]", each under a header.
-  void list(const std::string& path, const std::string& header_text, Scenario& scenario) {
+  void list_of(const std::string& path, const std::string& header_text, Scenario& scenario) {
     for (std::size_t i = 0; i < scenario_list_size(scenario, path).value_or(0); ++i) {
       header("[[" + header_text + "]]");
       keys(path, scenario, static_cast<int>(i));
@@ -60,7 +60,7 @@ struct Writer {
   void product(const std::string& name, Scenario& scenario) {
     keys("product", scenario, 0);
     for (const std::string leaf : {"particle", "spring", "load"})
-      list("product." + leaf + "[]", name + "." + leaf, scenario);
+      list_of("product." + leaf + "[]", name + "." + leaf, scenario);
   }
 
   void variants(const VaryColumn& column) {
@@ -127,6 +127,7 @@ struct Writer {
       if (list != "candidate") continue;
       Scenario scenario = data.candidates[i].scenario;
       keys("strategy", scenario, 0);
+      list_of("strategy.waypoint[]", "candidate.waypoint", scenario);
     }
   }
 };
@@ -169,7 +170,7 @@ std::string resolved_text(const StudyData& data) {
   if (scenario_uses(Use::lattice_support, base, writer.varied_keys)) writer.table("cell.conveyor", base);
   if (has_gripper(base)) {
     writer.table("strategy", base);
-    writer.list("strategy.waypoint[]", "strategy.waypoint", base);
+    writer.list_of("strategy.waypoint[]", "strategy.waypoint", base);
   }
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);

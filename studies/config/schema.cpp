@@ -67,7 +67,7 @@ KeyAddress find_key(std::string_view path) {
 
 KeyAddress find_strategy_key(std::string_view path) {
   if (!path.starts_with("candidate[")) return {};
-  return find_key("strategy." + std::string(path.substr(path.rfind('.') + 1)));
+  return find_key("strategy." + std::string(path.substr(path.find('.') + 1)));
 }
 
 bool is_number_array(KeyType type) {

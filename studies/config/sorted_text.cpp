@@ -58,7 +58,9 @@ class Sorting {
   /// Finds unknown tables and remembers where the known ones start.
   void sort_tables() {
     for (const Entry& table : document_.tables) {
-      const std::string pattern = pattern_of(table.path);
+      std::string pattern = pattern_of(table.path);
+      // A candidate has the tables of [strategy].
+      if (pattern.starts_with("candidate[].")) pattern = "strategy" + pattern.substr(pattern.find('.'));
       out_.tables.emplace(table.path, table.origin);
       if (table.path.starts_with("vary[")) out_.vary_tables.push_back(table);
       if (is_of_block(table.path)) out_.block_tables.push_back(table);

@@ -6,16 +6,28 @@
 
 namespace unbruised::studies {
 
-std::string strategy_lines(const Scenario& scenario) {
-  constexpr std::string_view kTable = "strategy.";
-  Scenario copy = scenario;
+namespace {
+
+/// The keys right below a table, one a line. @param index of its place in a list
+std::string lines_of(std::string_view table, Scenario& scenario, int index) {
   std::string text;
   for (const KeySpec& spec : key_table()) {
-    const bool is_list = spec.path.find("[]") != std::string_view::npos;
-    if (!spec.path.starts_with(kTable) || spec.field == nullptr || is_list) continue;
-    if (!scenario_uses(spec.use, copy, {})) continue;
-    const std::string value = spelled(spec, spec.field(copy, 0));
-    if (!value.empty()) text += std::string(spec.path.substr(kTable.size())) + " = " + value + "\n";
+    const std::size_t leaf = spec.path.rfind('.') + 1;
+    if (spec.path.substr(0, leaf) != table || spec.field == nullptr) continue;
+    if (!scenario_uses(spec.use, scenario, {})) continue;
+    const std::string value = spelled(spec, spec.field(scenario, index));
+    if (!value.empty()) text += std::string(spec.path.substr(leaf)) + " = " + value + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string strategy_lines(const Scenario& scenario) {
+  Scenario copy = scenario;
+  std::string text = lines_of("strategy.", copy, 0);
+  for (std::size_t i = 0; i < copy.strategy.waypoint.size(); ++i) {
+    text += "\n[[waypoint]]\n" + lines_of("strategy.waypoint[].", copy, static_cast<int>(i));
   }
   return text;
 }

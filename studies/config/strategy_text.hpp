@@ -9,7 +9,8 @@
 
 namespace unbruised::studies {
 
-/// The [strategy] keys that the scenario looks at, one `key = value` a line, every value exact.
+/// The [strategy] keys that the scenario looks at, one `key = value` a line, every value exact; its
+/// waypoints as [[waypoint]].
 std::string strategy_lines(const Scenario& scenario);
 
 }  // namespace unbruised::studies

@@ -180,7 +180,12 @@ class Reader {
         if (!is_source(entry.path)) all.push_back({Layer::library, &entry});
       }
     }
-    for (const Entry& entry : text_.study) all.push_back({Layer::study, &entry});
+    // Waypoints are one path: whoever has his own has none of the study's.
+    const auto is_waypoint = [](const Entry& entry) { return entry.path.starts_with("strategy.waypoint["); };
+    const bool own_path = std::any_of(own.begin(), own.end(), is_waypoint);
+    for (const Entry& entry : text_.study) {
+      if (!own_path || !is_waypoint(entry)) all.push_back({Layer::study, &entry});
+    }
     for (const Entry& entry : own) all.push_back({Layer::study, &entry});
     for (const Entry& entry : text_.command_line) all.push_back({Layer::command_line, &entry});
     return all;

@@ -17,6 +17,22 @@ using testing::study_of;
 
 const std::vector<std::string> kSearchKinds = {"sample", "optimize", "robust", "pareto", "compare", "sensitivity"};
 
+TEST(Searches, ACandidateHasTheWaypointsOfTheStudyOrItsOwn) {
+  const std::string waypoints =
+      "[[strategy.waypoint]]\nrotation_rad = [0.5, 0.0, 0.0]\n[[strategy.waypoint]]\nwait_s = 0.5\n";
+  const std::string own =
+      "[[candidate]]\nname = \"c\"\n[[candidate.waypoint]]\nquaternion = [0.0, 1.0, 0.0, 0.0]\n";
+  const Study study = study_of(search_block("compare") + waypoints + own);
+  for (const Study& each : {study, study_of(study.resolved_toml())}) {
+    ASSERT_EQ(each.candidates().size(), 3U);
+    EXPECT_EQ(each.candidates()[0].scenario.strategy.waypoint.size(), 2U);
+    const std::vector<Waypoint>& path = each.candidates()[2].scenario.strategy.waypoint;
+    ASSERT_EQ(path.size(), 1U);
+    EXPECT_FALSE(path[0].rotation_rad);
+    EXPECT_EQ(path[0].quaternion, (std::array<double, 4>{0.0, 1.0, 0.0, 0.0}));
+  }
+}
+
 TEST(Searches, OfEveryKindAreOneScenarioWithoutInputs) {
   for (const std::string& kind : kSearchKinds) {
     const Study study = study_of(search_block(kind));

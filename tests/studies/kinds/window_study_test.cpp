@@ -140,7 +140,8 @@ TEST(WindowStudy, ItsRowsGiveBackTheirScenarios) {
 
 TEST(StrategyFile, OfAWindowIsWhatACompareStudyTakes) {
   const TemporaryFolder folder("strategy");
-  run_in(folder.path(), window_study("[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nvalues = [0.05, 0.2]\n"),
+  run_in(folder.path(), window_study("[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nvalues = [0.05, 0.2]\n"
+                      "[[strategy.waypoint]]\nplace_m = [0.0, 0.1, 0.2]\nrotation_rad = [0.0, 0.0, 0.5]\n"),
          FormulaSimulator(formula_of({})));
   const std::string file = (folder.path() / "strategy.toml").string();
   ASSERT_TRUE(std::filesystem::exists(file));
@@ -162,6 +163,9 @@ grip_force_N = 1.0
   EXPECT_EQ(found.grip_force_N, 2.0);        // sqrt(1 x 4)
   EXPECT_EQ(found.approach_speed_m_s, 0.2);  // the shorter cycle
   EXPECT_EQ(found.contact_force_N, 0.2);     // window.from_N, below the default of 0.3 N
+  ASSERT_EQ(found.waypoint.size(), 1U);
+  EXPECT_EQ(found.waypoint[0].place_m, (std::array<double, 3>{0.0, 0.1, 0.2}));
+  EXPECT_EQ(found.waypoint[0].rotation_rad, (std::array<double, 3>{0.0, 0.0, 0.5}));
 }
 
 TEST(StrategyFile, IsInTheTableBestAndSaysWhereItComesFrom) {

@@ -1,5 +1,6 @@
 #include "core/scenario/contact_set.hpp"
 
+#include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -8,7 +9,9 @@ ContactSet contact_set(const Scenario& scenario) {
   if (!std::holds_alternative<LatticeParameters>(scenario.product)) return ContactSet::pads_and_support;
   if (scenario.simulation.contact_set) return *scenario.simulation.contact_set;
   const bool falls = starts_in_the_air(scenario.product) && scenario.cell.support;
-  return falls || !scenario.cell.surface.empty() ? ContactSet::whole_surface : ContactSet::pads_and_support;
+  const bool turned = lands_otherwise(scenario) && scenario.cell.support;
+  return falls || turned || !scenario.cell.surface.empty() ? ContactSet::whole_surface
+                                                           : ContactSet::pads_and_support;
 }
 
 }  // namespace unbruised

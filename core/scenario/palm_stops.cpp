@@ -57,6 +57,13 @@ PalmStop placing_stop(const Scenario& scenario) {
   return scenario.strategy.waypoint.empty() ? lifted_stop(scenario) : palm_stops(scenario).back();
 }
 
+bool lands_otherwise(const Scenario& scenario) {
+  constexpr double kLean_rad = 0.01;
+  if (!has_gripper(scenario)) return false;
+  const std::array<double, 3> up = turned(placing_stop(scenario).attitude, {0.0, 0.0, 1.0});
+  return std::hypot(up[0], up[1]) > kLean_rad || up[2] < 0.0;
+}
+
 std::array<double, 3> centre_shift_m(const Scenario& scenario, const Attitude& attitude) {
   const std::array<double, 3> centre = {0.0, -scenario.cell.grip_offset_m, -scenario.cell.grip_height_m};
   std::array<double, 3> shift = turned(attitude, centre);

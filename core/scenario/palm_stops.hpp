@@ -39,6 +39,9 @@ bool turns_product(const Scenario& scenario);
 /// the lift ended.
 PalmStop placing_stop(const Scenario& scenario);
 
+/// Is the product put down leaning, or on another side than it lay on, by more than 0.01 rad?
+bool lands_otherwise(const Scenario& scenario);
+
 /// How the product's centre moves where the palm turns about the centre of its pads [m].
 std::array<double, 3> centre_shift_m(const Scenario& scenario, const Attitude& attitude);
 /// The lowest place of a lattice product that a palm in this attitude holds, above that of the upright one [m].

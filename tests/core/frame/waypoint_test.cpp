@@ -95,6 +95,38 @@ TEST(Waypoints, BalanceEnergyAndImpulseAboutAxesThatChange) {
   EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-10);
 }
 
+TEST(Waypoints, TheErrorOfTheEnergyFallsWithTheSquareOfTheStep) {
+  // Through an axis that changes; all times are fixed, and the pads stand at the block.
+  const auto error = [](double time_step_s) {
+    Scenario scenario = through({{0.0, 1.0, 0.0}, {0.8, 0.0, 0.6}});
+    scenario.cell.grip_height_m = 0.01;
+    scenario.cell.approach_gap_m = 1e-5;
+    scenario.strategy.ramp_from_start = true;
+    scenario.simulation.time_step_s = time_step_s;
+    scenario.simulation.duration_s = 1.4;
+    return run(scenario).metrics[Metric::energy_balance_error];
+  };
+  const double coarse = error(4e-3), middle = error(2e-3), fine = error(1e-3);
+  EXPECT_GT((coarse - middle) / (middle - fine), 3.0);
+}
+
+TEST(Waypoints, TurningAlonePressesNoDentDeeper) {
+  Scenario scenario = through({{0.0, kQuarter_rad, 0.0}, {2.0 * kQuarter_rad, 0.0, 0.0}});
+  LatticeParameters& block = lattice_of(scenario);
+  block.youngs_modulus_Pa = 4e4;
+  block.yield_stress_Pa = 3e3;
+  block.tangent_modulus_Pa = 1e4;
+  jaw_of(scenario).pad_size_m = {0.06, 0.06};
+  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
+  scenario.strategy.grip_force_N = 9.0;
+  scenario.simulation.duration_s = 2.5;
+  const Trace trace = traces_of({scenario}).front();
+  const std::vector<double> strain = column(trace, "plastic_strain_max");
+  const double gripped = strain[last_in_phase(trace, CyclePhase::lift)];
+  EXPECT_GT(gripped, 1e-3);
+  EXPECT_NEAR(strain[last_in_phase(trace, CyclePhase::hold) - 1], gripped, 1e-12);
+}
+
 TEST(Waypoints, PutTheProductDownAsItWasTurned) {
   // About the vertical, so that it stands on the face that it stood on.
   for (const double turn_rad : {kQuarter_rad, -2.0 * kQuarter_rad, 0.5}) {

@@ -72,6 +72,19 @@ TEST(PalmStops, OfPlacesAloneLeaveTheProductUpright) {
   EXPECT_EQ(product_frame(scenario), ProductFrame::floating) << "it is turned on the way";
 }
 
+TEST(PalmStops, AboutTheVerticalItLandsOnTheSideItLayOn) {
+  Scenario scenario = unbruised::testing::usual_grip();
+  EXPECT_FALSE(lands_otherwise(scenario));
+  for (const auto& [rotation_rad, otherwise] :
+       {std::pair{Vector{0.0, 0.0, 2.0}, false}, std::pair{Vector{0.02, 0.0, 0.0}, true},
+        std::pair{Vector{2.0 * kQuarter_rad, 0.0, 0.0}, true}}) {
+    scenario.strategy.waypoint = {{.rotation_rad = rotation_rad}};
+    EXPECT_EQ(lands_otherwise(scenario), otherwise) << rotation_rad[0];
+  }
+  scenario.strategy.waypoint.push_back({.rotation_rad = Vector{}});
+  EXPECT_FALSE(lands_otherwise(scenario)) << "it is turned back";
+}
+
 TEST(PalmStops, TheLowestPlaceOfABoxOnItsEdge) {
   Scenario scenario = unbruised::testing::usual_grip();
   unbruised::testing::lattice_in(scenario).size_m = {0.06, 0.04, 0.08};

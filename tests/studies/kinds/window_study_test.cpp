@@ -140,7 +140,8 @@ TEST(WindowStudy, ItsRowsGiveBackTheirScenarios) {
 
 TEST(StrategyFile, OfAWindowIsWhatACompareStudyTakes) {
   const TemporaryFolder folder("strategy");
-  run_in(folder.path(), window_study("[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nvalues = [0.05, 0.2]\n"
+  run_in(folder.path(),
+         window_study("[[vary]]\nkey = \"strategy.approach_speed_m_s\"\nvalues = [0.05, 0.2]\n"
                       "[[strategy.waypoint]]\nplace_m = [0.0, 0.1, 0.2]\nrotation_rad = [0.0, 0.0, 0.5]\n"),
          FormulaSimulator(formula_of({})));
   const std::string file = (folder.path() / "strategy.toml").string();

@@ -69,6 +69,8 @@ class ContactLanes {
   void set_rest(int lane, const StaticRest& rest);
   /// Takes a surface away from the product of a lane; what its layer holds is lost.
   void leave(int surface, int lane);
+  /// There is no support any more in a lane.
+  void take_support_away(int lane) { surfaces_.remove(kSupport, lane); }
   /// @param frame in whose axes u is; null: it is upright
   void set_anchors(int lane, const LaneArray& u, const CarrierMotion& now, const FrameLanes* frame);
   /// Lets a lane's slip begin from here.
@@ -190,11 +192,11 @@ class ContactLanes {
   ContactRegister register_;
   std::optional<SeenNodes> seen_;     ///< of a product that turns
   std::optional<SeenPlaces> places_;  ///< of one that may touch the cell anywhere
-  /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was last
-  /// looked at closely.
+  /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was
+  /// last looked at closely.
   std::vector<char> asleep_;
-  std::vector<int> awake_;  ///< how many others there are, per contact node and surface
-  LaneVector free_turn_;    ///< of the body as a whole until t + theta dt without contact forces
+  std::vector<int> awake_;                ///< how many others there are, per contact node and surface
+  LaneVector free_turn_;                  ///< of the body as a whole until t + theta dt without contact forces
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
   /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
   std::array<std::array<Mask, 2>, kSurfaceCount> faces_;

@@ -55,8 +55,7 @@ bool ContactLanes::is_far(std::size_t node, int surface, const ContactStart& sta
 /// Is this place?
 bool ContactLanes::is_far(std::size_t c, const ContactStart& start) const {
   const ContactCandidate& candidate = model_.candidate[c];
-  const LaneVector u =
-      get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node));
+  const LaneVector u = get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node));
   const Lane gap = places_->height(candidate, u, free_turn_) - place_free_[candidate.surface];
   return none(register_.is_closed(c) | (surfaces_[candidate.surface].present & (gap < near_margin_)));
 }

@@ -77,7 +77,8 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
       transfer_m_(scenario.cell.transfer_m),
       place_velocity_m_s_(scenario.cell.place_velocity_m_s),
       belt_(scenario.cell.conveyor),
-      target_differs_(place_height_m_ != 0.0 || has_belt(scenario.cell) || target_moves(scenario.cell)),
+      target_differs_(place_height_m_ != 0.0 || has_belt(scenario.cell) || target_moves(scenario.cell) ||
+                      !scenario.cell.target_plane),
       ramp_start_s_(ramp_start_s) {
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (has_gripper(scenario)) {

@@ -142,7 +142,8 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::place_error_m, "place_error_m", "place error", "m",
      "horizontal distance of the product's centre of mass from its place on the target, at the end of the run"},
     {Metric::place_attitude_rad, "place_attitude_rad", "attitude when placed", "rad",
-     "angle between how the product stands at the end of the run and how it was to stand: turned by the last waypoint"},
+     "angle between how the product stands at the end of the run and how it was to stand: turned by the last "
+     "waypoint"},
     {Metric::angular_impulse_balance_error, "angular_impulse_balance_error", "angular impulse balance error", "1",
      "|change of angular momentum - sum of moment x dt| / (its size at the start + sum of |moment| x dt), about "
      "the "

@@ -7,7 +7,7 @@ namespace unbruised {
 
 ContactSet contact_set(const Scenario& scenario) {
   if (!std::holds_alternative<LatticeParameters>(scenario.product)) return ContactSet::pads_and_support;
-  if (scenario.simulation.contact_set) return *scenario.simulation.contact_set;
+  if (scenario.simulation.contact_set != ContactSet::automatic) return scenario.simulation.contact_set;
   const bool falls = starts_in_the_air(scenario.product) && scenario.cell.support;
   const bool turned = lands_otherwise(scenario) && scenario.cell.support;
   return falls || turned || !scenario.cell.surface.empty() ? ContactSet::whole_surface

@@ -8,7 +8,7 @@
 
 namespace unbruised {
 
-/// Networks touch the support with their particles, whatever is asked for.
+/// Never `automatic`. Networks touch the support with their particles, whatever is asked for.
 ContactSet contact_set(const Scenario& scenario);
 
 }  // namespace unbruised

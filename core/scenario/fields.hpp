@@ -138,7 +138,7 @@ template <FieldsOf<CellParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [gravity_m_s2, support, support_friction, support_modulus_Pa, support_thickness_m, support_poisson_ratio,
          support_relaxation_time_s, approach_gap_m, grip_height_m, grip_offset_m, lift_height_m, transfer_m,
-         place_height_m, place_velocity_m_s, stop_deceleration_m_s2, conveyor, surface] = p;
+         place_height_m, place_velocity_m_s, target_plane, stop_deceleration_m_s2, conveyor, surface] = p;
   visit({"gravity_m_s2", Decides::run, kAnyNumber}, gravity_m_s2);
   visit({"support", Decides::run}, support);
   visit({"support_friction", Decides::run, kNotNegative}, support_friction);
@@ -153,6 +153,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"transfer_m", Decides::run, kAnyNumber}, transfer_m);
   visit({"place_height_m", Decides::run, kAnyNumber}, place_height_m);
   visit({"place_velocity_m_s", Decides::run, kAnyNumber}, place_velocity_m_s);
+  visit({"target_plane", Decides::run}, target_plane);
   visit({"stop_deceleration_m_s2", Decides::run, kPositive}, stop_deceleration_m_s2);
 }
 

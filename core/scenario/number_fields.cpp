@@ -65,6 +65,7 @@ std::vector<Scenario> specimens() {
       scenario.product = product;
       scenario.gripper = gripper;
       scenario.strategy.waypoint.resize(1);
+      scenario.cell.surface.resize(1);
     }
   }
   return all;

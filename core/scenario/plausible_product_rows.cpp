@@ -89,6 +89,10 @@ Rows product_rows() {
             "fruit on rubber and steel 0.3 to 0.8 (Puchalski 2001), pear on silicone 1.13; wet skin 0.1"),
       plain("product.initial_velocity_m_s", "speed of the product", "m/s", 0.0, 10.0, kSpeed, "a fall from 5 m"),
       plain("product.initial_spin_rad_s", "spin of the product", "rad/s", 0.0, 60.0, kAngle, "thrown fruit"),
+      plain("product.initial_rotation_rad", "attitude of the product", "rad", 0.0, 3.1416, kAngle,
+            "half a turn reaches every attitude"),
+      plain("product.initial_height_m", "height of the fall", "m", 0.0, 5.0, kLength,
+            "packing lines to drop tests"),
   };
 }
 

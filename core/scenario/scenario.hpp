@@ -204,6 +204,8 @@ struct CellParameters {
   double place_height_m = 0.0;
   /// Of the target plane, along x and y; the target was at transfer_m when the run began.
   std::array<double, 2> place_velocity_m_s{0.0, 0.0};
+  /// Is there a plane at place_height_m once the product is lifted? Else only what `surface` lists is there then.
+  bool target_plane = true;
   /// > 0; with which an emergency stop brings the palm to rest
   double stop_deceleration_m_s2 = 10.0;
   ConveyorParameters conveyor;
@@ -309,6 +311,7 @@ enum class InitialAcceleration { consistent, zero };
 
 /// Which places of a product can touch which surface; the pads always meet the sides that face them.
 enum class ContactSet {
+  automatic,         ///< what the strategy and the cell need (contact_set.hpp)
   pads_and_support,  ///< the support meets the bottom of a product that stays upright
   six_sides,      ///< the cell's surfaces meet the six sides of one that turns by quarter turns, near their poles
   whole_surface,  ///< they meet any place
@@ -330,8 +333,7 @@ struct SimulationParameters {
   double max_strain = 0.3;
   /// > 0; a larger rotation of the product ends the run as out_of_range
   double max_rotation_rad = 0.2;
-  /// None: what the strategy and the cell need (contact_set.hpp).
-  std::optional<ContactSet> contact_set{};
+  ContactSet contact_set = ContactSet::automatic;
 };
 
 /// One fully specified run.

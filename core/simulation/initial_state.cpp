@@ -1,15 +1,15 @@
 #include "core/simulation/initial_state.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "core/body/steady_spin.hpp"
 #include "core/body/turned_state.hpp"
 #include "core/contact/layered_face.hpp"
+#include "core/scenario/attitude.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
@@ -60,24 +60,16 @@ void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& sta
 void InitialStates::launch(const LatticeParameters& product, InitialState& state) const {
   const std::vector<double> zero(state.body.displacement_m.size(), 0.0);
   BodyState launched{zero, zero, zero, {}};
-  const Rotation turn(product.initial_rotation_rad);
-  add_steady_spin(model_.body, turn.back(product.initial_spin_rad_s), launched);
-  turn_state(model_.body, turn, launched);
-  const double lift_m = product.initial_height_m - lowest_place_m(turn);
+  const Attitude back = inverse(attitude_of(product.initial_rotation_rad));
+  add_steady_spin(model_.body, turned(back, product.initial_spin_rad_s), launched);
+  turn_state(model_.body, product.initial_rotation_rad, launched);
+  const double below_center_m = TrueShape(product).reach_m(turned(back, {0.0, 0.0, -1.0}));
+  const double lift_m = product.initial_height_m + below_center_m - model_.body.center_m()[2];
   for (std::size_t i = 0; i < zero.size(); ++i) {
     launched.displacement_m[i] += i % 3 == 2 ? lift_m : 0.0;
     launched.velocity_m_s[i] += state.body.velocity_m_s[i];
   }
   state.body = std::move(launched);
-}
-
-/// Of the true surface of a product that is turned about its centre of mass; 0 where nothing can touch it.
-double InitialStates::lowest_place_m(const Rotation& turn) const {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const PlaceArm& place : model_.contact.place) {
-    lowest = std::min(lowest, model_.body.center_of_mass_m[2] + turn.of(place.from_mass_m)[2]);
-  }
-  return model_.contact.place.empty() ? 0.0 : lowest;
 }
 
 /// M a = f - C v - K u, with what springs that yield as they are mounted keep.

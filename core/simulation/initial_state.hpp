@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/body/body_state.hpp"
-#include "core/body/turned_state.hpp"
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
@@ -32,7 +31,6 @@ class InitialStates {
   void lay_down_or_drop(const Scenario& scenario, InitialState& state);
   /// Lets a solid start in the air, turned and spinning.
   void launch(const LatticeParameters& product, InitialState& state) const;
-  [[nodiscard]] double lowest_place_m(const Rotation& turn) const;
   /// Fills the accelerations from the balance of all forces.
   void accelerate(const Scenario& scenario, const std::vector<double>& plastic_load_N, BodyState& state) const;
 

@@ -164,8 +164,11 @@ SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   const bool is_lifted = r.scenario.cell.lift_height_m > 0.0;
   const bool stands = contact.tally()[kSupport].closed[lane] > 0.0;
   const double height_m = plan.support(planned, r.time_s(w)).position_m[2];
-  if (is_lifted && (stands || contact.lowest_place_m(kSupport, body.u())[lane] < height_m)) return r.plane;
+  const bool has_target = r.scenario.cell.target_plane;
+  const bool below = has_target && contact.lowest_place_m(kSupport, body.u())[lane] < height_m;
+  if (is_lifted && (stands || below)) return r.plane;
   contact.leave(kSupport, lane);
+  if (!has_target) contact.take_support_away(lane);
   balances.leave_support(lane);
   r.plane = planned;
   set_support(lane, plan, r.time_s(w), planned, now);

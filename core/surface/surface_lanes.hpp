@@ -48,6 +48,9 @@ class SurfaceLanes {
   void load(int lane, const Scenario& scenario, const ProductPlace& product,
             const std::array<double, kFirstCellSurface>& layer_N_m3);
 
+  /// Nothing touches this surface of a lane until the next load.
+  void remove(int surface, int lane) { surface_[static_cast<std::size_t>(surface)].present.set(lane, false); }
+
   [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
 
   /// Place along the normal axis.

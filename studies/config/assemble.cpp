@@ -108,6 +108,7 @@ struct Assembler {
       scenario.cell.support = false;
     }
     scenario.strategy.waypoint.resize(list_size("strategy.waypoint["));
+    scenario.cell.surface.resize(list_size("cell.surface["));
     if (input.has_gripper) scenario.gripper = ParallelJawParameters{};
     give_usual_layer_damping(scenario);
     if (!input.has_gripper) return;

@@ -51,6 +51,7 @@ Scenario specimen(const KeySpec& spec) {
   Scenario scenario;
   scenario.gripper = ParallelJawParameters{};
   scenario.strategy.waypoint.resize(1);
+  scenario.cell.surface.resize(1);
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
     NetworkParameters network;
     network.particle.resize(1);

@@ -77,6 +77,7 @@ bool is_number_array(KeyType type) {
 
 std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path) {
   if (path.starts_with("strategy.waypoint[")) return scenario.strategy.waypoint.size();
+  if (path.starts_with("cell.surface[")) return scenario.cell.surface.size();
   const auto* network = std::get_if<NetworkParameters>(&scenario.product);
   if (network == nullptr) return std::nullopt;
   if (path.starts_with("product.particle[")) return network->particle.size();

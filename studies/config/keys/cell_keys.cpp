@@ -90,6 +90,13 @@ Table path_keys() {
        .size = 2,
        .use = use,
        .field = cell<&C::place_velocity_m_s>},
+      {.path = "cell.target_plane",
+       .type = boolean,
+       .meaning =
+           "Is there a plane at place_height_m, like the support, once the product is lifted? false: only what "
+           "[[cell.surface]] lists is there then.",
+       .use = use,
+       .field = cell<&C::target_plane>},
       {.path = "cell.stop_deceleration_m_s2",
        .type = number,
        .meaning = "Deceleration with which an emergency stop brings the palm to rest, along its path.",

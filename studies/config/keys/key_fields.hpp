@@ -83,6 +83,10 @@ FieldRef cell(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.cell.*member);
 }
 template <auto member>
+FieldRef surface(Scenario& scenario, int index) {
+  return field_ref(scenario.cell.surface.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
 FieldRef conveyor(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.cell.conveyor.*member);
 }

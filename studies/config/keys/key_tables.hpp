@@ -26,6 +26,7 @@ Table drive_keys();
 Table support_keys();
 Table path_keys();
 Table conveyor_keys();
+Table surface_keys();
 Table grip_keys();
 Table pick_keys();
 Table motion_keys();

@@ -116,6 +116,17 @@ Table material_keys() {
        .size = 3,
        .use = use,
        .field = lattice<&L::initial_spin_rad_s>},
+      {.path = "product.initial_rotation_rad",
+       .type = numbers,
+       .meaning = "Attitude of the product at the start, about the vector by its length.",
+       .size = 3,
+       .use = use,
+       .field = lattice<&L::initial_rotation_rad>},
+      {.path = "product.initial_height_m",
+       .type = number,
+       .meaning = "Height of the product's lowest place above the support at the start, from which it falls.",
+       .use = use,
+       .field = lattice<&L::initial_height_m>},
   };
 }
 

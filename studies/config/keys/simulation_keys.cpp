@@ -56,6 +56,18 @@ Table simulation_keys() {
            "cell against the whole and the lean against the pads are meant.",
        .use = Use::lattice,
        .field = simulation<&S::max_rotation_rad>},
+      {.path = "simulation.contact_set",
+       .type = choice,
+       .meaning =
+           "Which places of the product can touch the cell. \"pads and support\": the bottom of a product that "
+           "stays "
+           "upright; \"six sides\": what lies within 15 % of the poles of its six sides; \"whole surface\": any "
+           "place, so that it can roll, tip and lean. \"automatic\": the first, unless the product falls, is put "
+           "down "
+           "on another side, or [[cell.surface]] lists something.",
+       .choices = {"automatic", "pads and support", "six sides", "whole surface"},
+       .use = Use::lattice,
+       .field = simulation<&S::contact_set>},
   };
 }
 

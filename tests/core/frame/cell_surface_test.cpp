@@ -13,7 +13,7 @@ constexpr double kWeight_N = 0.1 * kGravity;
 Scenario ball() {
   Scenario scenario = roller(Shape::sphere, 0.0);
   scenario.cell.support = false;
-  scenario.simulation.contact_set.reset();
+  scenario.simulation.contact_set = ContactSet::automatic;
   return scenario;
 }
 

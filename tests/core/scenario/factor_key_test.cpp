@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/product_frame.hpp"
 #include "core/simulation/model_parts.hpp"
@@ -143,8 +144,10 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
                      [&](std::string_view, int, auto& parameters) { visit_fields(parameters, perturbation); });
     if (!perturbation.happened()) break;
     const bool key_changed = factor_key(changed) != factor_key(base);
-    // A rotation of the gripper that becomes one lets the product turn.
-    const bool decides = perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base);
+    // A rotation of the gripper that becomes one lets the product turn, a height to fall from lets it roll.
+    const bool decides = perturbation.decides() == Decides::model ||
+                         product_frame(changed) != product_frame(base) ||
+                         contact_set(changed) != contact_set(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.
     const auto other = Model::build(changed, error);

@@ -184,6 +184,10 @@ bool can_be_tripped(const PlausibleRow& row) {
   Scenario grip = usual_grip();
   jaw_of(grip).opening_m = 0.08;
   grip.strategy.waypoint = {{.place_m = std::array<double, 3>{}, .rotation_rad = std::array<double, 3>{}}};
+  grip.cell.surface.resize(1);
+  grip.cell.surface[0].size_m = {0.1, 0.1};
+  grip.cell.surface[0].path_time_s = {0.0};
+  grip.cell.surface[0].path_m = {{0.0, 0.0, 0.0}};
   for (const Scenario& base : {grip, small_pads_up_a_ball()}) {
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;

@@ -78,6 +78,11 @@ std::vector<Breach> surface_breaches() {
          s.cell.surface.resize(2);
          s.cell.surface[1].normal = {0.0, 0.0, 0.0};
        }},
+      {"cell.surface[0].center_m", "puts the surface into the product", usual_grip,
+       [](S s) {
+         s.cell.surface.resize(1);
+         s.cell.surface[0].center_m = {0.0, 0.0, 0.01};
+       }},
       {"cell.surface[0].path_m", "must have as many places as path_time_s has times, 2", usual_grip,
        [](S s) {
          s.cell.surface.resize(1);
@@ -94,6 +99,7 @@ std::vector<Breach> surface_breaches() {
          s.cell.surface.resize(1);
          s.simulation.contact_set = ContactSet::pads_and_support;
        }},
+      {"cell.target_plane", "needs [[cell.surface]]", usual_grip, [](S s) { s.cell.target_plane = false; }},
   };
 }
 
@@ -337,8 +343,9 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 
 TEST(Rules, NameKnownFields) {
   const std::set<std::string_view> words = {
-      "product.shape", "product.axis",     "product.kind", "product.particle[].fixed",
-      "gripper",       "gripper.coupling", "cell.support", "strategy.pick"};
+      "product.shape", "product.axis",      "product.kind",          "product.particle[].fixed",
+      "gripper",       "gripper.coupling",  "cell.support",          "strategy.pick",
+      "cell.surface",  "cell.target_plane", "simulation.contact_set"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -169,6 +169,44 @@ std::vector<Arrival> strategy_arrivals() {
   };
 }
 
+/// Of a study with one surface beside the product.
+std::vector<Arrival> surface_arrivals() {
+  return {
+      {"cell.surface[0].center_m", "[0.25, -0.5, 0.125]",
+       [](S s) {
+         return s.cell.surface[0].center_m == A3{0.25, -0.5, 0.125};
+       }},
+      {"cell.surface[0].normal", "[0.0, -1.0, 1.0]",
+       [](S s) {
+         return s.cell.surface[0].normal == A3{0.0, -1.0, 1.0};
+       }},
+      {"cell.surface[0].size_m", "[0.25, 0.5]",
+       [](S s) {
+         return s.cell.surface[0].size_m == std::array<double, 2>{0.25, 0.5};
+       }},
+      {"cell.surface[0].friction", "0.875", [](S s) { return s.cell.surface[0].friction == 0.875; }},
+      {"cell.surface[0].modulus_Pa", "3.75e6", [](S s) { return s.cell.surface[0].modulus_Pa == 3.75e6; }},
+      {"cell.surface[0].thickness_m", "0.0625", [](S s) { return s.cell.surface[0].thickness_m == 0.0625; }},
+      {"cell.surface[0].relaxation_time_s", "0.0625",
+       [](S s) { return s.cell.surface[0].relaxation_time_s == 0.0625; }},
+      {"cell.surface[0].path_time_s",
+       "[0.5, 0.875]",
+       [](S s) {
+         return s.cell.surface[0].path_time_s == std::vector<double>{0.5, 0.875};
+       },
+       {"cell.surface[0].path_m=[[0.0, 0.0, 0.0], [0.1, 0.0, 0.0]]"}},
+      {"cell.surface[0].path_m",
+       "[[0.0, 0.0, 0.0], [0.0, 0.5, 0.0]]",
+       [](S s) {
+         return s.cell.surface[0].path_m == std::vector<A3>{A3{}, A3{0.0, 0.5, 0.0}};
+       },
+       {"cell.surface[0].path_time_s=[0.5, 0.875]"}},
+      {"cell.target_plane", "false", [](S s) { return !s.cell.target_plane; }},
+      {"simulation.contact_set", "\"six sides\"",
+       [](S s) { return s.simulation.contact_set == ContactSet::six_sides; }},
+  };
+}
+
 /// Of a study with one waypoint.
 std::vector<Arrival> waypoint_arrivals() {
   return {
@@ -269,6 +307,14 @@ std::vector<Arrival> flight_arrivals() {
        [](S s) {
          return lattice(s).initial_spin_rad_s == A3{1.0, 2.0, 3.0};
        }},
+      {"product.initial_rotation_rad", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return lattice(s).initial_rotation_rad == A3{0.125, -0.25, 0.5};
+       }},
+      {"product.initial_height_m",
+       "0.125",
+       [](S s) { return lattice(s).initial_height_m == 0.125; },
+       {"cell.support=true"}},
   };
 }
 
@@ -312,11 +358,17 @@ TEST(ScenarioKeys, EveryKeyOfAWaypointReachesTheFieldItNames) {
   expect_arrivals(waypoint_arrivals(), gripped_block("simulate") + "[[strategy.waypoint]]\nwait_s = 0.25\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfASurfaceReachesTheFieldItNames) {
+  expect_arrivals(surface_arrivals(),
+                  gripped_block("simulate") + "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\nfriction = 0.25\n");
+}
+
 TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
 
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
-  for (const auto& list : {lattice_arrivals(), waypoint_arrivals(), flight_arrivals(), network_arrivals()}) {
+  for (const auto& list :
+       {lattice_arrivals(), surface_arrivals(), waypoint_arrivals(), flight_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -148,6 +148,22 @@ TEST(Waypoints, PutTheProductDownAsItWasTurned) {
   }
 }
 
+TEST(Waypoints, PutTheProductDownOnAnotherFace) {
+  Scenario scenario = through({{kQuarter_rad, 0.0, 0.0}});
+  lattice_of(scenario).size_m = {0.05, 0.06, 0.04};
+  scenario.cell.transfer_m = {0.0, 0.1};
+  scenario.strategy.recover_s = 1.0;
+  Trace trace;
+  const ScenarioResult result = run(scenario, &trace);
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_LT(result.metrics[Metric::place_attitude_rad], 3e-4);
+  EXPECT_LT(result.metrics[Metric::place_error_m], 1e-4);
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-10);
+  EXPECT_NEAR(signal(trace, "support_force_N").values.rbegin()[0], kMass_kg * kGravity, 1e-4);
+  // From half of 40 mm to half of 60; the block and the layers give way by some micrometres.
+  EXPECT_NEAR(last_row(trace, points_of(scenario)).center_motion_m.z(), 0.01, 5e-5);
+}
+
 TEST(Waypoints, AreTheSameWhateverIsTurnedBesideThem) {
   std::vector<Scenario> all = {through({{0.3, 0.0, 0.0}}), through({{0.0, 0.6, 0.0}, {0.5, 0.0, 0.4}}),
                                through({{0.0, 0.0, 1.0}})};

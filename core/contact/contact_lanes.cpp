@@ -34,6 +34,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
   places_.emplace(model, body, surfaces_);
+  over_ = MaskArray(model.candidate.size());
   for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
 }
 
@@ -52,6 +53,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
   if (seen_) load_seen(lane);
   wake_all();
+  if (places_) over_.clear_lane(lane);
 }
 
 void ContactLanes::wake_all() {
@@ -115,6 +117,7 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
     const ContactCandidate& candidate = model_.candidate[c];
     if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
   }
+  meets_rim_ = Mask(false);
   if (places_) free_turn_ = sweep_.levers().turn_by(given.free.moment_N_m);
   for (std::size_t node = 0; places_ && node < model_.node_count(); ++node) meet_places(node, given, running);
   sweep_.list_active(running, asleep_);

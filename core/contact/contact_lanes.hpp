@@ -106,6 +106,9 @@ class ContactLanes {
   [[nodiscard]] const Lane& patch_pressure() const { return patch_pressure_; }
   /// Largest compression of a layer over its thickness in this step, per lane.
   [[nodiscard]] const Lane& layer_strain() const { return layer_strain_; }
+  /// Lanes in which a place of the product has come behind a surface from beside it, in this step: a surface has
+  /// no rim that could hold it.
+  [[nodiscard]] const Mask& meets_rim() const { return meets_rim_; }
   /// Lowest place of the product along the normal of a surface, per lane [m].
   [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
@@ -156,8 +159,11 @@ class ContactLanes {
   void take_in(std::size_t candidate, const Meeting& meeting, const Mask& meets, const Mask& running);
   [[nodiscard]] Mask may_meet(std::size_t candidate, const Meeting& meeting, const Mask& running) const;
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
-  void cover_place(std::size_t candidate, const LaneVector& displacement, const CarrierMotion& now,
-                   const Mask& lanes);
+  [[nodiscard]] std::array<CoveredPiece, 2> covered_place(const ContactCandidate& candidate,
+                                                          const LaneVector& displacement,
+                                                          const CarrierMotion& now) const;
+  Mask comes_from_beside(std::size_t candidate, const Meeting& meeting, const LaneVector& displacement,
+                         const CarrierMotion& now);
   void set_cover(std::size_t candidate, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
   void carry_open_anchors(const Ends& ends, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
@@ -195,8 +201,10 @@ class ContactLanes {
   /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was
   /// last looked at closely.
   std::vector<char> asleep_;
-  std::vector<int> awake_;                ///< how many others there are, per contact node and surface
-  LaneVector free_turn_;                  ///< of the body as a whole until t + theta dt without contact forces
+  std::vector<int> awake_;  ///< how many others there are, per contact node and surface
+  MaskArray over_;          ///< candidates that have been over their rectangle when they last stood before it
+  Mask meets_rim_{false};   ///< in this step
+  LaneVector free_turn_;    ///< of the body as a whole until t + theta dt without contact forces
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
   /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
   std::array<std::array<Mask, 2>, kSurfaceCount> faces_;

@@ -82,18 +82,36 @@ void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Ma
     const Lane place = seen.displacement[along] - carrier_of(surface, start.now)[along].place_m;
     register_.anchor[t].put(c, select(running & open, place, register_.anchor[t].get(c)));
   }
-  // What lies deeper than the layer is thick stands behind the surface.
-  const Mask in_front = meeting.gap_now > -surfaces_[surface].thickness_m;
-  const Mask meets = may_meet(c, meeting, running) & (in_front | !open);
+  const Mask beside = comes_from_beside(c, meeting, seen.displacement, start.now) & running;
+  const Mask meets = may_meet(c, meeting, running) & !beside;
   const Mask moves = meets & (open | register_.sliding.get(c));
-  if (any(moves)) cover_place(c, seen.displacement, start.now, moves);
+  if (any(moves)) set_cover(c, covered_place(candidate, seen.displacement, start.now), moves);
   take_in(c, meeting, meets, running);
 }
 
-/// Takes in how much of the piece of surface around a place meets its surface now.
-void ContactLanes::cover_place(std::size_t c, const LaneVector& displacement, const CarrierMotion& now,
-                               const Mask& lanes) {
+/// Is an open place behind a rectangle that it has not been over? Then it has come round the rim; where the middle
+/// of the product stands before the surface, that is noted.
+Mask ContactLanes::comes_from_beside(std::size_t c, const Meeting& meeting, const LaneVector& displacement,
+                                     const CarrierMotion& now) {
   const ContactCandidate& candidate = model_.candidate[c];
+  const SurfaceLane& surface = surfaces_[candidate.surface];
+  if (none(surface.has_rim)) return Mask(false);
+  const std::array<CoveredPiece, 2> piece = covered_place(candidate, displacement, now);
+  const Mask within = piece[0].share * piece[1].share > Lane(0.0);
+  const Mask behind = meeting.gap_now < -near_margin_;
+  const Mask closed = register_.is_closed(c);
+  const Mask over = closed | (within & !behind) | (over_.get(c) & behind);
+  over_.put(c, over);
+  const Mask beside = surface.present & surface.has_rim & behind & !over;
+  const Mask before = places_->center_height(candidate.surface) > motion_[candidate.surface].place_m;
+  meets_rim_ = meets_rim_ | (beside & before & within);
+  return beside;
+}
+
+/// How much of the piece of surface around a place meets its surface now.
+std::array<CoveredPiece, 2> ContactLanes::covered_place(const ContactCandidate& candidate,
+                                                        const LaneVector& displacement,
+                                                        const CarrierMotion& now) const {
   const SurfaceLane& surface = surfaces_[candidate.surface];
   const PlaceArm& place = model_.place[static_cast<std::size_t>(candidate.place)];
   std::array<CoveredPiece, 2> piece;
@@ -104,7 +122,7 @@ void ContactLanes::cover_place(std::size_t c, const LaneVector& displacement, co
                        carrier_of(candidate.surface, now)[along].place_m;
     piece[t].share *= share_within(there, surface.size_m[t], place.extent_m[t]);
   }
-  set_cover(c, piece, lanes);
+  return piece;
 }
 
 void ContactLanes::see_theta(const FrameLanes& frame, const LaneArray& u_theta) {

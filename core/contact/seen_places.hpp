@@ -31,6 +31,8 @@ class SeenPlaces {
     const LaneMatrix& turn = axes(surface).turn;
     return {{turn(2, 0), turn(2, 1), turn(2, 2)}};
   }
+  /// How high the middle of the product stands over the plane of a surface that has not moved.
+  [[nodiscard]] Lane center_height(int surface) const { return axes(surface).origin[2] + center_of_mass_m_[2]; }
   /// How much of the piece of surface around a place faces a surface: the cosine of the angle between them.
   [[nodiscard]] Lane facing(const ContactCandidate& candidate) const {
     return max0(-dot(normal(candidate.surface), to_lanes(arm_of(candidate).outward)));

@@ -27,7 +27,7 @@ struct CellSurfaceParameters {
   double friction = 0.5;
   /// > 0; Young's modulus of its compliant layer, springs as those of the support
   double modulus_Pa = 2e6;
-  /// > 0; a product that lies deeper than this stands behind it and does not touch
+  /// > 0; of that layer
   double thickness_m = 0.005;
   /// >= 0
   double relaxation_time_s = 0.0;

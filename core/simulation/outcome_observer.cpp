@@ -43,7 +43,8 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.material.largest_cell_rotation()[step.lane] > bounds.max_rotation_rad) {
     return "a cell's rotation against the product > simulation.max_rotation_rad";
   }
-  if (view.lean_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
+  const bool is_let_go = has_gripper(step.scenario) && step.time_s > step.cycle.plan().release_end_s();
+  if (!is_let_go && view.lean_in_grip_rad(step.lane, step.scenario) > bounds.max_rotation_rad) {
     return "the lean of the product against the pads > simulation.max_rotation_rad";
   }
   if (view.body.frame() != nullptr && view.body.frame()->turn_rad(step.lane) > kLargestStepTurn_rad) {
@@ -51,15 +52,19 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   }
   if (belt_has_ended(step)) return "the belt carries the product beyond cell.conveyor.length_m before the lift";
   if (step.seen.layer_strain > kLargestLayerStrain) {
-    return "a pad or the support is pressed in by more than " + in_per_cent(kLargestLayerStrain) +
-           " of its thickness";
+    return "a pad, the support or a surface of the cell is pressed in by more than " +
+           in_per_cent(kLargestLayerStrain) + " of its thickness";
+  }
+  if (view.contact.meets_rim()[step.lane]) {
+    return "the product meets the rim of a [[cell.surface]], which is touched on its face only";
   }
   return std::nullopt;
 }
 
 /// Is the product let go of, with nothing below that it could meet?
 bool falls_for_ever(const LaneStep& step) {
-  return !step.scenario.cell.support && step.time_s > step.cycle.plan().release_end_s();
+  const CellParameters& cell = step.scenario.cell;
+  return !cell.support && cell.surface.empty() && step.time_s > step.cycle.plan().release_end_s();
 }
 
 }  // namespace

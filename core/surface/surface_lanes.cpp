@@ -50,6 +50,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
 }
 
 void SurfaceLanes::load_listed(int lane, const CellSurfaceParameters& parameters, SurfaceLane& surface) {
+  surface.has_rim.set(lane, parameters.size_m.has_value());
   surface.friction.set(lane, parameters.friction);
   surface.springs_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
   surface.stiffness_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);

@@ -20,6 +20,7 @@ struct Stretch {
 /// One surface, per lane.
 struct SurfaceLane {
   Mask present{false};
+  Mask has_rim{false};  ///< a rectangle that the cell lists
   Lane friction{1.0};
   Lane stiffness_N_m3{1.0};  ///< of the layer, per area
   Lane springs_N_m3{1.0};    ///< E / thickness of the layer; a third of it in shear

@@ -44,7 +44,7 @@ Table surface_keys() {
        .field = surface<&S::modulus_Pa>},
       {.path = "cell.surface[].thickness_m",
        .type = number,
-       .meaning = "Thickness of that layer. What lies deeper stands behind the surface and does not touch it.",
+       .meaning = "Thickness of that layer.",
        .use = use,
        .field = surface<&S::thickness_m>},
       {.path = "cell.surface[].relaxation_time_s",

@@ -99,6 +99,17 @@ TEST(CellSurface, IsNotTouchedFromBehind) {
   EXPECT_NEAR(last_center(trace, points_of(scenario)).motion_m.z(), -0.5 * kGravity * 0.01, 1e-5);
 }
 
+// A ball that falls beside a wall cuts into its rim: that is said, not guessed.
+TEST(CellSurface, SaysWhereARimIsMet) {
+  Scenario scenario = ball();
+  scenario.cell.surface = {surface({0.025, 0.0, -0.1}, {-1.0, 0.0, 0.0})};
+  scenario.cell.surface.front().size_m = {0.2, 0.15};  // up to z = -0.025
+  scenario.simulation.duration_s = 0.2;
+  const ScenarioResult result = run(scenario);
+  EXPECT_EQ(result.outcome, Outcome::out_of_range);
+  EXPECT_NE(result.cause.find("rim"), std::string::npos) << result.cause;
+}
+
 // A box on a rough plate goes where the plate goes; its energy closes with the plate's work.
 TEST(CellSurface, CarriesAProductAlongItsPath) {
   Scenario scenario = turned_box({0.06, 0.05, 0.04}, {});

@@ -82,8 +82,10 @@ void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Ma
     const Lane place = seen.displacement[along] - carrier_of(surface, start.now)[along].place_m;
     register_.anchor[t].put(c, select(running & open, place, register_.anchor[t].get(c)));
   }
+  // What lies deeper than the layer is thick stands behind the surface.
+  const Mask in_front = meeting.gap_now > -surfaces_[surface].thickness_m;
   const Mask beside = comes_from_beside(c, meeting, seen.displacement, start.now) & running;
-  const Mask meets = may_meet(c, meeting, running) & !beside;
+  const Mask meets = may_meet(c, meeting, running) & (in_front | !open) & !beside;
   const Mask moves = meets & (open | register_.sliding.get(c));
   if (any(moves)) set_cover(c, covered_place(candidate, seen.displacement, start.now), moves);
   take_in(c, meeting, meets, running);

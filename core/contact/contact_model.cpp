@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include <Eigen/Dense>
 
 #include "core/algebra/lane_solve.hpp"
+#include "core/contact/compliance_size.hpp"
 #include "core/contact/surface_places.hpp"
 #include "core/contact/tributary_face.hpp"
 #include "core/door/require.hpp"
@@ -320,6 +322,9 @@ ContactModel product_contact(const Scenario& scenario, const BodyModel& body, co
   const ContactChoice choice = contact_choice(scenario);
   ContactModel contact =
       std::visit([&](const auto& kind) { return candidates_of(kind, body, choice); }, scenario.product);
+  if (compliance_bytes(contact.node_count()) > kMostComplianceBytes) {
+    throw std::invalid_argument("so many particles may touch that their compliance takes more than 4 GB");
+  }
   fill_compliance(body.factor, body.slot, contact);
   if (!contact.place.empty()) give_arms(body, wilson, contact);
   return contact;

@@ -130,6 +130,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
 ContactModel network_contact(const NetworkParameters& parameters);
 
 /// The contact model of a factored body, with its compliance W and reach.
+/// @throws std::invalid_argument where W would be larger than kMostComplianceBytes
 ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson);
 
 }  // namespace unbruised

@@ -60,7 +60,8 @@ double surface_period_s(const LayeredFace& face, double surface_kg, const Impact
 double landing_speed_m_s(const Scenario& scenario, const LatticeParameters& product) {
   const double gravity_m_s2 = std::abs(scenario.cell.gravity_m_s2[2]);
   if (has_gripper(scenario)) return std::sqrt(2.0 * gravity_m_s2 * scenario.strategy.release_height_m);
-  return std::abs(product.initial_velocity_m_s[2]);
+  const double start_m_s = product.initial_velocity_m_s[2];
+  return std::sqrt(start_m_s * start_m_s + 2.0 * gravity_m_s2 * product.initial_height_m);
 }
 
 double pad_time_s(const LatticeParameters& product, const Scenario& scenario) {

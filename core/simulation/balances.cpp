@@ -26,6 +26,27 @@ double length(const std::array<double, 3>& vector) {
   return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
 }
 
+/// Of the particles about their centre of mass [kg m2/s].
+std::array<double, 3> angular_momentum(const BodyModel& body, const BodyState& state) {
+  std::array<double, 3> center_m{}, sum{};
+  for (std::size_t i = 0; i < 3 * body.particle_count; ++i) {
+    center_m[i % 3] += body.mass_kg[i / 3] * (body.position_m[i / 3][i % 3] + state.displacement_m[i]);
+  }
+  for (double& place : center_m) place /= body.total_mass_kg;
+  for (std::size_t p = 0; p < body.particle_count; ++p) {
+    std::array<double, 3> y{}, v{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      y[d] = body.position_m[p][d] + state.displacement_m[3 * p + d] - center_m[d];
+      v[d] = state.velocity_m_s[3 * p + d];
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+      const std::size_t j = (d + 1) % 3, k = (d + 2) % 3;
+      sum[d] += body.mass_kg[p] * (y[j] * v[k] - y[k] * v[j]);
+    }
+  }
+  return sum;
+}
+
 PadLoad pad_load(const LaneView& view) {
   PadLoad load;
   for (int surface = 0; surface < kFingerCount; ++surface) {
@@ -131,10 +152,10 @@ void Balances::book_angular_impulse(int lane, double step_s, const FrameLanes& f
   account.outer_moment_N_m = moment_N_m;
 }
 
-void Balances::measure_angular_impulse(int lane, const FrameLanes& frame, Metrics& metrics) const {
+void Balances::measure_angular_impulse(int lane, const LaneView& view, Metrics& metrics) const {
   const AngularImpulse& account = angular_impulse_[static_cast<std::size_t>(lane)];
   if (!(account.size > 0.0)) return;
-  const std::array<double, 3> momentum = of_lane(frame.angular_momentum_kg_m2_s(), lane);
+  const std::array<double, 3> momentum = angular_momentum(view.model.body, view.body.state(lane));
   std::array<double, 3> error{};
   for (std::size_t i = 0; i < 3; ++i) error[i] = momentum[i] - account.initial_momentum[i] - account.impulse[i];
   metrics[Metric::angular_impulse_balance_error] = length(error) / account.size;
@@ -160,7 +181,7 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
     metrics[Metric::impulse_balance_error] =
         impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }
-  if (const FrameLanes* frame = view.body.frame()) measure_angular_impulse(lane, *frame, metrics);
+  if (view.body.frame() != nullptr) measure_angular_impulse(lane, view, metrics);
   const bool driven = has_gripper(scenario);
   const double dissipated = view.body.damped_J(lane)                                                         //
                             + view.contact.dissipated()[lane]                                                //

@@ -44,7 +44,7 @@ class Balances {
   [[nodiscard]] double impulse_mismatch(int lane, const LaneView& view) const;
   void open_angular_account(int lane, const FrameLanes& frame);
   void book_angular_impulse(int lane, double step_s, const FrameLanes& frame);
-  void measure_angular_impulse(int lane, const FrameLanes& frame, Metrics& metrics) const;
+  void measure_angular_impulse(int lane, const LaneView& view, Metrics& metrics) const;
 
   std::array<Impulse, kLanes> impulse_;
   std::array<AngularImpulse, kLanes> angular_impulse_;

@@ -1,15 +1,11 @@
 #include "core/simulation/initial_state.hpp"
 
 #include <span>
-#include <utility>
 
-#include "core/body/steady_spin.hpp"
-#include "core/body/turned_state.hpp"
+#include "core/body/launch.hpp"
 #include "core/contact/layered_face.hpp"
-#include "core/scenario/attitude.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
-#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
@@ -27,8 +23,8 @@ void ride_along(const ConveyorParameters& conveyor, BodyState& state) {
 
 InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
   InitialState state{written_state(scenario.product, model_.body), nullptr};
-  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
-    if (starts_in_the_air(*lattice)) launch(*lattice, state);
+  if (model_.body.is_solid) {
+    launch(scenario.product, model_.body, state.body);
     lay_down_or_drop(scenario, state);
   } else if (scenario.simulation.initial_acceleration == InitialAcceleration::consistent) {
     accelerate(scenario, plastic_load_N, state.body);
@@ -54,22 +50,6 @@ void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& sta
     const std::size_t axis = i % 3;
     state.body.acceleration_m_s2[i] += rests && axis == 2 ? 0.0 : cell.gravity_m_s2[axis];
   }
-}
-
-/// As deformed as its spin keeps it, its lowest place at the height that is asked for.
-void InitialStates::launch(const LatticeParameters& product, InitialState& state) const {
-  const std::vector<double> zero(state.body.displacement_m.size(), 0.0);
-  BodyState launched{zero, zero, zero, {}};
-  const Attitude back = inverse(attitude_of(product.initial_rotation_rad));
-  add_steady_spin(model_.body, turned(back, product.initial_spin_rad_s), launched);
-  turn_state(model_.body, product.initial_rotation_rad, launched);
-  const double below_center_m = TrueShape(product).reach_m(turned(back, {0.0, 0.0, -1.0}));
-  const double lift_m = product.initial_height_m + below_center_m - model_.body.center_m()[2];
-  for (std::size_t i = 0; i < zero.size(); ++i) {
-    launched.displacement_m[i] += i % 3 == 2 ? lift_m : 0.0;
-    launched.velocity_m_s[i] += state.body.velocity_m_s[i];
-  }
-  state.body = std::move(launched);
 }
 
 /// M a = f - C v - K u, with what springs that yield as they are mounted keep.

@@ -29,8 +29,6 @@ class InitialStates {
 
  private:
   void lay_down_or_drop(const Scenario& scenario, InitialState& state);
-  /// Lets a solid start in the air, turned and spinning.
-  void launch(const LatticeParameters& product, InitialState& state) const;
   /// Fills the accelerations from the balance of all forces.
   void accelerate(const Scenario& scenario, const std::vector<double>& plastic_load_N, BodyState& state) const;
 

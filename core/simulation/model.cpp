@@ -47,11 +47,11 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
     std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario));
     if (!body) return nullptr;
     parts.body = std::move(*body);
+    parts.contact = product_contact(scenario, parts.body, *parts.wilson);
   } catch (const std::invalid_argument& refused) {
     error = refused.what();
     return nullptr;
   }
-  parts.contact = product_contact(scenario, parts.body, *parts.wilson);
   if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contact/compliance_size.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/factor_key.hpp"
@@ -27,6 +28,8 @@ struct ModelSize {
   std::size_t freedom_count = 0;
   std::size_t contact_candidate_count = 0;
   std::size_t contact_node_count = 0;  ///< particles with such a candidate
+  /// Of the compliance of these particles under forces on each other.
+  [[nodiscard]] double compliance_bytes() const { return unbruised::compliance_bytes(contact_node_count); }
 };
 ModelSize model_size(const Scenario& scenario);
 

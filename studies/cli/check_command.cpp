@@ -58,6 +58,9 @@ void print_check(const Study& study, const StudyCost& cost) {
   print_line(joined({"groups by factor key: ", with_thousands(cost.groups)}));
   print_line(joined({"particles: ", range_text(cost.least.particle_count, cost.most.particle_count),
                      ", freedoms: ", range_text(cost.least.freedom_count, cost.most.freedom_count)}));
+  print_line(joined({"may touch: ", range_text(cost.least.contact_node_count, cost.most.contact_node_count),
+                     " particles, whose compliance takes ", bytes_text(cost.most.compliance_bytes()), " of ",
+                     bytes_text(kMostComplianceBytes), " at most"}));
   print_line(
       joined({"memory: about ", bytes_text(cost.memory_bytes), " of ", bytes_text(machine_memory_bytes())}));
   print_line(joined({"disk: about ", bytes_text(cost.disk_bytes)}));
@@ -88,7 +91,8 @@ int check_command(const StudyArguments& arguments, AnswerForm form) {
     return kExitInput;
   }
   const StudyCost cost = study_cost(study, threads);
-  const auto refusal = too_much_memory(study.name(), cost.memory_bytes);
+  auto refusal = too_much_memory(study.name(), cost.memory_bytes);
+  if (!refusal) refusal = too_many_may_touch(study.name(), cost.most);
   const std::vector<std::string> warnings = study_warnings(study);
   const std::vector<std::string> notes = probability_notes(study);
   if (form == AnswerForm::json) {

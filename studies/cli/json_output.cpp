@@ -118,6 +118,7 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
                    {"outcomes", by_word(outcome_counts(tables.rows))}};
   document["worst_balances"] = {
       {"impulse_balance_error", worst_balance(tables.rows, Metric::impulse_balance_error)},
+      {"angular_impulse_balance_error", worst_balance(tables.rows, Metric::angular_impulse_balance_error)},
       {"energy_balance_error", worst_balance(tables.rows, Metric::energy_balance_error)}};
   const ValueCounts counts = value_counts(recorded.meta.config_toml);
   document["rests_on"] = {{"assumed", counts.assumed}, {"unsourced", counts.unsourced}, {"cited", counts.cited}};
@@ -150,6 +151,7 @@ std::string check_json(const Study& study, const StudyCost& cost, const std::vec
                            {"chosen", study.is_time_step_chosen()}};
   document["factor_groups"] = cost.groups;
   document["particles"] = size_json(cost.least.particle_count, cost.most.particle_count);
+  document["may_touch"] = size_json(cost.least.contact_node_count, cost.most.contact_node_count);
   document["freedoms"] = size_json(cost.least.freedom_count, cost.most.freedom_count);
   document["estimate"] = {{"seconds", number(cost.seconds)},
                           {"threads", cost.threads},

@@ -115,6 +115,11 @@ int run_command(const RunArguments& arguments) {
     print_error(*refusal);
     return kExitInput;
   }
+  const StudyCost cost = study_cost(*study, threads);
+  if (const auto refusal = too_many_may_touch(study->name(), cost.most)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
   auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
                                     .config_toml = study->resolved_toml(),
                                     .build = build_line(),
@@ -128,7 +133,7 @@ int run_command(const RunArguments& arguments) {
   listen_for_interrupts();
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet ? Verbosity::quiet : Verbosity::usual),
                     write_to_stderr);
-  progress.plan(progress_plan(*study, study_cost(*study, threads)));
+  progress.plan(progress_plan(*study, cost));
   const CountedSimulator simulator(core_simulator(), progress);
   const auto report = run_study(*study, run, LaneExecutor(simulator, threads),
                                 {.stop = &interrupt_requested(),

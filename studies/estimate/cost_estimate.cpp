@@ -44,8 +44,8 @@ double estimated_steps(const Scenario& scenario) {
 }
 
 double estimated_model_bytes(const ModelSize& size) {
-  const double contact_freedoms = 3.0 * static_cast<double>(size.contact_node_count);
-  return kBytes * (2.0 * estimated_factor_entries(size) + contact_freedoms * contact_freedoms +
+  return size.compliance_bytes() +
+         kBytes * (2.0 * estimated_factor_entries(size) +
                    kDoublesPerParticle * static_cast<double>(size.particle_count) +
                    kDoublesPerCandidate * static_cast<double>(size.contact_candidate_count));
 }

@@ -66,6 +66,14 @@ std::optional<std::string> too_much_memory(const std::string& study_name, double
                  bytes_text(there), ": larger cells (product.cell_size_m), fewer scenarios or fewer --threads"});
 }
 
+std::optional<std::string> too_many_may_touch(const std::string& study_name, const ModelSize& largest) {
+  if (largest.compliance_bytes() <= kMostComplianceBytes) return std::nullopt;
+  return joined({"in ", study_name, " ", with_thousands(largest.contact_node_count),
+                 " particles may touch, whose compliance would take ", bytes_text(largest.compliance_bytes()),
+                 " of ", bytes_text(kMostComplianceBytes),
+                 " at most: larger cells (product.cell_size_m), or fewer places (simulation.contact_set)"});
+}
+
 std::optional<std::string> too_much_memory(const Study& study, int threads) {
   const ScenarioSet set = runner_of(study.kind()).scenarios->known(study);
   const std::size_t stride = std::max<std::size_t>(1, set.count / kScenariosSeen);

@@ -23,6 +23,10 @@ double estimated_run_bytes(std::vector<ModelSize> groups, int threads);
 /// Says that `needed_bytes` are more than there are, with both figures; nothing when they are not.
 std::optional<std::string> too_much_memory(const std::string& study_name, double needed_bytes);
 
+/// Says that so many particles may touch that no model is built with them; nothing where it is.
+/// @param largest of a study's models
+std::optional<std::string> too_many_may_touch(const std::string& study_name, const ModelSize& largest);
+
 /// The same for a study as it will be run, without building a model that does not fit: of large lattices the
 /// particles are counted by their volume first.
 std::optional<std::string> too_much_memory(const Study& study, int threads);

@@ -45,6 +45,7 @@ std::string worst_text(const std::vector<ScenarioRow>& rows, Metric metric) {
 
 std::string balance_line(const std::vector<ScenarioRow>& rows) {
   std::string worst = worst_text(rows, Metric::impulse_balance_error);
+  add_part(worst, "; ", worst_text(rows, Metric::angular_impulse_balance_error));
   add_part(worst, "; ", worst_text(rows, Metric::energy_balance_error));
   return worst.empty() ? worst : joined({"worst balances: ", worst});
 }

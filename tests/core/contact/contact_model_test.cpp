@@ -30,7 +30,7 @@ constexpr double kSum = 1e-12;
 TEST(ContactModel, AFlatSideIsSharedOutAmongItsCandidates) {
   const auto model = build(small_box());
   const ContactModel& contact = model->parts().contact;
-  std::array<double, kSurfaceCount> area{};
+  std::array<double, kFirstCellSurface> area{};
   for (const ContactCandidate& c : contact.candidate) {
     EXPECT_TRUE(c.flat);
     EXPECT_EQ(c.cell_compliance_m_Pa, 0.0);

@@ -77,7 +77,8 @@ TEST(Layers, PressedFlatAreOutOfRange) {
   scenario.strategy.grip_force_N = 100.0;
   const ScenarioResult flat = run(scenario);
   EXPECT_EQ(flat.outcome, Outcome::out_of_range);
-  EXPECT_EQ(flat.cause, "a pad or the support is pressed in by more than 80 % of its thickness");
+  EXPECT_EQ(flat.cause,
+            "a pad, the support or a surface of the cell is pressed in by more than 80 % of its thickness");
   scenario.strategy.grip_force_N = 30.0;
   EXPECT_EQ(run(scenario).outcome, Outcome::held);
 }

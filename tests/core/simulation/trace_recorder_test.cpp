@@ -77,7 +77,8 @@ TEST(TraceRecorder, NamesThePhaseOfEveryRow) {
   EXPECT_NEAR(start_of(CyclePhase::recover), result.metrics[Metric::cycle_time_s], step_s);
   EXPECT_EQ(
       testing::signal(trace, "phase").long_name,
-      "phase of the cycle: 0 approach, 1 grip, 2 lift, 3 hold, 4 transfer, 5 lower, 6 release, 7 recover, 8 stop");
+      "phase of the cycle: 0 approach, 1 grip, 2 lift, 3 hold, 4 transfer, 5 lower, 6 release, 7 recover, 8 stop, "
+      "9 turn");
 }
 
 }  // namespace

@@ -13,6 +13,18 @@ TEST(MemoryNeed, IsRefusedWithBothFiguresWhereItIsMoreThanThereIs) {
   EXPECT_NE(refusal->find("this machine gives"), std::string::npos) << *refusal;
 }
 
+TEST(MemoryNeed, OfWhatMayTouchIsBounded) {
+  ModelSize size;
+  size.contact_node_count = 5000;  // 1.8 GB
+  EXPECT_FALSE(too_many_may_touch("fine", size));
+  size.contact_node_count = 8000;  // 4.6 GB
+  const auto refusal = too_many_may_touch("finer", size);
+  ASSERT_TRUE(refusal);
+  EXPECT_NE(refusal->find("in finer 8,000 particles may touch, whose compliance would take 4.6"),
+            std::string::npos)
+      << *refusal;
+}
+
 TEST(MemoryNeed, OfRowsGrowsWithTheirNumberAndTheirInputs) {
   EXPECT_EQ(estimated_rows_bytes(200.0, 3), 2.0 * estimated_rows_bytes(100.0, 3));
   EXPECT_GT(estimated_rows_bytes(100.0, 4), estimated_rows_bytes(100.0, 3));

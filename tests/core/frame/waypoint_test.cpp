@@ -19,6 +19,8 @@ Scenario through(const std::vector<Vector>& rotations_rad) {
   Scenario scenario = tilted_block({0.0, 0.0, 0.0}, kForce_N, kStep_s);
   for (const Vector& rotation_rad : rotations_rad)
     scenario.strategy.waypoint.push_back({.rotation_rad = rotation_rad});
+  // Side by side run those that are put down upright as well.
+  scenario.simulation.contact_set = ContactSet::whole_surface;
   return scenario;
 }
 
@@ -41,6 +43,7 @@ TEST(Waypoints, LeaveTheProductInTheGripAsStaticsSayWhicheverWayItCame) {
   for (const auto& [tilt, rotations] : ways) {
     tilted.push_back(tilted_block(tilt, kForce_N, kStep_s));
     tilted.back().strategy.hold_s = 0.8;
+    tilted.back().simulation.contact_set = ContactSet::whole_surface;
     tilted.back().simulation.duration_s = 2.0;
     taken.push_back(through(rotations));
     taken.back().strategy.hold_s = 0.8;

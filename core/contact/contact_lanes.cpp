@@ -362,46 +362,6 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
   tally_[surface].add_torque(arm, along_axes(surface, step.after[0], step.after[1], step.after[2]), running);
 }
 
-/// Notes when within the step a pad's contact closed.
-void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
-  const Mask touched = step.closed & !register_.was_closed.get(c);
-  const Lane gap = max0(register_.gap_now.get(c));
-  const Lane fraction = gap / max(gap - register_.gap_free.get(c), Lane(1e-300));
-  first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
-}
-
-/// Measures the pressure in windows over one surface.
-void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mask& running) {
-  if (model_.has_places(surface)) {
-    measure_place_windows(surface, running);
-    return;
-  }
-  const auto at = static_cast<std::size_t>(surface);
-  if (model_.face[at].candidate.empty() || none(running & (tally_[at].normal > Lane(0.0)))) return;
-  // The face moves past the surface as the particles that carry force do.
-  const auto tangents = tangent_axes(surface);
-  Lane force(0.0);
-  std::array<Lane, 2> moved{Lane(0.0), Lane(0.0)};
-  for (const int c : sweep_.live_candidates()) {
-    const auto k = static_cast<std::size_t>(c);
-    if (model_.candidate[k].surface != surface) continue;
-    const Lane normal = max0(register_.normal.get(k));
-    const auto node = 3 * static_cast<std::size_t>(model_.candidate[k].node);
-    force += normal;
-    for (std::size_t t = 0; t < 2; ++t)
-      moved[t] += normal * end.u.get(node + static_cast<std::size_t>(tangents[t]));
-  }
-  std::array<Stretch, 2> reach;
-  for (std::size_t t = 0; t < 2; ++t) {
-    const Lane mean = moved[t] / max(force, Lane(kDust));
-    const Stretch there = surfaces_.reach(surface, end.next, t);
-    reach[t] = {there.low - mean, there.high - mean};
-  }
-  const Mask carrying = running & (force > Lane(0.0));
-  const Lane largest = window_[at].largest_Pa(register_.normal, reach, carrying);
-  patch_pressure_ = max(patch_pressure_, select(carrying, largest, Lane(0.0)));
-}
-
 void ContactLanes::record_events(int lane, double step_start_s, std::vector<ContactEvent>& events) const {
   for (int c : sweep_.live_candidates()) {
     register_.append_events(static_cast<std::size_t>(c), lane, step_start_s, w_, events);

@@ -56,6 +56,13 @@ struct ContactEnd {
   const CarrierMotion& next;
 };
 
+/// How a plane stands to a product.
+struct FacedPlane {
+  std::array<double, 3> normal;  ///< in the product's axes
+  double place_m;                ///< along its normal
+  double center_m;               ///< of the product's centre of mass above it
+};
+
 class ContactLanes {
  public:
   /// Model, body and time step have to outlive this.
@@ -120,6 +127,9 @@ class ContactLanes {
   [[nodiscard]] Lane stored_energy() const;
   /// Mean pressure of a surface's patch / mean pressure at first yield, from the present tally.
   [[nodiscard]] Lane yield_ratio(int surface, const Lane& yield_stress) const;
+  /// A surface without a rim that places may touch, as it stands to the product of one lane at the end of a step;
+  /// nothing where it is none. @param now where the carriers are
+  [[nodiscard]] std::optional<FacedPlane> faced_plane(int surface, int lane, const CarrierMotion& now) const;
   /// Of the face that meets a surface in one lane.
   [[nodiscard]] const PatchForm& patch_form(int surface, int lane) const;
   /// Force of one surface on the product along x, y, z, in one lane.

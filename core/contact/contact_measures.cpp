@@ -11,6 +11,8 @@ namespace {
 
 /// Of a cell's face that a contact must cover for its depth to count; a corner of a face covers a quarter.
 constexpr double kLeastCover = 0.2;
+/// A force that has no place [N].
+constexpr double kLeastForce_N = 1e-12;
 
 }  // namespace
 
@@ -27,6 +29,46 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   const Lane of_layer =
       Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface.stiffness_N_m3));
   layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
+}
+
+/// Notes when within the step a pad's contact closed.
+void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
+  const Mask touched = step.closed & !register_.was_closed.get(c);
+  const Lane gap = max0(register_.gap_now.get(c));
+  const Lane fraction = gap / max(gap - register_.gap_free.get(c), Lane(1e-300));
+  first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
+}
+
+/// Measures the pressure in windows over one surface.
+void ContactLanes::measure_windows(int surface, const ContactEnd& end, const Mask& running) {
+  if (model_.has_places(surface)) {
+    measure_place_windows(surface, running);
+    return;
+  }
+  const auto at = static_cast<std::size_t>(surface);
+  if (model_.face[at].candidate.empty() || none(running & (tally_[at].normal > Lane(0.0)))) return;
+  // The face moves past the surface as the particles that carry force do.
+  const auto tangents = tangent_axes(surface);
+  Lane force(0.0);
+  std::array<Lane, 2> moved{Lane(0.0), Lane(0.0)};
+  for (const int c : sweep_.live_candidates()) {
+    const auto k = static_cast<std::size_t>(c);
+    if (model_.candidate[k].surface != surface) continue;
+    const Lane normal = max0(register_.normal.get(k));
+    const auto node = 3 * static_cast<std::size_t>(model_.candidate[k].node);
+    force += normal;
+    for (std::size_t t = 0; t < 2; ++t)
+      moved[t] += normal * end.u.get(node + static_cast<std::size_t>(tangents[t]));
+  }
+  std::array<Stretch, 2> reach;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const Lane mean = moved[t] / max(force, Lane(kLeastForce_N));
+    const Stretch there = surfaces_.reach(surface, end.next, t);
+    reach[t] = {there.low - mean, there.high - mean};
+  }
+  const Mask carrying = running & (force > Lane(0.0));
+  const Lane largest = window_[at].largest_Pa(register_.normal, reach, carrying);
+  patch_pressure_ = max(patch_pressure_, select(carrying, largest, Lane(0.0)));
 }
 
 Lane ContactLanes::lowest_place_m(int surface, const LaneArray& given) const {
@@ -79,10 +121,18 @@ Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   for (int lane = 0; lane < kLanes; ++lane) {
     const std::size_t axis = face_axis(surface, lane);
     const PressedFace face{tally_[surface], model_.patch_form[axis], model_.cell_extent_m[axis],
-                           surfaces_[surface]};
+                           surfaces_[surface], !model_.has_places(surface)};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
   }
   return ratio;
+}
+
+std::optional<FacedPlane> ContactLanes::faced_plane(int surface, int lane, const CarrierMotion& now) const {
+  const SurfaceLane& lanes = surfaces_[surface];
+  if (!model_.has_places(surface) || !lanes.present[lane] || lanes.has_rim[lane]) return std::nullopt;
+  const double place_m = carrier_of(surface, now)[static_cast<std::size_t>(normal_axis(surface))].place_m[lane];
+  return FacedPlane{of_lane(places_->normal(surface), lane), place_m,
+                    places_->center_height(surface)[lane] - place_m};
 }
 
 const PatchForm& ContactLanes::patch_form(int surface, int lane) const {

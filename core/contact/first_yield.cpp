@@ -10,6 +10,8 @@ namespace {
 constexpr double kLeastForce = 1e-9;
 /// Along half the pad's side: an edge that is farther than this from that of the face acts in full.
 constexpr double kEdgeReach = 0.25;
+/// Half a surface that ends nowhere near a face.
+constexpr double kWithoutEnd_m = 1e6;
 
 /// One lane's patch.
 struct PressedPatch {
@@ -21,8 +23,8 @@ struct PressedPatch {
   double edge_radius_m, layer_N_m3;
 };
 
-PressedPatch pressed_patch(const SurfaceTally& t, const PatchForm& form, const std::array<double, 2>& extent_m,
-                           const SurfaceLane& surface, int lane) {
+PressedPatch pressed_patch(const PressedFace& face, int lane) {
+  const auto& [t, form, extent_m, surface, ends_within] = face;
   PressedPatch patch{};
   patch.force_N = std::max(t.normal[lane], kLeastForce);
   patch.traction_N = std::sqrt(t.tangent[0][lane] * t.tangent[0][lane] + t.tangent[1][lane] * t.tangent[1][lane]);
@@ -31,8 +33,8 @@ PressedPatch pressed_patch(const SurfaceTally& t, const PatchForm& form, const s
     // The moments of one loaded particle vanish; its force still spreads over its tributary rectangle.
     const double square = t.second[i][lane] / patch.force_N - patch.middle_m[i] * patch.middle_m[i];
     patch.spread_m2[i] = std::max(square, extent_m[i] * extent_m[i] / 12.0);
-    patch.offset_m[i] = surface.center_m[i][lane] - form.middle_m[i];
-    patch.half_pad_m[i] = 0.5 * surface.size_m[i][lane];
+    patch.offset_m[i] = ends_within ? surface.center_m[i][lane] - form.middle_m[i] : 0.0;
+    patch.half_pad_m[i] = ends_within ? 0.5 * surface.size_m[i][lane] : kWithoutEnd_m;
   }
   patch.spread_m2[2] = t.second[2][lane] / patch.force_N - patch.middle_m[0] * patch.middle_m[1];
   patch.edge_radius_m = surface.edge_radius_m[lane];
@@ -133,7 +135,7 @@ double stress_Pa(const PressedPatch& p, const PatchForm& form, const std::array<
 
 double yield_ratio(const PressedFace& face, double layer_N_m3, double yield_stress_Pa, int lane) {
   if (!(face.tally.normal[lane] > kLeastForce)) return 0.0;
-  PressedPatch patch = pressed_patch(face.tally, face.form, face.extent_m, face.surface, lane);
+  PressedPatch patch = pressed_patch(face, lane);
   patch.layer_N_m3 = layer_N_m3;
   const double dragged = face.form.traction.at(patch.traction_N / patch.force_N);
   return dragged * stress_Pa(patch, face.form, face.extent_m) / yield_stress_Pa;

@@ -15,6 +15,7 @@ struct PressedFace {
   const PatchForm& form;
   const std::array<double, 2>& extent_m;  ///< of a contact's cell, along the tangents
   const SurfaceLane& surface;
+  bool ends_within = true;  ///< may the surface end within the face, as a pad does?
 };
 
 /// Largest von Mises stress below a surface's patch over the yield stress, in one lane: of its mean pressure,

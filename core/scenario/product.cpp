@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include "core/scenario/true_shape.hpp"
+
 namespace unbruised {
 namespace {
 
 std::optional<std::array<double, 3>> extents_of(const LatticeParameters& p) { return p.size_m; }
 std::optional<std::array<double, 3>> extents_of(const NetworkParameters&) { return std::nullopt; }
+
+std::optional<double> reach_of(const LatticeParameters& p, const std::array<double, 3>& direction) {
+  return TrueShape(p).reach_m(direction);
+}
+std::optional<double> reach_of(const NetworkParameters&, const std::array<double, 3>&) { return std::nullopt; }
 
 std::optional<double> yield_stress_of(const LatticeParameters& p) { return p.yield_stress_Pa; }
 std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nullopt; }
@@ -35,6 +42,10 @@ double product_friction(const ProductParameters& product) {
 
 std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return extents_of(kind); }, product);
+}
+
+std::optional<double> shape_reach_m(const ProductParameters& product, const std::array<double, 3>& direction) {
+  return std::visit([&](const auto& kind) { return reach_of(kind, direction); }, product);
 }
 
 std::optional<double> yield_stress_Pa(const ProductParameters& product) {

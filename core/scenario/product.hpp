@@ -17,6 +17,9 @@ double product_friction(const ProductParameters& product);
 /// Full extents of its true shape along x, y, z [m]; none: it has no shape.
 std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product);
 
+/// How far its true shape reaches from its middle along a unit vector [m]; none: it has no shape.
+std::optional<double> shape_reach_m(const ProductParameters& product, const std::array<double, 3>& direction);
+
 /// Yield stress of its material [Pa]; none: it stays elastic, or has springs for a material.
 std::optional<double> yield_stress_Pa(const ProductParameters& product);
 

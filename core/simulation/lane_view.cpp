@@ -7,13 +7,18 @@
 #include "core/body/rigid_motion.hpp"
 #include "core/lanes/lane_rotation.hpp"
 #include "core/outcome/damage_limits.hpp"
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 namespace {
 
 /// Cells with more accumulated plastic strain than this count as bruised where no limit is set.
 constexpr double kBruisedStrain = 0.01;
+/// Of the smallest extent, by which the true surface may lie below the lowest of the places that can touch: places
+/// of the poles are that near to each other.
+constexpr double kLargestGap = 0.005;
 
 /// From the axes of the palm to x, y, z, where the palm is turned.
 void turn_by_palm(const CarrierMotion& carriers, int lane, std::array<double, 3>& force_N) {
@@ -108,6 +113,21 @@ double LaneView::lean_in_grip_rad(int lane, const Scenario& scenario) const {
   const LaneRotation back = rotation_by(Lane(-1.0) * carriers.palm_rotation_rad);
   const LaneVector axis = (back * frame->attitude()).axis;
   return 2.0 * std::asin(std::min(1.0, std::hypot(axis[1][lane], axis[2][lane])));
+}
+
+bool LaneView::sinks_through(int lane, const Scenario& scenario) const {
+  if (contact_set(scenario) != ContactSet::six_sides) return false;
+  for (int surface = kSupport; surface < model.contact.surface_count; ++surface) {
+    const std::optional<FacedPlane> plane = contact.faced_plane(surface, lane, carriers);
+    if (!plane) continue;
+    const std::array<double, 3> down = {-plane->normal[0], -plane->normal[1], -plane->normal[2]};
+    const double reach_m = shape_reach_m(scenario.product, down).value_or(0.0);
+    const double lowest_m = plane->center_m - reach_m;
+    if (!(plane->center_m > 0.0) || lowest_m > 0.0) continue;  // behind it, or clear of it
+    const double left_m = contact.lowest_place_m(surface, body.u())[lane] - plane->place_m - lowest_m;
+    if (left_m > kLargestGap * model.body.smallest_extent_m()) return true;
+  }
+  return false;
 }
 
 TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {

@@ -31,6 +31,8 @@ struct LaneView {
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// Angle between the grip axis and what of a product that turns lay along it; 0 for one that stays upright.
   [[nodiscard]] double lean_in_grip_rad(int lane, const Scenario& scenario) const;
+  /// Does the product reach through a plane with places that its contact set leaves out?
+  [[nodiscard]] bool sinks_through(int lane, const Scenario& scenario) const;
   /// The signals of a trace that are read from the state.
   [[nodiscard]] TraceRow trace_row(int lane, const Scenario& scenario, double time_s) const;
   /// What the present load of each surface leaves below its patch.

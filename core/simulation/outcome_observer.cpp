@@ -58,6 +58,9 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   if (view.contact.meets_rim()[step.lane]) {
     return "the product meets the rim of a [[cell.surface]], which is touched on its face only";
   }
+  if (view.sinks_through(step.lane, step.scenario)) {
+    return "the product meets the cell with places that simulation.contact_set = \"six sides\" leaves out";
+  }
   return std::nullopt;
 }
 

@@ -107,6 +107,19 @@ TEST(WholeSurface, LandsOnAnotherFaceAndRests) {
   }
 }
 
+// Between its poles a ball of six sides has nothing to roll on.
+TEST(WholeSurface, SaysWhereSixSidesAreTooFew) {
+  Scenario scenario = roller(Shape::sphere, 0.0);
+  auto& ball = std::get<LatticeParameters>(scenario.product);
+  scenario.simulation.contact_set = ContactSet::six_sides;
+  scenario.simulation.duration_s = 0.2;
+  EXPECT_EQ(run(scenario).outcome, Outcome::held);
+  ball.initial_rotation_rad = {-0.6755, 0.6755, 0.0};  // down with a corner of the cube around it
+  const ScenarioResult result = run(scenario);
+  EXPECT_EQ(result.outcome, Outcome::out_of_range);
+  EXPECT_NE(result.cause.find("six sides"), std::string::npos) << result.cause;
+}
+
 // A contact of some milliseconds loses energy to the step; the loss falls with it.
 TEST(WholeSurface, LosesLessEnergyAtShorterSteps) {
   double before = 1.0;

@@ -85,6 +85,8 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       view{parts, body, *material, contact, gripper, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
+  const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
+  for (CarrierMotion* motion : {&now, &theta, &next}) motion->listed.resize(listed);
 }
 
 void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {

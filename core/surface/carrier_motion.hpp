@@ -5,9 +5,9 @@
 /// because a viscous layer answers to the velocity and the integration extrapolates with the acceleration.
 
 #include <array>
+#include <vector>
 
 #include "core/lanes/lane_vector.hpp"
-#include "core/scenario/cell_surface.hpp"
 
 namespace unbruised {
 
@@ -27,7 +27,7 @@ inline void set_motion(AxisMotion& motion, int lane, const std::array<double, 3>
 /// cell the support. A surface that the cell lists is a carrier by itself, along its own axes.
 struct CarrierMotion {
   std::array<AxisMotion, 3> palm, cell;
-  std::array<std::array<AxisMotion, 3>, kMostCellSurfaces> listed;
+  std::vector<std::array<AxisMotion, 3>> listed;  ///< as many as the cells of the lanes list
   /// Of the palm, which turns about the centre of the pads, from upright; the other two along x, y, z.
   LaneVector palm_rotation_rad, palm_spin_rad_s, palm_spin_acceleration_rad_s2;
 };

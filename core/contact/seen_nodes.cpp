@@ -1,5 +1,7 @@
 #include "core/contact/seen_nodes.hpp"
 
+#include <algorithm>
+
 #include "core/door/require.hpp"
 #include "core/lanes/lane_rotation.hpp"
 
@@ -17,6 +19,11 @@ SeenNodes::SeenNodes(const ContactModel& model, const BodyModel& body)
   for (SeenMotion& seen : seen_) {
     for (LaneArray* rows : {&seen.u, &seen.v, &seen.a, &seen.u_theta}) *rows = LaneArray(3 * body.particle_count);
     seen.base = LaneArray(3 * model.node_count());
+  }
+  for (std::size_t i = 0; i < model.node_count(); ++i) {
+    const auto first = model.candidate.begin() + model.first_candidate[i];
+    const auto last = model.candidate.begin() + model.first_candidate[i + 1];
+    if (std::any_of(first, last, [](const ContactCandidate& c) { return c.place < 0; })) side_node_.push_back(i);
   }
 }
 
@@ -55,8 +62,8 @@ void SeenNodes::see_rates(const FrameLanes& frame, const StateRows& state, const
   A = back * A;
   const LaneVector Omega = back * now.palm_spin_rad_s, Omega_rate = back * now.palm_spin_acceleration_rad_s2;
   SeenMotion &palm = seen_[kPalm], &cell = seen_[kCell];
-  for (const int node : model_.node) {
-    const auto p = static_cast<std::size_t>(node);
+  for (const std::size_t i : side_node_) {
+    const auto p = static_cast<std::size_t>(model_.node[i]);
     const LaneVector X = to_lanes(frame.rest_place_m(p)), u = get_vector(state.u, p), v = get_vector(state.v, p),
                      a = get_vector(state.a, p);
     put_vector(cell.u, p, axes[kCell].displacement(X, u));
@@ -74,7 +81,7 @@ void SeenNodes::see_rates(const FrameLanes& frame, const StateRows& state, const
 
 void SeenNodes::see_base(const FrameLanes& frame, const LaneArray& base) {
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (std::size_t i = 0; i < model_.node_count(); ++i) {
+    for (const std::size_t i : side_node_) {
       put_vector(seen_[c].base, i, axes_theta_[c].displacement(rest_place_m(frame, i), get_vector(base, i)));
     }
   }
@@ -82,7 +89,7 @@ void SeenNodes::see_base(const FrameLanes& frame, const LaneArray& base) {
 
 void SeenNodes::see_theta(const FrameLanes& frame, const LaneArray& u_theta) {
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (std::size_t i = 0; i < model_.node_count(); ++i) {
+    for (const std::size_t i : side_node_) {
       const auto p = static_cast<std::size_t>(model_.node[i]);
       put_vector(seen_[c].u_theta, p, axes_theta_[c].displacement(rest_place_m(frame, i), get_vector(u_theta, p)));
     }
@@ -92,7 +99,7 @@ void SeenNodes::see_theta(const FrameLanes& frame, const LaneArray& u_theta) {
 void SeenNodes::see_end(const FrameLanes& frame, const LaneArray& u, const CarrierMotion& there) {
   const auto axes = axes_of(frame, there);
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (std::size_t i = 0; i < model_.node_count(); ++i) {
+    for (const std::size_t i : side_node_) {
       const auto p = static_cast<std::size_t>(model_.node[i]);
       put_vector(seen_[c].u, p, axes[c].displacement(rest_place_m(frame, i), get_vector(u, p)));
     }

@@ -77,6 +77,8 @@ class SeenNodes {
                  const std::array<CarrierAxes, kCarrierCount>& axes);
 
   const ContactModel& model_;
+  std::vector<std::size_t>
+      side_node_;  ///< contact nodes with a candidate of a side; places are seen by themselves
   std::array<double, 3> center_of_mass_m_;
   LaneVector lever_;  ///< from the centre of the pads to the centre of mass at rest
   std::array<SeenMotion, kCarrierCount> seen_;

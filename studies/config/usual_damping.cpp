@@ -7,6 +7,7 @@ namespace unbruised::studies {
 void give_usual_layer_damping(Scenario& scenario) {
   if (!std::holds_alternative<LatticeParameters>(scenario.product)) return;
   scenario.cell.support_relaxation_time_s = kUsualRelaxationTime_s;
+  for (CellSurfaceParameters& surface : scenario.cell.surface) surface.relaxation_time_s = kUsualRelaxationTime_s;
   if (auto* jaw = parallel_jaw(scenario)) jaw->pad_relaxation_time_s = kUsualRelaxationTime_s;
 }
 

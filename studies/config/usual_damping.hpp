@@ -2,8 +2,8 @@
 
 /// @file
 /// The damping of what a study leaves open. Nothing real bounces for ever, and what does halves a grip window; so
-/// lattice products, pads and supports lose energy unless a study says 0. Networks are written out one by one and
-/// stay as written.
+/// lattice products, pads, supports and listed surfaces lose energy unless a study says 0. Networks are written
+/// out one by one and stay as written.
 
 #include "core/scenario/scenario.hpp"
 
@@ -18,7 +18,7 @@ inline constexpr double kUsualLossFrequency_Hz = 50.0;
 /// The same as a relaxation time, loss_ratio / (2 pi frequency), rounded.
 inline constexpr double kUsualRelaxationTime_s = 6.4e-4;
 
-/// To pads and support of a lattice product; before the study's own values are written.
+/// To pads, support and listed surfaces of a lattice product; before the study's own values are written.
 void give_usual_layer_damping(Scenario& scenario);
 /// To a lattice product that has no damping at all, not even 0; after they are.
 void give_usual_product_damping(Scenario& scenario);

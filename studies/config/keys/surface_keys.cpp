@@ -49,7 +49,7 @@ Table surface_keys() {
        .field = surface<&S::thickness_m>},
       {.path = "cell.surface[].relaxation_time_s",
        .type = number,
-       .meaning = "Relaxation time of that layer; 0: it bounces for ever.",
+       .meaning = "Relaxation time of that layer; 0: it bounces for ever. The default is the support's.",
        .use = use,
        .field = surface<&S::relaxation_time_s>},
       {.path = "cell.surface[].path_time_s",

@@ -15,7 +15,11 @@ using testing::study_of;
 LatticeParameters product_of(const Study& study) { return std::get<LatticeParameters>(study.scenario(0).product); }
 
 TEST(UsualDamping, IsGivenWhereAStudySaysNothing) {
-  const Study study = study_of(gripped_block("simulate"));
+  const Study study = study_of(gripped_block("simulate") +
+                               "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\n[[cell.surface]]\n"
+                               "center_m = [0.0, 0.0, -0.6]\nrelaxation_time_s = 0.0\n");
+  EXPECT_EQ(study.scenario(0).cell.surface[0].relaxation_time_s, kUsualRelaxationTime_s);
+  EXPECT_EQ(study.scenario(0).cell.surface[1].relaxation_time_s, 0.0);
   EXPECT_EQ(product_of(study).loss_ratio, kUsualLossRatio);
   EXPECT_EQ(product_of(study).at_frequency_Hz, kUsualLossFrequency_Hz);
   EXPECT_EQ(jaw_of(study.scenario(0)).pad_relaxation_time_s, kUsualRelaxationTime_s);

@@ -37,8 +37,7 @@ void launch_solid(const LatticeParameters& product, const BodyModel& body, BodyS
   BodyState launched{zero, zero, zero, product.initial_rotation_rad};
   const Attitude attitude = attitude_of(product.initial_rotation_rad), back = inverse(attitude);
   const bool is_turned = product.initial_rotation_rad != std::array<double, 3>{};
-  add_steady_spin(body, is_turned ? turned(back, product.initial_spin_rad_s) : product.initial_spin_rad_s,
-                  launched);
+  add_steady_spin(body, turned(back, product.initial_spin_rad_s), launched);
   if (is_turned) turn(attitude, body, launched);
   const double below_center_m = TrueShape(product).reach_m(turned(back, {0.0, 0.0, -1.0}));
   const double lift_m = product.initial_height_m + below_center_m - body.center_m()[2];

@@ -336,8 +336,7 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
         place, select(step.closed, register_.normal_theta.get(c), Lane(0.0)), step.moved);
   }
   if (model_.candidate[c].place >= 0) {
-    sums.add_place(step.after[0], place_on_face(model_.candidate[c]),
-                   model_.place[static_cast<std::size_t>(model_.candidate[c].place)].extent_m);
+    sums.add_place(step.after[0], place_on_face(model_.candidate[c]), model_.candidate[c].tributary[0].extent_m);
     return;
   }
   sums.add_moments(model_.candidate[c], step.after[0],

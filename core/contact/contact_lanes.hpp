@@ -172,8 +172,7 @@ class ContactLanes {
   [[nodiscard]] std::array<CoveredPiece, 2> covered_place(const ContactCandidate& candidate,
                                                           const LaneVector& displacement,
                                                           const CarrierMotion& now) const;
-  Mask comes_from_beside(std::size_t candidate, const Meeting& meeting, const LaneVector& displacement,
-                         const CarrierMotion& now);
+  Mask comes_from_beside(std::size_t candidate, const Meeting& meeting, const std::array<CoveredPiece, 2>& piece);
   void set_cover(std::size_t candidate, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
   void carry_open_anchors(const Ends& ends, const Mask& running);
   void end_candidate(std::size_t candidate, const ContactEnd& end, const Mask& running);
@@ -192,10 +191,10 @@ class ContactLanes {
   }
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
   void measure_place_windows(int surface, const Mask& running);
-  /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
   [[nodiscard]] Lane lowest_seen_place_m(int surface, const LaneArray& u) const;
   /// The axis across which the face of the product lies that a surface meets.
   [[nodiscard]] std::size_t face_axis(int surface, int lane) const;
+  /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
   [[nodiscard]] Lane layer_under_force_N_m3(int surface) const;
 
   const ContactModel& model_;

@@ -196,8 +196,7 @@ void add_places(const LatticeParameters& parameters, const Lattice& lattice, con
     for (std::size_t d = 0; d < 3; ++d) arm.arm_m[d] = place.place_m[d] - particle_m[d];
     for (std::size_t t = 0; t < 2; ++t) {
       const auto along = static_cast<std::size_t>(tangent_axes(kSupport)[t]);
-      arm.extent_m[t] = std::sqrt(place.area_m2);
-      candidate.tributary[t] = {place.place_m[along], arm.extent_m[t], false, {2, 2}};
+      candidate.tributary[t] = {place.place_m[along], std::sqrt(place.area_m2), false, {2, 2}};
     }
     if (place.curved) candidate.cell_compliance_m_Pa = cell_m_Pa;
     contact.place.push_back(arm);
@@ -285,9 +284,9 @@ void give_arms(const BodyModel& body, const WilsonTheta& wilson, ContactModel& c
   };
   const Matrix turn = Eigen::Map<const Matrix>(body.inverse_inertia.data()) / wilson.a0;
   std::copy_n(turn.data(), 9, contact.turn_per_moment.begin());
-  contact.place_radius_m.assign(contact.node_count(), std::nullopt);
+  contact.place_radius_m.assign(contact.node_count(), 0.0);
   for (const ContactCandidate& candidate : contact.candidate) {
-    if (candidate.place < 0) continue;
+    if (candidate.place < 0 || candidate.surface != kSupport) continue;  // each place once
     PlaceArm& place = contact.place[static_cast<std::size_t>(candidate.place)];
     const auto& particle_m = body.position_m[static_cast<std::size_t>(candidate.node)];
     std::array<double, 3> X{};
@@ -297,8 +296,8 @@ void give_arms(const BodyModel& body, const WilsonTheta& wilson, ContactModel& c
       place.from_mass_m[d] = X[d] + place.arm_m[d];
       square += place.arm_m[d] * place.arm_m[d];
     }
-    std::optional<double>& radius = contact.place_radius_m[static_cast<std::size_t>(candidate.contact_node)];
-    radius = std::max(radius.value_or(0.0), std::sqrt(square));
+    double& radius = contact.place_radius_m[static_cast<std::size_t>(candidate.contact_node)];
+    radius = std::max(radius, std::sqrt(square));
     const Matrix o = cross_matrix(place.arm_m), x = cross_matrix(X);
     const std::size_t own = 9 * static_cast<std::size_t>(candidate.contact_node) * (contact.node_count() + 1);
     const Matrix W = Eigen::Map<const Matrix>(contact.compliance.data() + own) - o * turn * (x + o) - x * turn * o;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "core/body/body_model.hpp"
@@ -39,8 +38,8 @@ struct ContactCandidate {
   double cell_compliance_m_Pa = 0;
   /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
   std::array<double, 2> edge_compliance_m_Pa{};
-  int place =
-      -1;  ///< index into ContactModel::place; -1: the particle meets the surface with the side that faces it
+  /// Index into ContactModel::place; -1: the particle meets the surface with the side that faces it.
+  int place = -1;
 };
 
 /// One place of the true surface, which turns with the product.
@@ -48,7 +47,6 @@ struct PlaceArm {
   std::array<double, 3> arm_m{};        ///< from the particle that carries it
   std::array<double, 3> from_mass_m{};  ///< from the centre of mass
   std::array<double, 3> outward{};
-  std::array<double, 2> extent_m{};    ///< of the piece of surface around it
   std::array<double, 9> compliance{};  ///< of the place: how far it moves per force on it [m/N], row-major
 };
 
@@ -93,8 +91,7 @@ struct ContactModel {
   std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface
   double patch_side_m = 0;                       ///< of the square over which pressure is averaged
   int surface_count = kFirstCellSurface;
-  /// Farthest place of a contact node from it [m]; of one without places none.
-  std::vector<std::optional<double>> place_radius_m;
+  std::vector<double> place_radius_m;  ///< farthest place of a contact node from it; 0 without places
   /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
   std::array<double, 9> turn_per_moment{};
 

@@ -42,7 +42,7 @@ class ContactSweep {
   void prepare(std::size_t candidate, const Lane& viscous);
   /// Lists the nodes with something near, once every candidate's `near` is known.
   /// @param asleep candidates that are not, where it is not empty
-  void list_active(const Mask& running, std::span<const char> asleep = {});
+  void list_active(const Mask& running, std::span<const char> asleep);
 
   /// Starts from the present forces over a motion without them.
   void rebase(const FreeMotion& free, const Mask& lanes);

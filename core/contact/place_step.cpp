@@ -49,7 +49,7 @@ bool ContactLanes::is_far(std::size_t node, int surface, const ContactStart& sta
   const Lane height = Lane(body_.position_m[static_cast<std::size_t>(model_.node[node])][axis]) + seen[axis] -
                       place_free_[surface];
   // A body that turns within the step turns the arms, by less than twice their length.
-  return none(surfaces_[surface].present & (height < near_margin_ + Lane(2.0 * *model_.place_radius_m[node])));
+  return none(surfaces_[surface].present & (height < near_margin_ + Lane(2.0 * model_.place_radius_m[node])));
 }
 
 /// Is this place?
@@ -84,21 +84,21 @@ void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Ma
   }
   // What lies deeper than the layer is thick stands behind the surface.
   const Mask in_front = meeting.gap_now > -surfaces_[surface].thickness_m;
-  const Mask beside = comes_from_beside(c, meeting, seen.displacement, start.now) & running;
+  const std::array<CoveredPiece, 2> piece = covered_place(candidate, seen.displacement, start.now);
+  const Mask beside = comes_from_beside(c, meeting, piece) & running;
   const Mask meets = may_meet(c, meeting, running) & (in_front | !open) & !beside;
   const Mask moves = meets & (open | register_.sliding.get(c));
-  if (any(moves)) set_cover(c, covered_place(candidate, seen.displacement, start.now), moves);
+  if (any(moves)) set_cover(c, piece, moves);
   take_in(c, meeting, meets, running);
 }
 
 /// Is an open place behind a rectangle that it has not been over? Then it has come round the rim; where the middle
 /// of the product stands before the surface, that is noted.
-Mask ContactLanes::comes_from_beside(std::size_t c, const Meeting& meeting, const LaneVector& displacement,
-                                     const CarrierMotion& now) {
+Mask ContactLanes::comes_from_beside(std::size_t c, const Meeting& meeting,
+                                     const std::array<CoveredPiece, 2>& piece) {
   const ContactCandidate& candidate = model_.candidate[c];
   const SurfaceLane& surface = surfaces_[candidate.surface];
   if (none(surface.has_rim)) return Mask(false);
-  const std::array<CoveredPiece, 2> piece = covered_place(candidate, displacement, now);
   const Mask within = piece[0].share * piece[1].share > Lane(0.0);
   const Mask behind = meeting.gap_now < -near_margin_;
   const Mask closed = register_.is_closed(c);
@@ -115,14 +115,13 @@ std::array<CoveredPiece, 2> ContactLanes::covered_place(const ContactCandidate& 
                                                         const LaneVector& displacement,
                                                         const CarrierMotion& now) const {
   const SurfaceLane& surface = surfaces_[candidate.surface];
-  const PlaceArm& place = model_.place[static_cast<std::size_t>(candidate.place)];
   std::array<CoveredPiece, 2> piece;
   piece[0].share = places_->facing(candidate);
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangent_axes(candidate.surface)[t]);
     const Lane there = Lane(candidate.tributary[t].place_m) + displacement[along] -
                        carrier_of(candidate.surface, now)[along].place_m;
-    piece[t].share *= share_within(there, surface.size_m[t], place.extent_m[t]);
+    piece[t].share *= share_within(there, surface.size_m[t], candidate.tributary[t].extent_m);
   }
   return piece;
 }

@@ -72,11 +72,10 @@ void SurfaceTally::add_moments(const ContactCandidate& candidate, const Lane& no
   second[2] += normal_force * product;
 }
 
-void SurfaceTally::add_place(const Lane& normal_force, const std::array<Lane, 2>& at,
-                             const std::array<double, 2>& extent_m) {
+void SurfaceTally::add_place(const Lane& normal_force, const std::array<Lane, 2>& at, double extent_m) {
   for (std::size_t t = 0; t < 2; ++t) {
     first[t] += normal_force * at[t];
-    second[t] += normal_force * (at[t] * at[t] + Lane(extent_m[t] * extent_m[t] / 12.0));
+    second[t] += normal_force * (at[t] * at[t] + Lane(extent_m * extent_m / 12.0));
   }
   second[2] += normal_force * at[0] * at[1];
 }

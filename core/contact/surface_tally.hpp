@@ -38,7 +38,7 @@ struct SurfaceTally {
   /// Adds the moments of one candidate's normal force over the plane.
   void add_moments(const ContactCandidate& candidate, const Lane& normal_force, const PressedPiece& piece);
   /// Adds the normal force of a place of the true surface. @param at on the face @param extent_m of its piece
-  void add_place(const Lane& normal_force, const std::array<Lane, 2>& at, const std::array<double, 2>& extent_m);
+  void add_place(const Lane& normal_force, const std::array<Lane, 2>& at, double extent_m);
   /// Adds the torque of a force on the product about the point its arm is measured from.
   void add_torque(const std::array<Lane, 3>& arm, const std::array<Lane, 3>& force, const Mask& running);
 };

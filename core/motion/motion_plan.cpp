@@ -7,6 +7,7 @@
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/vectors.hpp"
 
 namespace unbruised {
 namespace {
@@ -14,13 +15,11 @@ namespace {
 /// An emergency stop is watched for so long after the palm has come to rest.
 constexpr double kStopWatch_s = 0.3;
 
-double size(const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2]); }
-
 /// Brakes place and rate along their rate, to rest and no further.
 void brake(double time_s, double deceleration, std::array<double, 3>& place, std::array<double, 3>& rate,
            std::array<double, 3>& change) {
   change = {};
-  const double speed = size(rate);
+  const double speed = length(rate);
   if (!(speed > 0.0)) return;
   const double braking_s = std::min(time_s, speed / deceleration);
   const double way = braking_s * (speed - 0.5 * deceleration * braking_s);
@@ -151,8 +150,8 @@ void MotionPlan::stop(double time_s, double deceleration_m_s2) {
                           &transfer_end_s_, &lower_end_s_, &release_start_s_, &release_end_s_}) {
     if (*event_s > time_s) *event_s = kNever;
   }
-  const double braking_s = std::max(size(stopped_.velocity_m_s) / deceleration_m_s2,
-                                    size(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2);
+  const double braking_s = std::max(length(stopped_.velocity_m_s) / deceleration_m_s2,
+                                    length(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2);
   end_s_ = time_s + braking_s + kStopWatch_s;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scenario/vectors.hpp"
+
 namespace unbruised {
 namespace {
-
-double size(const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2]); }
 
 std::array<double, 3> times(double factor, std::array<double, 3> x) {
   for (double& component : x) component *= factor;
@@ -41,7 +41,7 @@ PalmPath::PalmPath(const PalmStop& from, const std::vector<PalmStop>& stops, Pro
             between(last.place_m, stop.place_m),
             rotation_to(stop.attitude * inverse(last.attitude)),
             {}};
-    leg.share = share_profile(profile, size(leg.way_m), size(leg.turn_rad), m, rad);
+    leg.share = share_profile(profile, length(leg.way_m), length(leg.turn_rad), m, rad);
     duration_s_ += leg.share.duration_s() + stop.wait_s;
     legs_.push_back(std::move(leg));
     last = stop;

@@ -146,8 +146,7 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "waypoint"},
     {Metric::angular_impulse_balance_error, "angular_impulse_balance_error", "angular impulse balance error", "1",
      "|change of angular momentum - sum of moment x dt| / (its size at the start + sum of |moment| x dt), about "
-     "the "
-     "centre of mass of a product that may turn"},
+     "the centre of mass of a product that may turn"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scenario/vectors.hpp"
+
 namespace unbruised {
 namespace {
 
 /// w of half a turn is the cosine of 1.5708, -4e-6, where it is written with five digits: still no way round the
 /// other side.
 constexpr double kHalfTurnRoom = -1e-5;
-
-double length(const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2]); }
-
-std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 }  // namespace
 

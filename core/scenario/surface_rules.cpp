@@ -7,6 +7,7 @@
 #include "core/scenario/product.hpp"
 #include "core/scenario/rule_tables.hpp"
 #include "core/scenario/true_shape.hpp"
+#include "core/scenario/vectors.hpp"
 #include "core/scenario/words.hpp"
 
 namespace unbruised {
@@ -31,7 +32,7 @@ void surfaces_of_a_solid(const Scenario& s, Violations& out) {
 void normals_point_somewhere(const Scenario& s, Violations& out) {
   for (std::size_t i = 0; i < s.cell.surface.size(); ++i) {
     const auto& n = s.cell.surface[i].normal;
-    if (n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > 0.0) continue;
+    if (dot(n, n) > 0.0) continue;
     out.push_back({path_of(i, "normal"), "[0.0, 0.0, 0.0]",
                    "must not be zero: it points to the side on which the surface is touched"});
   }
@@ -66,10 +67,6 @@ struct Standing {
   }
 };
 
-double along(const std::array<double, 3>& axis, const std::array<double, 3>& vector) {
-  return axis[0] * vector[0] + axis[1] * vector[1] + axis[2] * vector[2];
-}
-
 /// Does the product stand partly before and partly behind a surface?
 bool stands_in(const CellSurfaceParameters& surface, const Standing& product) {
   constexpr double kRounding_m = 1e-9;
@@ -77,10 +74,10 @@ bool stands_in(const CellSurfaceParameters& surface, const Standing& product) {
   std::array<double, 3> way{};
   for (std::size_t d = 0; d < 3; ++d) way[d] = product.center_m[d] - surface.center_m[d];
   for (std::size_t t = 0; t < 2 && surface.size_m; ++t) {
-    if (std::abs(along(axes[t], way)) >= 0.5 * (*surface.size_m)[t] + product.reach_m(axes[t])) return false;
+    if (std::abs(dot(axes[t], way)) >= 0.5 * (*surface.size_m)[t] + product.reach_m(axes[t])) return false;
   }
   const double reach_m = product.reach_m(axes[2]) - kRounding_m;  // all shapes are alike to both sides
-  return std::abs(along(axes[2], way)) < reach_m;
+  return std::abs(dot(axes[2], way)) < reach_m;
 }
 
 void surfaces_clear_of_product(const Scenario& s, Violations& out) {
@@ -89,7 +86,7 @@ void surfaces_clear_of_product(const Scenario& s, Violations& out) {
   const Standing product(*p);
   for (std::size_t i = 0; i < s.cell.surface.size(); ++i) {
     const auto& n = s.cell.surface[i].normal;
-    if (along(n, n) == 0.0 || !stands_in(s.cell.surface[i], product)) continue;
+    if (dot(n, n) == 0.0 || !stands_in(s.cell.surface[i], product)) continue;
     out.push_back({path_of(i, "center_m"), "",
                    "puts the surface into the product, which stands on both sides of it at the start"});
   }

@@ -6,6 +6,7 @@
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/rule_tables.hpp"
+#include "core/scenario/vectors.hpp"
 #include "core/scenario/words.hpp"
 
 namespace unbruised {
@@ -17,8 +18,6 @@ using Vector = std::array<double, 3>;
 constexpr int kLooks = 32;
 /// By which the length of a quaternion may differ from 1.
 constexpr double kUnitRoom = 1e-6;
-
-double length(const Vector& x) { return std::hypot(x[0], x[1], x[2]); }
 
 std::string waypoint_key(std::size_t i, std::string_view leaf) {
   return "strategy.waypoint[" + std::to_string(i) + "]." + std::string(leaf);

@@ -4,6 +4,7 @@
 
 #include "core/lanes/lane_rotation.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/vectors.hpp"
 
 namespace unbruised {
 namespace {
@@ -22,10 +23,6 @@ struct PadLoad {
   }
 };
 
-double length(const std::array<double, 3>& vector) {
-  return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
-}
-
 /// Of the particles about their centre of mass [kg m2/s].
 std::array<double, 3> angular_momentum(const BodyModel& body, const BodyState& state) {
   std::array<double, 3> center_m{}, sum{};
@@ -39,10 +36,8 @@ std::array<double, 3> angular_momentum(const BodyModel& body, const BodyState& s
       y[d] = body.position_m[p][d] + state.displacement_m[3 * p + d] - center_m[d];
       v[d] = state.velocity_m_s[3 * p + d];
     }
-    for (std::size_t d = 0; d < 3; ++d) {
-      const std::size_t j = (d + 1) % 3, k = (d + 2) % 3;
-      sum[d] += body.mass_kg[p] * (y[j] * v[k] - y[k] * v[j]);
-    }
+    const std::array<double, 3> moment = cross(y, v);
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += body.mass_kg[p] * moment[d];
   }
   return sum;
 }

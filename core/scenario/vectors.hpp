@@ -1,0 +1,21 @@
+#pragma once
+
+/// @file
+/// Plain vectors along x, y, z; those of all lanes at once are in lanes/lane_vector.hpp.
+
+#include <array>
+#include <cmath>
+
+namespace unbruised {
+
+inline double length(const std::array<double, 3>& x) { return std::hypot(x[0], x[1], x[2]); }
+
+inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace unbruised

@@ -26,6 +26,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       w_(wilson),
       near_margin_(kNearShare * body.smallest_extent_m()),
       register_(model),
+      mounted_(model),
       sweep_(model, surfaces_, register_),
       window_(windows_over(model)),
       place_windows_(model.patch_side_m) {
@@ -112,7 +113,9 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   }
   frame_ = given.frame;
   const Eyes eyes = frame_ == nullptr ? Eyes{} : Eyes{frame_, &*seen_, places_ ? &*places_ : nullptr};
-  sweep_.begin_step(w_, start.theta, eyes);
+  mounted_now_ = given.mount != nullptr;
+  if (mounted_now_) mounted_.begin_step(*given.mount);
+  sweep_.begin_step(w_, start.theta, eyes, mounted_now_ ? &mounted_ : nullptr);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const ContactCandidate& candidate = model_.candidate[c];
     if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
@@ -133,15 +136,39 @@ void ContactLanes::meet_side(std::size_t c, const ContactStart& start, const Mas
   const auto free = 3 * static_cast<std::size_t>(candidate.contact_node);
   const Lane sign(normal_sign(surface));
   const Lane rest(candidate.surface_m);
-  const Meeting meeting{sign * (rest + start.u.get(node + axis) - motion_[surface].place_m),
-                        sign * (rest + start.free.displacement.get(free + axis) - place_free_[surface]),
-                        -sign * (start.v.get(node + axis) - motion_[surface].velocity_m_s),
-                        -sign * (start.a.get(node + axis) - motion_[surface].acceleration_m_s2)};
+  Meeting meeting{sign * (rest + start.u.get(node + axis) - motion_[surface].place_m),
+                  sign * (rest + start.free.displacement.get(free + axis) - place_free_[surface]),
+                  -sign * (start.v.get(node + axis) - motion_[surface].velocity_m_s),
+                  -sign * (start.a.get(node + axis) - motion_[surface].acceleration_m_s2)};
+  if (start.mount != nullptr) {
+    const auto at = static_cast<std::size_t>(candidate.node);
+    LaneVector place = to_lanes(body_.position_m[at]);
+    place[axis] = rest;
+    for (std::size_t i = 0; i < 3; ++i) {
+      place[i] += start.u.get(node + i) - carrier_of(surface, start.now)[i].place_m;
+    }
+    go_with_mount(c, place, *start.mount, meeting);
+  }
   const Mask meets = may_meet(c, meeting, running);
   // A contact that sticks keeps what it closed with.
   const Mask moves = meets & !(register_.is_closed(c) & !register_.sliding.get(c));
   if (any(moves)) cover_again(c, start, moves);
   take_in(c, meeting, meets, running);
+}
+
+/// Takes in that the surface moves with its mount. @param at_m the candidate's place, from where the carrier
+/// stands
+void ContactLanes::go_with_mount(std::size_t c, const LaneVector& at_m, const MountLanes& mount,
+                                 Meeting& meeting) {
+  const int surface = model_.candidate[c].surface;
+  if (!mounted_.carries(surface)) return;
+  const auto axis = static_cast<std::size_t>(normal_axis(surface));
+  const Lane sign(normal_sign(surface));
+  mounted_.place(c, at_m);
+  meeting.gap_now -= sign * mounted_.along(c, axis, mount.displacement());
+  meeting.gap_free -= sign * mounted_.along(c, axis, mount.free());
+  meeting.rate += sign * mounted_.along(c, axis, mount.velocity());
+  meeting.second_rate += sign * mounted_.along(c, axis, mount.acceleration());
 }
 
 Mask ContactLanes::may_meet(std::size_t c, const Meeting& meeting, const Mask& running) const {
@@ -226,7 +253,8 @@ void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
     std::array<Lane, 2> way;
     for (std::size_t t = 0; t < 2; ++t) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
-      const Lane place = end.u.get(node + axis) - carrier_of(surface, end.next)[axis].place_m;
+      Lane place = end.u.get(node + axis) - carrier_of(surface, end.next)[axis].place_m;
+      if (end.mount != nullptr) place -= mounted_.along(c, axis, end.mount->displacement());
       const Lane before = register_.anchor[t].get(c);
       register_.anchor[t].put(c, select(open, place, before));
       way[t] = place - before;
@@ -282,7 +310,8 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, Candida
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
     const Lane seen = candidate.place < 0 ? end.u_theta.get(node + along) : place_theta_[t].get(c);
-    const Lane place = seen - carrier_of(surface, end.theta)[along].place_m;
+    Lane place = seen - carrier_of(surface, end.theta)[along].place_m;
+    if (end.mount != nullptr) place -= mounted_.along(c, along);
     const Lane before = register_.anchor[t].get(c);
     const Lane stretch = register_.tangent_theta[t].get(c) / shear;
     const Lane after = w_.at_end(before, place + stretch);

@@ -20,6 +20,7 @@
 #include "core/contact/contact_register.hpp"
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layered_face.hpp"
+#include "core/contact/mounted_contacts.hpp"
 #include "core/contact/pad_slip.hpp"
 #include "core/contact/place_windows.hpp"
 #include "core/contact/seen_nodes.hpp"
@@ -46,6 +47,7 @@ struct ContactStart {
   const GripperLanes& gripper;
   const FrameLanes* frame =
       nullptr;  ///< the axes of all these where the product turns, predicted for t + theta dt
+  const MountLanes* mount = nullptr;  ///< null: no surface of any lane is on one
 };
 
 /// Where a contact step has ended.
@@ -54,6 +56,7 @@ struct ContactEnd {
   const LaneArray& u;        ///< at t + dt
   const CarrierMotion& theta;
   const CarrierMotion& next;
+  const MountLanes* mount = nullptr;  ///< at t + dt
 };
 
 /// How a plane stands to a product.
@@ -98,6 +101,8 @@ class ContactLanes {
   [[nodiscard]] const LaneVector* turn_by_arms() const {
     return places_ ? &sweep_.levers().turn_by_arms() : nullptr;
   }
+  /// Of the contacts at t + theta dt on the mounts.
+  [[nodiscard]] LaneSix mount_wrench() const { return mounted_now_ ? mounted_.wrench() : LaneSix{}; }
   /// Takes in where a product that turns has come at t + theta dt, while its frame is still the predicted one.
   void see_theta(const FrameLanes& frame, const LaneArray& u_theta);
   /// Adds what forces on places do by their arms.
@@ -167,6 +172,7 @@ class ContactLanes {
   [[nodiscard]] bool is_far(std::size_t node, int surface, const ContactStart& start) const;
   [[nodiscard]] bool is_far(std::size_t candidate, const ContactStart& start) const;
   void take_in(std::size_t candidate, const Meeting& meeting, const Mask& meets, const Mask& running);
+  void go_with_mount(std::size_t candidate, const LaneVector& at_m, const MountLanes& mount, Meeting& meeting);
   [[nodiscard]] Mask may_meet(std::size_t candidate, const Meeting& meeting, const Mask& running) const;
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
   [[nodiscard]] std::array<CoveredPiece, 2> covered_place(const ContactCandidate& candidate,
@@ -220,6 +226,8 @@ class ContactLanes {
   const FrameLanes* frame_ = nullptr;  ///< of the present step
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
+  MountedContacts mounted_;
+  bool mounted_now_ = false;  ///< is any surface of any lane on a mount, in the present step?
   ContactSweep sweep_;
   std::vector<WindowPressure> window_;  ///< over each surface whose candidates are a side's particles
   PlaceWindows place_windows_;

@@ -33,9 +33,11 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
   if (!model.place.empty()) levers_ = LeverSums(model.turn_per_moment);
 }
 
-void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes) {
+void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes,
+                              MountedContacts* mounted) {
   theta_ = &theta;
   eyes_ = eyes;
+  mounted_ = mounted;
   if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < model_.surface_count; ++s) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
@@ -59,6 +61,10 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
     const std::size_t row = 9 * c;
     compliance = max(own_.get(row + 4 * static_cast<std::size_t>(tangents[0])),
                      own_.get(row + 4 * static_cast<std::size_t>(tangents[1])));
+  }
+  if (mounted_ != nullptr) {
+    compliance += max(mounted_->own_compliance(c, static_cast<std::size_t>(tangents[0])),
+                      mounted_->own_compliance(c, static_cast<std::size_t>(tangents[1])));
   }
   shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * compliance));
 }
@@ -95,11 +101,13 @@ void ContactSweep::list_active(const Mask& running, std::span<const char> asleep
 }
 
 LaneVector ContactSweep::force_in_frame(std::size_t c) const {
-  const ContactCandidate& candidate = model_.candidate[c];
-  const std::array<Lane, 3> force =
-      along_axes(candidate.surface, contacts_.normal_theta.get(c), contacts_.tangent_theta[0].get(c),
-                 contacts_.tangent_theta[1].get(c));
-  return eyes_.frame == nullptr ? LaneVector{force} : transposed(axes_of(candidate).turn) * LaneVector{force};
+  const LaneVector force = force_on_carrier(c);
+  return eyes_.frame == nullptr ? force : transposed(axes_of(model_.candidate[c]).turn) * force;
+}
+
+LaneVector ContactSweep::force_on_carrier(std::size_t c) const {
+  return {along_axes(model_.candidate[c].surface, contacts_.normal_theta.get(c), contacts_.tangent_theta[0].get(c),
+                     contacts_.tangent_theta[1].get(c))};
 }
 
 void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
@@ -108,6 +116,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   // Lanes that are solved already keep their sums: summing again would round them differently.
   PadForces pad_force = without_force();
   if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
+  if (mounted_ != nullptr) mounted_->restart(lanes);
   for (int node : active_node_) {
     const auto at = 3 * static_cast<std::size_t>(node);
     std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
@@ -117,6 +126,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       const LaneVector by_candidate = force_in_frame(k);
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
       if (is_pad(candidate.surface)) pad_force[candidate.surface] += contacts_.normal_theta.get(k);
+      if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
       if (eyes_.places == nullptr) continue;
       levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
                   select(lanes, by_candidate, LaneVector{}));
@@ -192,7 +202,12 @@ template <class AnyNode>
     compliance += gripper.compliance();
     way = gripper.way_at_theta(surface, pad_force_);
   }
-  const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - surfaces_.place(surface, *theta_, way));
+  Lane place = surfaces_.place(surface, *theta_, way);
+  if (mounted_ != nullptr) {
+    compliance += mounted_->own_compliance(c, axis);
+    place += mounted_->along(c, axis);
+  }
+  const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - place);
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
   const Lane& rate_slope = rate_slope_[surface];
@@ -210,6 +225,11 @@ template <class AnyNode>
   contacts_.normal_theta.put(c, normal);
   if (is_pad(surface)) pad_force_[surface] += change;
   node.push(axis, sign, change);
+  if (mounted_ != nullptr) {
+    LaneVector force;
+    force[axis] = sign * change;
+    mounted_->push(c, force);
+  }
   return change;
 }
 
@@ -224,8 +244,12 @@ template <class AnyNode>
   const auto& carrier = carrier_of(surface, *theta_);
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
-  const Lane r1 = node.d[t1] - carrier[t1].place_m;
-  const Lane r2 = node.d[t2] - carrier[t2].place_m;
+  Lane r1 = node.d[t1] - carrier[t1].place_m;
+  Lane r2 = node.d[t2] - carrier[t2].place_m;
+  if (mounted_ != nullptr) {
+    r1 -= mounted_->along(c, t1);
+    r2 -= mounted_->along(c, t2);
+  }
   const Lane old1 = contacts_.tangent_theta[0].get(c);
   const Lane old2 = contacts_.tangent_theta[1].get(c);
   Lane new1 = old1 + (-shear * (r1 - contacts_.anchor[0].get(c)) - old1) * inverse;
@@ -242,6 +266,12 @@ template <class AnyNode>
   const Lane change1 = new1 - old1;
   const Lane change2 = new2 - old2;
   node.push({t1, t2}, {change1, change2});
+  if (mounted_ != nullptr) {
+    LaneVector force;
+    force[t1] = change1;
+    force[t2] = change2;
+    mounted_->push(c, force);
+  }
   return max(abs(change1), abs(change2));
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/contact/contact_register.hpp"
 #include "core/contact/lever_sums.hpp"
+#include "core/contact/mounted_contacts.hpp"
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
 #include "core/gripper/gripper_lanes.hpp"
@@ -35,8 +36,10 @@ class ContactSweep {
   ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts);
 
   /// Starts a step: the layers of this step, without forces.
-  /// @param theta where the carriers are at t + theta dt; has to outlive the step
-  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const Eyes& eyes);
+  /// @param theta where the carriers are at t + theta dt @param mounted null: no surface is on a mount; both have
+  /// to outlive the step
+  void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const Eyes& eyes,
+                  MountedContacts* mounted);
   /// Takes in what a candidate's layer is this step.
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
@@ -89,6 +92,8 @@ class ContactSweep {
   template <class AnyNode>
   Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node);
   void prepare_turned(std::size_t candidate);
+  /// Force of a candidate on the product at t + theta dt along the axes of its surface's carrier.
+  [[nodiscard]] LaneVector force_on_carrier(std::size_t candidate) const;
   [[nodiscard]] const CarrierAxes& axes_of(const ContactCandidate& candidate) const {
     return candidate.place < 0 ? eyes_.nodes->axes(carrier_number(candidate.surface))
                                : eyes_.places->axes(candidate.surface);
@@ -109,6 +114,7 @@ class ContactSweep {
   // Of the present step.
   const CarrierMotion* theta_ = nullptr;
   Eyes eyes_;
+  MountedContacts* mounted_ = nullptr;
   LeverSums levers_;
   LaneArray own_;  ///< 9 per candidate: compliance of its node or place in the axes of its surface's carrier
   std::array<Lane, kSurfaceCount> rate_slope_;  ///< d rate / d penetration of viscous layers: tau a1

@@ -71,15 +71,24 @@ void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Ma
       candidate, get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node)),
       free_turn_);
   const Lane rest(candidate.surface_m);
-  const Meeting meeting{rest + seen.displacement[axis] - motion_[surface].place_m,
-                        rest + free[axis] - place_free_[surface],
-                        motion_[surface].velocity_m_s - seen.velocity[axis],
-                        motion_[surface].acceleration_m_s2 - seen.acceleration[axis]};
+  Meeting meeting{rest + seen.displacement[axis] - motion_[surface].place_m,
+                  rest + free[axis] - place_free_[surface], motion_[surface].velocity_m_s - seen.velocity[axis],
+                  motion_[surface].acceleration_m_s2 - seen.acceleration[axis]};
+  if (start.mount != nullptr) {
+    LaneVector place = seen.displacement;
+    place[axis] += rest;
+    for (std::size_t t = 0; t < 2; ++t) {
+      place[static_cast<std::size_t>(tangent_axes(surface)[t])] += Lane(candidate.tributary[t].place_m);
+    }
+    for (std::size_t i = 0; i < 3; ++i) place[i] -= carrier_of(surface, start.now)[i].place_m;
+    go_with_mount(c, place, *start.mount, meeting);
+  }
   const Mask open = !register_.is_closed(c);
   const auto tangents = tangent_axes(surface);
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
-    const Lane place = seen.displacement[along] - carrier_of(surface, start.now)[along].place_m;
+    Lane place = seen.displacement[along] - carrier_of(surface, start.now)[along].place_m;
+    if (start.mount != nullptr) place -= mounted_.along(c, along, start.mount->displacement());
     register_.anchor[t].put(c, select(running & open, place, register_.anchor[t].get(c)));
   }
   // What lies deeper than the layer is thick stands behind the surface.

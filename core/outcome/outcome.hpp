@@ -68,6 +68,8 @@ enum class Metric : std::uint8_t {
   place_error_m,
   place_attitude_rad,
   angular_impulse_balance_error,
+  peak_sensor_force_time_s,
+  sensor_overload,
   count_  // not a metric: the number of them
 };
 
@@ -107,9 +109,11 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::hold_drift_m_s, "hold_drift_m_s", "hold drift", "m s-1",
      "speed of the product relative to the palm, averaged over the last quarter of the hold"},
     {Metric::peak_sensor_force_N, "peak_sensor_force_N", "peak sensor force", "N",
-     "largest force an ideal wrist sensor reads from the product"},
+     "largest force that the six-axis sensor reads; without one what an ideal wrist sensor reads from the "
+     "product"},
     {Metric::peak_sensor_torque_N_m, "peak_sensor_torque_N_m", "peak sensor torque", "N m",
-     "largest torque about the palm centre an ideal wrist sensor reads from the product"},
+     "largest torque that the six-axis sensor reads; without one what an ideal wrist sensor reads about the palm "
+     "centre"},
     {Metric::peak_acceleration_m_s2, "peak_acceleration_m_s2", "peak acceleration", "m s-2",
      "largest acceleration of the product's centre of mass while it is carried"},
     {Metric::cycle_time_s, "cycle_time_s", "cycle time", "s", "start of approach to end of release"},
@@ -147,6 +151,10 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::angular_impulse_balance_error, "angular_impulse_balance_error", "angular impulse balance error", "1",
      "|change of angular momentum - sum of moment x dt| / (its size at the start + sum of |moment| x dt), about "
      "the centre of mass of a product that may turn"},
+    {Metric::peak_sensor_force_time_s, "peak_sensor_force_time_s", "time of the peak sensor force", "s",
+     "when the six-axis sensor read its largest force"},
+    {Metric::sensor_overload, "sensor_overload", "sensor overload", "1",
+     "largest component that the six-axis sensor had to read over its range; beyond 1 it was cut off"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -37,6 +37,8 @@ inline constexpr Range kTilt{.min = -kHalfTurn_rad, .max = kHalfTurn_rad};
 inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
+inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};
+
 /// Is T, const or not, the parameter struct S?
 template <class T, class S>
 concept FieldsOf = std::is_same_v<std::remove_const_t<T>, S>;
@@ -182,6 +184,40 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"path_m", Decides::run, kAnyNumber}, path_m);
 }
 
+template <FieldsOf<SixAxisSensorParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [at, model, element_stiffness_N_m, element_radius_m, element_count, ring_stiffness_N_m, stiffness_N_m,
+         stiffness_N_m_rad, stiffness_matrix, damping_ratio, mass_kg, center_of_mass_m, inertia_kg_m2, position_m,
+         report_at_m, tare, bandwidth_Hz, rate_Hz, resolution_N, resolution_N_m, range_N, range_N_m, noise_N,
+         noise_N_m, noise_seed, motion_prediction] = p;
+  visit({"at", Decides::run}, at);
+  visit({"model", Decides::run}, model);
+  visit({"element_stiffness_N_m", Decides::run, kPositive}, element_stiffness_N_m);
+  visit({"element_radius_m", Decides::run, kPositive}, element_radius_m);
+  visit({"element_count", Decides::run, kRingElements}, element_count);
+  visit({"ring_stiffness_N_m", Decides::run, kNotNegative}, ring_stiffness_N_m);
+  visit({"stiffness_N_m", Decides::run, kPositive}, stiffness_N_m);
+  visit({"stiffness_N_m_rad", Decides::run, kPositive}, stiffness_N_m_rad);
+  visit({"stiffness_matrix", Decides::run, kAnyNumber}, stiffness_matrix);
+  visit({"damping_ratio", Decides::run, kAccuracy}, damping_ratio);
+  visit({"mass_kg", Decides::run, kPositive}, mass_kg);
+  visit({"center_of_mass_m", Decides::run, kAnyNumber}, center_of_mass_m);
+  visit({"inertia_kg_m2", Decides::run, kPositive}, inertia_kg_m2);
+  visit({"position_m", Decides::run, kAnyNumber}, position_m);
+  visit({"report_at_m", Decides::run, kAnyNumber}, report_at_m);
+  visit({"tare", Decides::run}, tare);
+  visit({"bandwidth_Hz", Decides::run, kPositive}, bandwidth_Hz);
+  visit({"rate_Hz", Decides::run, kPositive}, rate_Hz);
+  visit({"resolution_N", Decides::run, kNotNegative}, resolution_N);
+  visit({"resolution_N_m", Decides::run, kNotNegative}, resolution_N_m);
+  visit({"range_N", Decides::run, kPositive}, range_N);
+  visit({"range_N_m", Decides::run, kPositive}, range_N_m);
+  visit({"noise_N", Decides::run, kNotNegative}, noise_N);
+  visit({"noise_N_m", Decides::run, kNotNegative}, noise_N_m);
+  visit({"noise_seed", Decides::run, kIndex}, noise_seed);
+  visit({"motion_prediction", Decides::run}, motion_prediction);
+}
+
 template <FieldsOf<Waypoint> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [place_m, rotation_rad, quaternion, wait_s] = p;
@@ -260,7 +296,7 @@ void visit_fields(T& p, Visit&& visit) {
 /// fields stand, [] for a place in a list, and the place (-1: no list).
 template <FieldsOf<Scenario> T, class Visit>
 void visit_parameters(T& scenario, Visit&& visit) {
-  auto& [product, gripper, cell, strategy, limits, simulation] = scenario;
+  auto& [product, gripper, cell, sensor, strategy, limits, simulation] = scenario;
   const auto each = [&visit](std::string_view prefix, auto& list) {
     for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
   };
@@ -275,6 +311,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
   visit("cell.", -1, cell);
   visit("cell.conveyor.", -1, cell.conveyor);
   each("cell.surface[].", cell.surface);
+  visit("sensor.", -1, sensor);
   visit("strategy.", -1, strategy);
   each("strategy.waypoint[].", strategy.waypoint);
   visit("limits.", -1, limits);

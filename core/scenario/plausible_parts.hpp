@@ -37,6 +37,7 @@ inline const LatticeParameters& lattice_of(const Scenario& s) { return std::get<
 Rows product_rows();
 Rows gripper_rows();
 Rows cell_rows();
+Rows sensor_rows();
 Rows strategy_rows();
 Rows limit_rows();
 

@@ -11,6 +11,7 @@ std::vector<Rule> lattice_rules();
 std::vector<Rule> network_rules();
 std::vector<Rule> gripper_rules();
 std::vector<Rule> motion_rules();
+std::vector<Rule> sensor_rules();
 std::vector<Rule> surface_rules();
 std::vector<Rule> turn_rules();
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/scenario/cell_surface.hpp"
+#include "core/scenario/sensor.hpp"
 
 namespace unbruised {
 
@@ -341,6 +342,7 @@ struct Scenario {
   ProductParameters product = LatticeParameters{};
   GripperParameters gripper = NoGripper{};
   CellParameters cell;
+  SixAxisSensorParameters sensor;
   StrategyParameters strategy;
   LimitParameters limits;
   SimulationParameters simulation;
@@ -348,6 +350,9 @@ struct Scenario {
 
 /// Does any kind of gripper hold the product?
 inline bool has_gripper(const Scenario& scenario) { return !std::holds_alternative<NoGripper>(scenario.gripper); }
+
+/// Does a six-axis sensor carry the gripper or the plate under the product?
+inline bool has_sensor(const Scenario& scenario) { return scenario.sensor.at != SensorMount::none; }
 
 /// The parallel jaw of a scenario; nullptr where the gripper is of another kind or there is none.
 inline ParallelJawParameters* parallel_jaw(Scenario& scenario) {

@@ -181,12 +181,15 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   const double dissipated = view.body.damped_J(lane)                                                         //
                             + view.contact.dissipated()[lane]                                                //
                             + (view.material.plastic_work()[lane] - view.material.hardening_energy()[lane])  //
+                            + view.mounts.dissipated()[lane]                                                 //
                             + (driven ? view.gripper.dissipated()[lane] : 0.0);
-  const double work = gravity_work_[lane]  //
-                      + palm_work_[lane]   //
-                      + belt_work_[lane]   //
+  const double work = gravity_work_[lane]         //
+                      + palm_work_[lane]          //
+                      + belt_work_[lane]          //
+                      + view.mounts.work()[lane]  //
                       + (driven ? view.gripper.work()[lane] : 0.0);
-  const double put_in = positive_work_[lane] + (driven ? view.gripper.positive_work()[lane] : 0.0);
+  const double put_in = positive_work_[lane] + view.mounts.positive_work()[lane] +
+                        (driven ? view.gripper.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);

@@ -7,6 +7,7 @@
 #include "core/simulation/balances.hpp"
 #include "core/simulation/initial_state.hpp"
 #include "core/simulation/lane_drives.hpp"
+#include "core/simulation/lane_mounts.hpp"
 #include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
 #include "core/simulation/trace_recorder.hpp"
@@ -41,6 +42,8 @@ struct LaneSimulation::Impl {
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   void observe_lane(int lane);
   void finish(const LaneStep& last);
+  /// Null: no surface of any lane is on a mount.
+  [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
   [[nodiscard]] LaneRun& run_of(int lane) {
     require(is_lane(lane), "LaneSimulation: there is no such lane");
     return run[static_cast<std::size_t>(lane)];
@@ -59,6 +62,8 @@ struct LaneSimulation::Impl {
   std::unique_ptr<Material> material;
   ContactLanes contact;
   GripperLanes gripper;
+  MountLanes mounts;
+  Sensors sensors;
   CarrierMotion now, theta, next;
   DriveCommand command;
   Balances balances;
@@ -82,7 +87,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       body(parts.body, w, parts.frame),
       material(make_material(parts.body, parts.frame)),
       contact(parts.contact, parts.body, w, parts.frame),
-      view{parts, body, *material, contact, gripper, now, yield_ratio},
+      view{parts, body, *material, contact, gripper, mounts, sensors, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
   const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
@@ -110,6 +115,11 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
   contact.set_anchors(lane, body.u(), now, body.frame());
+  load_mount(lane, scenario, parts, state.rest, now, mounts);
+  std::optional<SixAxisInstrument>& sensor = sensors[static_cast<std::size_t>(lane)];
+  sensor.reset();
+  if (mounts.has(lane))
+    sensor.emplace(scenario.sensor, *mount_of(scenario, parts.body), mount_state(lane, mounts));
   for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
   balances.load(lane, view, scenario);
@@ -132,6 +142,7 @@ void LaneSimulation::Impl::step() {
   timer = PartTimer(timing);
   follow_plans();
   gripper.begin_step(w, command);
+  if (mounts.any()) mounts.begin_step(w);
   body.begin_step(running);
   add_loads();
   timer.lap(times.right_hand_side_s);
@@ -150,6 +161,7 @@ void LaneSimulation::Impl::follow_plans() {
     set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane, next);
     set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(w), theta);
     set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
+    command_mount(lane, r.scenario, theta, next, mounts);
     if (!has_gripper(r.scenario)) continue;
     command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
@@ -224,7 +236,8 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     body.solve_without_contact(touch.reach, touch.node, base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step({body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame()}, lanes);
+      contact.begin_step(
+          {body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame(), mount()}, lanes);
     } else {
       contact.rebase({base, moment}, lanes);
     }
@@ -254,7 +267,8 @@ void LaneSimulation::Impl::advance_state() {
     body.advance(running);
   }
   gripper.advance(w, contact.sweep().pad_force(), running);
-  contact.end_step({body.u_theta(), body.u(), theta, next}, body.frame(), running);
+  if (mounts.any()) mounts.advance(w, contact.mount_wrench(), running);
+  contact.end_step({body.u_theta(), body.u(), theta, next, mount()}, body.frame(), running);
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
@@ -275,6 +289,8 @@ void LaneSimulation::Impl::observe_lane(int lane) {
   ++r.step;
   const double time = r.time_s(w);
   tell_cycle(lane, start, time);
+  if (auto& sensor = sensors[static_cast<std::size_t>(lane)])
+    sensor->observe(start, time, mount_state(lane, mounts));
   const StepObservation seen = view.observe(lane, r.scenario, time);
   balances.book_impulse(lane, view);
   const LaneStep step{.lane = lane,

@@ -43,6 +43,7 @@ double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
     if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
   }
   energy += material.self_energy(lane) + material.hardening_energy()[lane];
+  if (mounts.has(lane)) energy += mounts.energy()[lane];
   return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? gripper.energy()[lane] : 0.0);
 }
 
@@ -154,6 +155,9 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   if (const FrameLanes* frame = body.frame()) {
     row.attitude = frame->attitude().of_lane(lane);
     row.spin_rad_s = of_lane(frame->to_world(frame->spin_rad_s()), lane);
+  }
+  if (const auto& sensor = sensors[static_cast<std::size_t>(lane)]) {
+    row.sensor = SensorRow{sensor->reading(), sensor->compensated()};
   }
   return row;
 }

@@ -4,15 +4,20 @@
 /// What observers of a step may look at: the parts of a lane simulation, read-only, and what they say of one lane.
 
 #include "core/body/body_lanes.hpp"
+#include "core/body/mount_lanes.hpp"
 #include "core/contact/contact_lanes.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
+#include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "core/simulation/trace_row.hpp"
 #include "core/surface/carrier_motion.hpp"
 
 namespace unbruised {
+
+/// The six-axis sensor of each lane; nothing where there is none.
+using Sensors = std::array<std::optional<SixAxisInstrument>, kLanes>;
 
 struct LaneView {
   const Model::Parts& model;
@@ -20,12 +25,14 @@ struct LaneView {
   const Material& material;
   const ContactLanes& contact;
   const GripperLanes& gripper;
+  const MountLanes& mounts;
+  const Sensors& sensors;
   const CarrierMotion& carriers;  ///< at the present time
   /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;
 
-  /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
-  /// strains [J].
+  /// Elastic energy and energy of motion of product, layers, fingers and mount, the elastic one from the present
+  /// plastic strains [J].
   [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;

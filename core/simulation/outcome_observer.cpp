@@ -97,6 +97,12 @@ void OutcomeObserver::end(const LaneStep& last) {
   metrics[Metric::step_count] = static_cast<double>(last.count);
   metrics[Metric::contact_iterations] = contact_sweeps_;
   metrics[Metric::plasticity_iterations] = plastic_rounds_;
+  if (const auto& sensor = last.view.sensors[static_cast<std::size_t>(last.lane)]) {
+    metrics[Metric::peak_sensor_force_N] = sensor->peak_force_N();
+    metrics[Metric::peak_sensor_torque_N_m] = sensor->peak_torque_N_m();
+    metrics[Metric::peak_sensor_force_time_s] = sensor->peak_force_time_s();
+    if (sensor->overload()) metrics[Metric::sensor_overload] = *sensor->overload();
+  }
   if (!record_.aborted()) last.view.measure_permanent_set(last.lane, last.scenario.limits, metrics);
   if (!record_.diverged()) balances_.measure(last.lane, last.time_s, last.view, last.scenario, metrics);
   result_ = record_.finish(last.cycle, last.time_s);

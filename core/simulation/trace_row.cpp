@@ -63,6 +63,13 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
             {"quaternion"}, {4});
     declare(trace, "spin_rad_s", "rad s-1", "angular velocity of the product as a whole", {"component"}, {3});
   }
+  if (has_sensor(scenario)) {
+    declare(trace, "sensor_wrench", "N, N m",
+            "wrench that the six-axis sensor reads: Fx, Fy, Fz in N, Mx, My, Mz in N m, less its tare", {"wrench"},
+            {6});
+    declare(trace, "sensor_wrench_compensated", "N, N m",
+            "the same without weight and inertia of what the sensor carries itself", {"wrench"}, {6});
+  }
   if (!has_gripper(scenario)) return;
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
           {kFingerCount, 3});
@@ -110,6 +117,10 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   if (row.attitude) {
     signals.put(*row.attitude);
     signals.put(row.spin_rad_s);
+  }
+  if (row.sensor) {
+    signals.put(row.sensor->reading);
+    signals.put(row.sensor->compensated);
   }
   if (!row.gripper) return;
   std::array<double, 3 * kFingerCount> fingers{};

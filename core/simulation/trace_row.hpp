@@ -15,6 +15,11 @@
 
 namespace unbruised {
 
+/// Wrenches that a six-axis sensor reads.
+struct SensorRow {
+  std::array<double, 6> reading{}, compensated{};
+};
+
 /// The signals of one row; forces act on the product and hold at the end of their step.
 struct TraceRow {
   double time_s = 0;
@@ -36,6 +41,7 @@ struct TraceRow {
   std::optional<std::array<double, 4>> attitude;
   std::array<double, 3> spin_rad_s{};
   double contact_energy_J = 0;
+  std::optional<SensorRow> sensor;  ///< where there is a six-axis sensor
 };
 
 /// Declares the signals and stores the rest positions.

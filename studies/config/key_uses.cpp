@@ -68,6 +68,8 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return has_gripper(scenario) && (scenario.strategy.pick == PickKind::tracking || varied("strategy.pick"));
     case Use::stop:
       return has_gripper(scenario) && (scenario.strategy.stop_time_s || varied("strategy.stop_time_s"));
+    case Use::sensor:
+      return has_sensor(scenario) || varied("sensor.at");
     default:
       return true;
   }
@@ -99,6 +101,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only networks with cell.support = true have it";
     case Use::stop:
       return "not used: without strategy.stop_time_s nothing is stopped";
+    case Use::sensor:
+      return "not used: there is no sensor; sensor.at says where it is";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

@@ -169,6 +169,7 @@ std::string resolved_text(const StudyData& data) {
   writer.table("cell", base);
   if (scenario_uses(Use::lattice_support, base, writer.varied_keys)) writer.table("cell.conveyor", base);
   writer.list_of("cell.surface[]", "cell.surface", base);
+  if (scenario_uses(Use::sensor, base, writer.varied_keys)) writer.table("sensor", base);
   if (has_gripper(base)) {
     writer.table("strategy", base);
     writer.list_of("strategy.waypoint[]", "strategy.waypoint", base);

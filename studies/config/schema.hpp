@@ -182,6 +182,7 @@ enum class Use {
   network_support,
   tracking,  ///< palms that go with a belt
   stop,      ///< cycles that are stopped
+  sensor,    ///< scenarios with a six-axis sensor
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

@@ -87,6 +87,10 @@ FieldRef surface(Scenario& scenario, int index) {
   return field_ref(scenario.cell.surface.at(static_cast<std::size_t>(index)).*member);
 }
 template <auto member>
+FieldRef sensor(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.sensor.*member);
+}
+template <auto member>
 FieldRef conveyor(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.cell.conveyor.*member);
 }

@@ -27,6 +27,7 @@ Table support_keys();
 Table path_keys();
 Table conveyor_keys();
 Table surface_keys();
+Table sensor_keys();
 Table grip_keys();
 Table pick_keys();
 Table motion_keys();

@@ -188,6 +188,10 @@ bool can_be_tripped(const PlausibleRow& row) {
   grip.cell.surface[0].size_m = {0.1, 0.1};
   grip.cell.surface[0].path_time_s = {0.0};
   grip.cell.surface[0].path_m = {{0.0, 0.0, 0.0}};
+  const std::array<double, 3> stiff = {1e6, 1e6, 1e6};
+  grip.sensor.ring_stiffness_N_m = grip.sensor.stiffness_N_m = grip.sensor.stiffness_N_m_rad = stiff;
+  grip.sensor.stiffness_matrix.emplace().fill(1.0);
+  grip.sensor.position_m = std::array<double, 3>{};
   for (const Scenario& base : {grip, small_pads_up_a_ball()}) {
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;

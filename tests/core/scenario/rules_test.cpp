@@ -103,6 +103,62 @@ std::vector<Breach> surface_breaches() {
   };
 }
 
+/// A gripper on a wrist sensor.
+Scenario measured_grip() {
+  Scenario scenario = usual_grip();
+  scenario.sensor.at = SensorMount::wrist;
+  scenario.sensor.position_m = {0.0, 0.0, 0.1};
+  return scenario;
+}
+
+std::vector<Breach> sensor_breaches() {
+  return {
+      {"sensor.position_m", "missing", measured_grip, [](S s) { s.sensor.position_m.reset(); }},
+      {"sensor.at", "needs a [gripper]", measured_grip, [](S s) { s.gripper = NoGripper{}; }},
+      {"sensor.at", "needs gripper.coupling", measured_grip,
+       [](S s) { jaw_of(s).coupling = FingerCoupling::independent; }},
+      {"sensor.mass_kg", "must be > 2 x gripper.finger_mass_kg = 0.2", measured_grip,
+       [](S s) { s.sensor.mass_kg = 0.2; }},
+      {"sensor.at", "needs cell.support = true", measured_grip,
+       [](S s) {
+         s.sensor.at = SensorMount::support;
+         s.cell.support = false;
+       }},
+      {"sensor.at", "does not go with a support that moves", measured_grip,
+       [](S s) {
+         s.sensor.at = SensorMount::support;
+         s.cell.place_velocity_m_s = {0.1, 0.0};
+       }},
+      {"sensor.ring_stiffness_N_m", "missing", measured_grip, [](S s) { s.sensor.model = SensorModel::ring; }},
+      {"sensor.stiffness_N_m", "not used: only sensor.model = \"datasheet\"", measured_grip,
+       [](S s) {
+         s.sensor.stiffness_N_m = {1e6, 1e6, 1e6};
+       }},
+      {"sensor.ring_stiffness_N_m", "must be positive definite", measured_grip,
+       [](S s) {
+         s.sensor.model = SensorModel::ring;
+         s.sensor.ring_stiffness_N_m = {1e6, 1e6, 0.0};
+       }},
+      {"sensor.stiffness_matrix", "must be positive definite", measured_grip,
+       [](S s) {
+         s.sensor.model = SensorModel::matrix;
+         s.sensor.stiffness_matrix = std::array<double, 36>{};
+         for (std::size_t i = 0; i < 6; ++i) (*s.sensor.stiffness_matrix)[7 * i] = 1.0;
+         (*s.sensor.stiffness_matrix)[1] = (*s.sensor.stiffness_matrix)[6] = 1.5;
+       }},
+      {"sensor.stiffness_matrix", "must be symmetric: row 2, column 1", measured_grip,
+       [](S s) {
+         s.sensor.model = SensorModel::matrix;
+         s.sensor.stiffness_matrix = std::array<double, 36>{};
+         for (std::size_t i = 0; i < 6; ++i) (*s.sensor.stiffness_matrix)[7 * i] = 1.0;
+         (*s.sensor.stiffness_matrix)[1] = 0.5;
+       }},
+      {"sensor.rate_Hz", "must be <= 1 / simulation.time_step_s = 1000", measured_grip,
+       [](S s) { s.sensor.rate_Hz = 1001.0; }},
+      {"sensor.noise_N_m", "needs sensor.rate_Hz", measured_grip, [](S s) { s.sensor.noise_N_m = 0.01; }},
+  };
+}
+
 std::vector<Breach> network_breaches() {
   return {
       {"gripper", "a network cannot be gripped", usual_network, [](S s) { s.gripper = ParallelJawParameters{}; }},
@@ -272,7 +328,8 @@ std::vector<Breach> handling_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), surface_breaches(), network_breaches(), handling_breaches()}) {
+  for (const auto& part :
+       {lattice_breaches(), surface_breaches(), sensor_breaches(), network_breaches(), handling_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -343,9 +400,10 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 
 TEST(Rules, NameKnownFields) {
   const std::set<std::string_view> words = {
-      "product.shape", "product.axis",      "product.kind",          "product.particle[].fixed",
-      "gripper",       "gripper.coupling",  "cell.support",          "strategy.pick",
-      "cell.surface",  "cell.target_plane", "simulation.contact_set"};
+      "product.shape", "product.axis",      "product.kind",           "product.particle[].fixed",
+      "gripper",       "gripper.coupling",  "cell.support",           "strategy.pick",
+      "cell.surface",  "cell.target_plane", "simulation.contact_set", "sensor.at",
+      "sensor.model"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -226,6 +226,73 @@ std::vector<Arrival> waypoint_arrivals() {
   };
 }
 
+/// Of a study with a sensor at the wrist.
+std::vector<Arrival> sensor_arrivals() {
+  return {
+      {"sensor.at", "\"support\"", [](S s) { return s.sensor.at == SensorMount::support; }},
+      {"sensor.model",
+       "\"ring\"",
+       [](S s) { return s.sensor.model == SensorModel::ring; },
+       {"sensor.ring_stiffness_N_m=[1e6, 1e6, 1e6]"}},
+      {"sensor.element_stiffness_N_m", "3.75e6", [](S s) { return s.sensor.element_stiffness_N_m == 3.75e6; }},
+      {"sensor.element_radius_m", "0.0625", [](S s) { return s.sensor.element_radius_m == 0.0625; }},
+      {"sensor.element_count", "6", [](S s) { return s.sensor.element_count == 6; }},
+      {"sensor.ring_stiffness_N_m",
+       "[1e6, 2e6, 3e6]",
+       [](S s) {
+         return s.sensor.ring_stiffness_N_m == A3{1e6, 2e6, 3e6};
+       },
+       {"sensor.model=\"ring\""}},
+      {"sensor.stiffness_N_m",
+       "[1e6, 2e6, 3e6]",
+       [](S s) {
+         return s.sensor.stiffness_N_m == A3{1e6, 2e6, 3e6};
+       },
+       {"sensor.model=\"datasheet\"", "sensor.stiffness_N_m_rad=[1e3, 1e3, 1e3]"}},
+      {"sensor.stiffness_N_m_rad",
+       "[1e3, 2e3, 3e3]",
+       [](S s) {
+         return s.sensor.stiffness_N_m_rad == A3{1e3, 2e3, 3e3};
+       },
+       {"sensor.model=\"datasheet\"", "sensor.stiffness_N_m=[1e6, 1e6, 1e6]"}},
+      {"sensor.stiffness_matrix",
+       "[1e6, 0, 0, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 0, 0, 1e6, 0, 0, 0, 0, 0, 0, 1e3, 0, 0, 0, 0, 0, 0, 1e3, 0, 0, "
+       "0, "
+       "0, 0, 0, 2e3]",
+       [](S s) { return s.sensor.stiffness_matrix && (*s.sensor.stiffness_matrix)[35] == 2e3; },
+       {"sensor.model=\"matrix\""}},
+      {"sensor.damping_ratio", "0.0625", [](S s) { return s.sensor.damping_ratio == 0.0625; }},
+      {"sensor.mass_kg", "3.75", [](S s) { return s.sensor.mass_kg == 3.75; }},
+      {"sensor.center_of_mass_m", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.sensor.center_of_mass_m == A3{0.125, -0.25, 0.5};
+       }},
+      {"sensor.inertia_kg_m2", "[0.125, 0.25, 0.25]",
+       [](S s) {
+         return s.sensor.inertia_kg_m2 == A3{0.125, 0.25, 0.25};
+       }},
+      {"sensor.position_m", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.sensor.position_m == A3{0.125, -0.25, 0.5};
+       }},
+      {"sensor.report_at_m", "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.sensor.report_at_m == A3{0.125, -0.25, 0.5};
+       }},
+      {"sensor.tare", "\"start\"", [](S s) { return s.sensor.tare == SensorTare::start; }},
+      {"sensor.bandwidth_Hz", "37.5", [](S s) { return s.sensor.bandwidth_Hz == 37.5; }},
+      {"sensor.rate_Hz", "37.5", [](S s) { return s.sensor.rate_Hz == 37.5; }},
+      {"sensor.resolution_N", "0.0625", [](S s) { return s.sensor.resolution_N == 0.0625; }},
+      {"sensor.resolution_N_m", "0.0625", [](S s) { return s.sensor.resolution_N_m == 0.0625; }},
+      {"sensor.range_N", "37.5", [](S s) { return s.sensor.range_N == 37.5; }},
+      {"sensor.range_N_m", "37.5", [](S s) { return s.sensor.range_N_m == 37.5; }},
+      {"sensor.noise_N", "0.0625", [](S s) { return s.sensor.noise_N == 0.0625; }, {"sensor.rate_Hz=100.0"}},
+      {"sensor.noise_N_m", "0.0625", [](S s) { return s.sensor.noise_N_m == 0.0625; }, {"sensor.rate_Hz=100.0"}},
+      {"sensor.noise_seed", "7", [](S s) { return s.sensor.noise_seed == 7; }},
+      {"sensor.motion_prediction", "false", [](S s) { return !s.sensor.motion_prediction; }},
+  };
+}
+
 std::vector<Arrival> limit_and_simulation_arrivals() {
   return {
       {"limits.permanent_set_m", "0.875", [](S s) { return s.limits.permanent_set_m == 0.875; }},
@@ -363,12 +430,17 @@ TEST(ScenarioKeys, EveryKeyOfASurfaceReachesTheFieldItNames) {
                   gripped_block("simulate") + "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\nfriction = 0.25\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfASensorReachesTheFieldItNames) {
+  expect_arrivals(sensor_arrivals(),
+                  gripped_block("simulate") + "[sensor]\nat = \"wrist\"\nposition_m = [0.0, 0.0, 0.1]\n");
+}
+
 TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(network_arrivals(), small_network()); }
 
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
-  for (const auto& list :
-       {lattice_arrivals(), surface_arrivals(), waypoint_arrivals(), flight_arrivals(), network_arrivals()}) {
+  for (const auto& list : {lattice_arrivals(), surface_arrivals(), sensor_arrivals(), waypoint_arrivals(),
+                           flight_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -68,6 +68,9 @@ enum class Metric : std::uint8_t {
   place_error_m,
   place_attitude_rad,
   angular_impulse_balance_error,
+  contact_rebounds,
+  contact_loss_s,
+  time_to_steady_force_s,
   count_  // not a metric: the number of them
 };
 
@@ -147,6 +150,14 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::angular_impulse_balance_error, "angular_impulse_balance_error", "angular impulse balance error", "1",
      "|change of angular momentum - sum of moment x dt| / (its size at the start + sum of |moment| x dt), about "
      "the centre of mass of a product that may turn"},
+    {Metric::contact_rebounds, "contact_rebounds", "rebounds", "1",
+     "how often a finger lost the product between its first touch and the lift, both fingers together"},
+    {Metric::contact_loss_s, "contact_loss_s", "time without contact", "s",
+     "time between its first touch and the lift in which a finger did not touch the product, both fingers "
+     "together"},
+    {Metric::time_to_steady_force_s, "time_to_steady_force_s", "time to a steady force", "s",
+     "from a finger's first touch until its force stays within 5 % of what it is as the lift starts, the later "
+     "finger"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -182,6 +182,10 @@ enum class Use {
   network_support,
   tracking,  ///< palms that go with a belt
   stop,      ///< cycles that are stopped
+  range,     ///< grippers with range sensors
+  guard,     ///< approaches with a guard
+  range_guard,
+  force_guard,
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

@@ -5,8 +5,9 @@
 #include <string>
 #include <utility>
 
-#include <Random123/philox.h>
 #include <boost/random/sobol.hpp>
+
+#include "core/chance/philox.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -18,25 +19,6 @@ constexpr unsigned kSobolBits = 32;
 
 /// Uses of a design's seed.
 enum Purpose : std::uint64_t { kScramble = 1, kOrder = 2, kJitter = 3, kIndependent = 4 };
-
-struct Bits128 {
-  std::uint64_t first = 0;
-  std::uint64_t second = 0;
-};
-
-/// One block of Philox 4x32-10, low words first.
-Bits128 philox(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
-  const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
-  const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
-  const r123::Philox4x32::ctr_type counter = {{low(stream), high(stream), low(k), high(k)}};
-  const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
-  const r123::Philox4x32::ctr_type block = r123::Philox4x32()(counter, key);
-  const auto join = [](std::uint32_t l, std::uint32_t h) { return (static_cast<std::uint64_t>(h) << 32U) | l; };
-  return {join(block[0], block[1]), join(block[2], block[3])};
-}
-
-/// The upper 52 bits, in the middle of their cell: neither 0 nor 1 comes out, and nothing is rounded.
-double open_unit(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1.0p-52; }
 
 /// Owen's nested uniform scramble in base 2: bit b is flipped by a coin that belongs to (dimension, bits above b).
 /// Two points share coins as long as they share bits, so that elementary intervals go to elementary intervals;

@@ -228,7 +228,8 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
   if (places_) see_facing(*frame);
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
-  first_touch_ = Lane(2.0);
+  touched_.fill(Lane(2.0));
+  left_.fill(Lane(-1.0));
   for (PadSlip& pad : slip_) pad.begin_step();
   carry_open_anchors(ends, running);
   for (int live : sweep_.live_candidates()) {

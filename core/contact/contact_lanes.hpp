@@ -125,7 +125,10 @@ class ContactLanes {
   [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
   /// none.
-  [[nodiscard]] const Lane& first_touch() const { return first_touch_; }
+  [[nodiscard]] Lane first_touch() const { return min(touched_[kLeftPad], touched_[kRightPad]); }
+  /// The same for one pad, and when the last of those of its contacts that opened in the step did.
+  [[nodiscard]] const Lane& touched(int pad) const { return touched_[static_cast<std::size_t>(pad)]; }
+  [[nodiscard]] const Lane& left(int pad) const { return left_[static_cast<std::size_t>(pad)]; }
   /// Dissipated by sliding and in viscous layers since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
   /// Stored in the layers, [J].
@@ -238,7 +241,8 @@ class ContactLanes {
 
   std::array<SurfaceTally, kSurfaceCount> tally_;
   std::array<PadSlip, kFingerCount> slip_;
-  Lane patch_pressure_{0.0}, layer_strain_{0.0}, first_touch_{2.0}, dissipated_{0.0};
+  Lane patch_pressure_{0.0}, layer_strain_{0.0}, dissipated_{0.0};
+  PadForces touched_ = without_force(), left_ = without_force();  ///< fractions of theta dt; > 1, < 0: none
 };
 
 }  // namespace unbruised

@@ -36,7 +36,15 @@ void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
   const Mask touched = step.closed & !register_.was_closed.get(c);
   const Lane gap = max0(register_.gap_now.get(c));
   const Lane fraction = gap / max(gap - register_.gap_free.get(c), Lane(1e-300));
-  first_touch_ = min(first_touch_, select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
+  const auto pad = static_cast<std::size_t>(model_.candidate[c].surface);
+  touched_[pad] = min(touched_[pad], select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
+  const Mask opened = register_.was_closed.get(c) & !step.closed;
+  if (none(opened)) return;
+  const Lane least(model_.candidate[c].least_relief_m);
+  const Lane before = max0(step.penetration_before - least), after = register_.penetration_theta.get(c) - least;
+  const Lane way = before - after;
+  const Lane left = select(after < Lane(0.0), before / max(way, Lane(1e-300)), Lane(1.0));
+  left_[pad] = max(left_[pad], select(opened, left, Lane(-1.0)));
 }
 
 /// Measures the pressure in windows over one surface.

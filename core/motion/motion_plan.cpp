@@ -70,8 +70,11 @@ bool crosses_in_motion(const Scenario& scenario) {
 
 }  // namespace
 
-MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
+MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s)
     : strategy_(scenario.strategy),
+      guard_s_(guard_s),
+      command_step_s_(scenario.simulation.time_step_s),
+      command_lag_s_(scenario.simulation.theta * scenario.simulation.time_step_s),
       place_height_m_(scenario.cell.place_height_m),
       transfer_m_(scenario.cell.transfer_m),
       place_velocity_m_s_(scenario.cell.place_velocity_m_s),
@@ -82,11 +85,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (has_gripper(scenario)) {
     const StrategyParameters& s = strategy_;
-    pressing_speed_m_s_ = s.approach_speed_m_s;
-    // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
-    if (const auto gain = drive_gain_N_s_m(scenario.gripper)) {
-      pressing_speed_m_s_ = std::max(s.approach_speed_m_s, 2.0 * s.grip_force_N / *gain);
-    }
+    plan_speeds(scenario);
     plan_ways(scenario);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
     if (ramp_start_s < kNever) schedule(scenario);
@@ -94,6 +93,18 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s)
       stop(*s.stop_time_s, scenario.cell.stop_deceleration_m_s2);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
+}
+
+void MotionPlan::plan_speeds(const Scenario& scenario) {
+  pressing_speed_m_s_ = strategy_.approach_speed_m_s;
+  if (guard_s_ < kNever) {
+    const bool by_force = strategy_.guard == GuardKind::force;
+    pressing_speed_m_s_ = by_force ? strategy_.guard_speed_m_s : guarded_speed_m_s(ramp_start_s_ + command_lag_s_);
+  }
+  // Pressing at rest the drive must be able to reach its limit: gain x set speed well above it.
+  if (const auto gain = drive_gain_N_s_m(scenario.gripper)) {
+    pressing_speed_m_s_ = std::max(pressing_speed_m_s_, 2.0 * strategy_.grip_force_N / *gain);
+  }
 }
 
 void MotionPlan::plan_ways(const Scenario& scenario) {
@@ -228,14 +239,35 @@ double MotionPlan::force_limit_N(double time_s) const {
   const StrategyParameters& s = strategy_;
   time_s = std::min(time_s, stop_s_);
   if (time_s < ramp_start_s_) return s.contact_force_N;
-  const double share = s.grip_ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / s.grip_ramp_s) : 1.0;
-  return s.contact_force_N + share * (s.grip_force_N - s.contact_force_N);
+  return s.contact_force_N + ramped(time_s) * (s.grip_force_N - s.contact_force_N);
+}
+
+double MotionPlan::ramped(double time_s) const {
+  const double ramp_s = strategy_.grip_ramp_s;
+  return ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / ramp_s) : 1.0;
+}
+
+/// What an instrument shows within a step is known at its end, and has reached the drives over the one after: the
+/// drives are told the mean of each step, so that the motion is as continuous in the time of the guard as in any
+/// other.
+double MotionPlan::guarded_speed_m_s(double time_s) const {
+  const double fast = strategy_.approach_speed_m_s;
+  if (time_s < guard_s_) return fast;
+  const double told = std::clamp((time_s - command_lag_s_ - guard_s_) / command_step_s_, 0.0, 1.0);
+  double slow = strategy_.guard_speed_m_s;
+  // A grip that the guard has begun presses with a speed that rises as the force's limit does.
+  if (strategy_.guard == GuardKind::force && time_s >= ramp_start_s_) {
+    slow += ramped(time_s) * (pressing_speed_m_s_ - slow);
+  }
+  return fast + told * (slow - fast);
 }
 
 double MotionPlan::set_speed_m_s(double time_s) const {
   if (is_stopped(time_s) && ramp_start_s_ >= stop_s_) return 0.0;
   if (time_s >= release_start_s_) return -strategy_.release_speed_m_s;
-  return time_s >= ramp_start_s_ ? pressing_speed_m_s_ : strategy_.approach_speed_m_s;
+  const bool is_begun_by_guard = strategy_.guard == GuardKind::force && guard_s_ < kNever;
+  if (time_s < ramp_start_s_ || is_begun_by_guard) return guarded_speed_m_s(time_s);
+  return pressing_speed_m_s_;
 }
 
 SupportPlane MotionPlan::support_plane(double time_s) const {

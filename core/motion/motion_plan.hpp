@@ -39,7 +39,8 @@ class MotionPlan {
  public:
   MotionPlan() = default;
   /// @param ramp_start_s when the drive's force limit begins to rise; kNever: the fingers only approach
-  MotionPlan(const Scenario& scenario, double ramp_start_s);
+  /// @param guard_s when an instrument showed what the guard waits for; kNever: not yet
+  MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s = kNever);
 
   /// The phase at a time after the first contact; lower lasts until the fingers open.
   [[nodiscard]] CyclePhase phase_after_contact(double time_s) const;
@@ -69,9 +70,14 @@ class MotionPlan {
   [[nodiscard]] double end_s() const { return end_s_; }
 
  private:
+  void plan_speeds(const Scenario& scenario);
   void plan_ways(const Scenario& scenario);
   void schedule(const Scenario& scenario);
   void stop(double time_s, double deceleration_m_s2);
+  /// How much of the force's ramp has passed, 0 to 1.
+  [[nodiscard]] double ramped(double time_s) const;
+  /// Closing speed before the grip, and of one that a guard has begun.
+  [[nodiscard]] double guarded_speed_m_s(double time_s) const;
   [[nodiscard]] PalmState planned_palm(double time_s) const;
   [[nodiscard]] PalmState braking_palm(double time_s) const;
   /// Gives a palm that goes from stop to stop its horizontal way beside that: with a belt, and of the transfer.
@@ -79,6 +85,8 @@ class MotionPlan {
 
   StrategyParameters strategy_{};
   double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises
+  double guard_s_ = kNever;
+  double command_step_s_ = 0.0, command_lag_s_ = 0.0;
   double place_height_m_ = 0.0;
   Horizontal transfer_m_{}, place_velocity_m_s_{};
   Belt belt_;

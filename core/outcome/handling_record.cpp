@@ -85,11 +85,9 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
   observe_grip(now);
   observe_support(now);
   observe_impulse(now, cycle);
-  if (!cycle.has_contact()) {
-    if (now.end_of_stroke)
-      not_grasped_.at(now.time_s, "the fingers reached the end of their stroke without a contact");
-    if (now.time_s > cycle.approach_deadline_s())
-      not_grasped_.at(now.time_s, "no contact in twice the time of the stroke");
+  observe_transition(now, cycle);
+  if (!cycle.has_contact() || !cycle.grip_started()) {
+    observe_approach(now, cycle);
     return !not_grasped_.happened();
   }
   const bool both = std::all_of(now.finger.begin(), now.finger.end(), touches);
@@ -109,6 +107,28 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
     observe_carrying(now, cycle);
   }
   return !dropped_.happened() && !not_grasped_.happened();
+}
+
+void HandlingRecord::observe_approach(const StepObservation& now, const HandlingCycle& cycle) {
+  const bool has_contact = cycle.has_contact();
+  if (now.end_of_stroke) {
+    not_grasped_.at(now.time_s, has_contact
+                                    ? "the fingers reached the end of their stroke before the guard felt a contact"
+                                    : "the fingers reached the end of their stroke without a contact");
+  }
+  if (now.time_s > cycle.approach_deadline_s()) {
+    not_grasped_.at(now.time_s, has_contact ? "the guard felt no contact in twice the time of the stroke"
+                                            : "no contact in twice the time of the stroke");
+  }
+}
+
+void HandlingRecord::observe_transition(const StepObservation& now, const HandlingCycle& cycle) {
+  std::array<TouchObservation, kFingerCount> finger;
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const FingerObservation& seen = now.finger[f];
+    finger[f] = {touches(seen), seen.touched_s, seen.left_s, seen.normal_N};
+  }
+  transition_.observe(now.time_s, finger, cycle);
 }
 
 void HandlingRecord::observe_grip(const StepObservation& now) {
@@ -258,6 +278,7 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
     result.metrics[Metric::hold_drift_m_s] = norm(way) / (drift_to_s_ - drift_from_s_);
   }
   result.metrics[Metric::peak_rise_steps] = peak_rise_steps();
+  if (has_gripper_) transition_.measure(result.metrics);
   if (cycle.has_contact()) result.metrics[Metric::first_contact_time_s] = cycle.first_contact_s();
   if (has_gripper_ && cycle.plan().lift_start_s() < kNever) {
     result.metrics[Metric::lift_time_s] = cycle.plan().lift_start_s();

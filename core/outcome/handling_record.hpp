@@ -11,6 +11,7 @@
 
 #include "core/contact/patch_damage.hpp"
 #include "core/motion/handling_cycle.hpp"
+#include "core/outcome/contact_transition.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/peak_rise.hpp"
 #include "core/scenario/attitude.hpp"
@@ -28,6 +29,8 @@ struct FingerObservation {
   double slip_m = 0;    ///< that the product has slipped past its pad since the start of the lift
   double slip_rad = 0;  ///< that it has turned against it meanwhile
   double yield_ratio = 0;
+  double touched_s = kNever, left_s = kNever;  ///< when it came to touch or left within the step
+  double range_m = 0;                          ///< that its sensor reads, where it has one
 };
 
 /// What one scenario looked like at the end of a step.
@@ -91,6 +94,9 @@ class HandlingRecord {
   void observe_carrying(const StepObservation& now, const HandlingCycle& cycle);
   [[nodiscard]] double peak_rise_steps() const;
   void observe_leaving(const StepObservation& now);
+  void observe_transition(const StepObservation& now, const HandlingCycle& cycle);
+  /// Where no grip comes, the run ends.
+  void observe_approach(const StepObservation& now, const HandlingCycle& cycle);
   void observe_hold(const StepObservation& now, const HandlingCycle& cycle);
   void observe_belt(const StepObservation& now, const HandlingCycle& cycle);
   void observe_places(const StepObservation& now, const HandlingCycle& cycle);
@@ -104,6 +110,7 @@ class HandlingRecord {
   bool has_belt_ = false;
   bool has_product_yield_ = false;
   WorstPatches patches_;
+  ContactTransition transition_;
   bool both_touched_ = false;  ///< at the last contacts within the grip phase
   bool grasp_checked_ = false;
   bool aborted_ = false;

@@ -70,6 +70,9 @@ enum class Metric : std::uint8_t {
   angular_impulse_balance_error,
   peak_sensor_force_time_s,
   sensor_overload,
+  contact_rebounds,
+  contact_loss_s,
+  time_to_steady_force_s,
   count_  // not a metric: the number of them
 };
 
@@ -155,6 +158,14 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "when the six-axis sensor read its largest force"},
     {Metric::sensor_overload, "sensor_overload", "sensor overload", "1",
      "largest component that the six-axis sensor had to read over its range; beyond 1 it was cut off"},
+    {Metric::contact_rebounds, "contact_rebounds", "rebounds", "1",
+     "how often a finger lost the product between its first touch and the lift, both fingers together"},
+    {Metric::contact_loss_s, "contact_loss_s", "time without contact", "s",
+     "time between its first touch and the lift in which a finger did not touch the product, both fingers "
+     "together"},
+    {Metric::time_to_steady_force_s, "time_to_steady_force_s", "time to a steady force", "s",
+     "from a finger's first touch until its force stays within 5 % of what it is as the lift starts, the later "
+     "finger"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -110,11 +110,12 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<NoGripper> T, class Visit>
 void visit_fields(T&, Visit&&) {}
 
+/// The range sensors have fields of their own.
 template <FieldsOf<ParallelJawParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_poisson_ratio, pad_bulge,
          pad_edge_radius_m, pad_relaxation_time_s, drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N,
-         max_speed_m_s, coupling, min_force_N, force_accuracy, force_step_N, opening_m] = p;
+         max_speed_m_s, coupling, min_force_N, force_accuracy, force_step_N, opening_m, force_rate_Hz, range] = p;
   visit({"finger_mass_kg", Decides::run, kPositive}, finger_mass_kg);
   visit({"stroke_m", Decides::run, kPositive}, stroke_m);
   visit({"pad_size_m", Decides::run, kPositive}, pad_size_m);
@@ -133,6 +134,19 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"force_accuracy", Decides::run, kAccuracy}, force_accuracy);
   visit({"force_step_N", Decides::run, kNotNegative}, force_step_N);
   visit({"opening_m", Decides::run, kPositive}, opening_m);
+  visit({"force_rate_Hz", Decides::run, kPositive}, force_rate_Hz);
+}
+
+template <FieldsOf<RangeSensorParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [maximum_m, offset_m, depth_m, rate_Hz, resolution_m, noise_m, noise_seed] = p;
+  visit({"maximum_m", Decides::run, kPositive}, maximum_m);
+  visit({"offset_m", Decides::run, kAnyNumber}, offset_m);
+  visit({"depth_m", Decides::run, kAnyNumber}, depth_m);
+  visit({"rate_Hz", Decides::run, kPositive}, rate_Hz);
+  visit({"resolution_m", Decides::run, kNotNegative}, resolution_m);
+  visit({"noise_m", Decides::run, kNotNegative}, noise_m);
+  visit({"noise_seed", Decides::run, kIndex}, noise_seed);
 }
 
 /// The conveyor and the listed surfaces have fields of their own.
@@ -230,11 +244,16 @@ void visit_fields(T& p, Visit&& visit) {
 /// Waypoints have fields of their own.
 template <FieldsOf<StrategyParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [approach_speed_m_s, grip_force_N, contact_force_N, grip_ramp_s, ramp_from_start, settle_s, pick,
-         pick_offset_m, tracking_lag_s, profile, lift_acceleration_m_s2, transfer_acceleration_m_s2,
-         lower_acceleration_m_s2, speed_m_s, tilt_rad, tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s,
-         release_height_m, place_settle_s, release_speed_m_s, recover_s, stop_time_s, waypoint] = p;
+  auto& [approach_speed_m_s, guard, guard_range_m, guard_force_N, guard_speed_m_s, grip_force_N, contact_force_N,
+         grip_ramp_s, ramp_from_start, settle_s, pick, pick_offset_m, tracking_lag_s, profile,
+         lift_acceleration_m_s2, transfer_acceleration_m_s2, lower_acceleration_m_s2, speed_m_s, tilt_rad,
+         tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s, release_height_m, place_settle_s, release_speed_m_s,
+         recover_s, stop_time_s, waypoint] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
+  visit({"guard", Decides::run}, guard);
+  visit({"guard_range_m", Decides::run, kPositive}, guard_range_m);
+  visit({"guard_force_N", Decides::run, kPositive}, guard_force_N);
+  visit({"guard_speed_m_s", Decides::run, kNotNegative}, guard_speed_m_s);
   visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
   visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
   visit({"grip_ramp_s", Decides::run, kNotNegative}, grip_ramp_s);
@@ -308,6 +327,7 @@ void visit_parameters(T& scenario, Visit&& visit) {
     visit("product.", -1, *network);
   }
   std::visit([&visit](auto& kind) { visit("gripper.", -1, kind); }, gripper);
+  if (auto* jaw = std::get_if<ParallelJawParameters>(&gripper)) visit("gripper.range.", -1, jaw->range);
   visit("cell.", -1, cell);
   visit("cell.conveyor.", -1, cell.conveyor);
   each("cell.surface[].", cell.surface);

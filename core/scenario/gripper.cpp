@@ -26,4 +26,9 @@ std::optional<double> drive_gain_N_s_m(const GripperParameters& gripper) {
   return std::visit([](const auto& kind) { return gain_of(kind); }, gripper);
 }
 
+bool has_range_sensors(const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  return jaw != nullptr && jaw->range.maximum_m.has_value();
+}
+
 }  // namespace unbruised

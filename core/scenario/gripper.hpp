@@ -19,4 +19,7 @@ std::optional<double> opening_m(const GripperParameters& gripper);
 /// Force of a drive over what its speed lacks of the one that is set [N s/m]; none: no drive regulates a speed.
 std::optional<double> drive_gain_N_s_m(const GripperParameters& gripper);
 
+/// Are there range sensors in its fingers?
+bool has_range_sensors(const Scenario& scenario);
+
 }  // namespace unbruised

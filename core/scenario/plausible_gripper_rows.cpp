@@ -48,6 +48,18 @@ Rows gripper_rows() {
             "data sheets of parallel jaws"),
       plain("gripper.force_accuracy", "accuracy of the force", "", 0.0, 0.5, kFraction,
             "electric grippers 5 to 30 % of the set force"),
+      plain("gripper.force_rate_Hz", "rate of the force measurement", "Hz", 10.0, 1e5, {},
+            "strain gauges 0.1 to 10 kHz"),
+      plain("gripper.range.maximum_m", "largest range", "m", 1e-3, 2.0, kLength,
+            "proximity sensors in finger tips 10 to 200 mm"),
+      plain("gripper.range.offset_m", "offset of a ray", "m", 0.0, 0.3, kLength, "within or beside the pad"),
+      plain("gripper.range.depth_m", "depth of a range sensor", "m", 0.0, 0.1, kLength, "within the finger"),
+      plain("gripper.range.rate_Hz", "rate of a range sensor", "Hz", 5.0, 1e5, {},
+            "time of flight 10 to 100 Hz, triangulation up to 10 kHz"),
+      plain("gripper.range.resolution_m", "resolution of a range sensor", "m", 0.0, 5e-3, kLength,
+            "time of flight 1 mm, triangulation 1 um"),
+      plain("gripper.range.noise_m", "noise of a range sensor", "m", 0.0, 0.01, kLength,
+            "time of flight 1 to 3 mm, triangulation 1 to 50 um"),
       plain("gripper.force_step_N", "step of the force", "N", 0.0, 50.0, kForce, "data sheets of parallel jaws"),
   };
 }

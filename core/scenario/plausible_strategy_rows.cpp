@@ -23,6 +23,9 @@ Rows strategy_rows() {
   return {
       plain("strategy.approach_speed_m_s", "approach speed", "m/s", 1e-4, 2.0, kSpeed,
             "data sheets of parallel jaws"),
+      plain("strategy.guard_range_m", "range of the guard", "m", 1e-4, 0.3, kLength, "openings of parallel jaws"),
+      plain("strategy.guard_speed_m_s", "speed of the guard", "m/s", 0.0, 0.5, kSpeed,
+            "data sheets of parallel jaws"),
       plain("strategy.release_speed_m_s", "opening speed", "m/s", 1e-4, 2.0, kSpeed,
             "data sheets of parallel jaws"),
       {"grip force over the least that can hold",

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "core/scenario/true_shape.hpp"
-
 namespace unbruised {
 namespace {
+
+std::optional<TrueShape> shape_of(const LatticeParameters& p) { return TrueShape(p); }
+std::optional<TrueShape> shape_of(const NetworkParameters&) { return std::nullopt; }
 
 std::optional<std::array<double, 3>> extents_of(const LatticeParameters& p) { return p.size_m; }
 std::optional<std::array<double, 3>> extents_of(const NetworkParameters&) { return std::nullopt; }
@@ -38,6 +39,10 @@ bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
 
 double product_friction(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return kind.friction; }, product);
+}
+
+std::optional<TrueShape> true_shape(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return shape_of(kind); }, product);
 }
 
 std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product) {

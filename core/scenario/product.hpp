@@ -8,11 +8,15 @@
 #include <optional>
 
 #include "core/scenario/scenario.hpp"
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 
 /// Coulomb coefficient against the pads.
 double product_friction(const ProductParameters& product);
+
+/// None: it has no shape.
+std::optional<TrueShape> true_shape(const ProductParameters& product);
 
 /// Full extents of its true shape along x, y, z [m]; none: it has no shape.
 std::optional<std::array<double, 3>> shape_extents_m(const ProductParameters& product);

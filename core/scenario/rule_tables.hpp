@@ -14,6 +14,7 @@ std::vector<Rule> motion_rules();
 std::vector<Rule> sensor_rules();
 std::vector<Rule> surface_rules();
 std::vector<Rule> turn_rules();
+std::vector<Rule> guard_rules();
 
 /// lower <= upper, or < with `Strictness::below`, wherever both are there.
 enum class Strictness { at_most, below };

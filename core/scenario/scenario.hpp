@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/scenario/cell_surface.hpp"
+#include "core/scenario/range_sensor.hpp"
 #include "core/scenario/sensor.hpp"
 
 namespace unbruised {
@@ -154,6 +155,9 @@ struct ParallelJawParameters {
   /// > 0, > the product's extent along x; distance of the pad faces when the gripper is open; none: as wide as the
   /// approach needs
   std::optional<double> opening_m;
+  /// > 0, <= 1 / time_step_s; how often the force of a finger is measured. None: at all times.
+  std::optional<double> force_rate_Hz;
+  RangeSensorParameters range;
 };
 
 /// The kinds of gripper. Each is a struct of parameters with its fields in fields.hpp, and lanes that move it.
@@ -220,6 +224,13 @@ enum class PickKind {
 
 enum class ProfileKind { trapezoid, minimum_jerk };
 
+/// What slows the fingers down before they press.
+enum class GuardKind {
+  none,
+  range,  ///< a range sensor reads less than guard_range_m
+  force,  ///< the measured force of a finger exceeds guard_force_N, which is taken for the contact
+};
+
 /// Where the palm goes after the lift, from rest to rest. What is not said is as at the waypoint before it, at the
 /// first as the lift ends.
 struct Waypoint {
@@ -238,6 +249,14 @@ struct Waypoint {
 struct StrategyParameters {
   /// > 0, per finger; the fingers start at this speed (at rest with ramp_from_start)
   double approach_speed_m_s = 0.05;
+  GuardKind guard = GuardKind::none;
+  /// Required with guard = "range", which needs range sensors; <= their maximum_m, between what they read at the
+  /// start and at the first contact.
+  std::optional<double> guard_range_m{};
+  /// > 0, < contact_force_N; required with guard = "force"
+  std::optional<double> guard_force_N{};
+  /// >= 0, > 0 with guard = "range", < approach_speed_m_s; set for the fingers once the guard has seen its sign
+  double guard_speed_m_s = 0.01;
   /// > 0; drive force limit of each finger, so its normal force at rest
   double grip_force_N = 1.0;
   /// >= 0, <= grip_force_N; drive force limit before the first contact

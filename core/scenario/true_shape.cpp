@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace unbruised {
@@ -154,6 +155,72 @@ NearestSurface TrueShape::nearest(const std::array<double, 3>& place_m) const {
   outer.distance_m = std::sqrt(outer.distance_m);
   for (double& n : outer.normal) n /= outer.distance_m;
   return outer;
+}
+
+struct TrueShape::Chord {
+  double enter_m = -std::numeric_limits<double>::infinity();
+  double leave_m = std::numeric_limits<double>::infinity();
+  std::array<double, 3> normal{};  ///< where it enters
+};
+
+/// Within the ellipse or ellipsoid over the round axes: the roots of a t^2 + 2 b t + c.
+TrueShape::Chord TrueShape::round_chord(const std::array<double, 3>& place_m,
+                                        const std::array<double, 3>& direction) const {
+  Chord chord;
+  double a = 0.0, b = 0.0, c = -1.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (!round_[d]) continue;
+    const double p = 2.0 * place_m[d] / size_m_[d], q = 2.0 * direction[d] / size_m_[d];
+    a += q * q;
+    b += p * q;
+    c += p * p;
+  }
+  if (a == 0.0) {
+    if (c > 0.0) chord.leave_m = chord.enter_m;
+    return chord;
+  }
+  const double square = b * b - a * c;
+  if (square < 0.0) {
+    chord.leave_m = chord.enter_m;
+    return chord;
+  }
+  chord.enter_m = (-b - std::sqrt(square)) / a;
+  chord.leave_m = (-b + std::sqrt(square)) / a;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (round_[d]) chord.normal[d] = (place_m[d] + chord.enter_m * direction[d]) / (size_m_[d] * size_m_[d]);
+  }
+  return chord;
+}
+
+/// Between the two flat sides across an axis.
+TrueShape::Chord TrueShape::flat_chord(std::size_t axis, double place_m, double direction) const {
+  Chord chord;
+  const double half_m = 0.5 * size_m_[axis];
+  if (direction == 0.0) {
+    if (std::abs(place_m) > half_m) chord.leave_m = chord.enter_m;
+    return chord;
+  }
+  const double side = std::copysign(1.0, direction);
+  chord.enter_m = (-side * half_m - place_m) / direction;
+  chord.leave_m = (side * half_m - place_m) / direction;
+  chord.normal[axis] = -side;
+  return chord;
+}
+
+std::optional<ShapeHit> TrueShape::first_hit(const std::array<double, 3>& place_m,
+                                             const std::array<double, 3>& direction) const {
+  Chord inside = round_chord(place_m, direction);
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (round_[d]) continue;
+    const Chord between = flat_chord(d, place_m[d], direction[d]);
+    inside.leave_m = std::min(inside.leave_m, between.leave_m);
+    if (between.enter_m <= inside.enter_m) continue;
+    inside.enter_m = between.enter_m;
+    inside.normal = between.normal;
+  }
+  if (inside.leave_m <= std::max(inside.enter_m, 0.0)) return std::nullopt;
+  if (inside.enter_m <= 0.0) return ShapeHit{0.0, {-direction[0], -direction[1], -direction[2]}};
+  return ShapeHit{inside.enter_m, inside.normal};
 }
 
 }  // namespace unbruised

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/scenario/scenario.hpp"
 
@@ -16,6 +17,12 @@ namespace unbruised {
 struct NearestSurface {
   double distance_m = 0;                  ///< negative inside
   std::array<double, 3> normal{0, 0, 1};  ///< outward, of length 1
+};
+
+/// Where a ray meets the surface.
+struct ShapeHit {
+  double distance_m = 0;           ///< along the ray; 0 where it starts inside
+  std::array<double, 3> normal{};  ///< outward, of any length; against the ray where it starts inside
 };
 
 /// Places are relative to the centre of the shape.
@@ -42,8 +49,16 @@ class TrueShape {
   [[nodiscard]] double reach_m(const std::array<double, 3>& direction) const;
   /// Distance and normal at a place; where several places are nearest, as in the middle, one of them.
   [[nodiscard]] NearestSurface nearest(const std::array<double, 3>& place_m) const;
+  /// Where a ray from a place along a unit vector first meets the shape; none: it passes.
+  [[nodiscard]] std::optional<ShapeHit> first_hit(const std::array<double, 3>& place_m,
+                                                  const std::array<double, 3>& direction) const;
 
  private:
+  /// A stretch of a ray, and what bounds it where the ray comes in.
+  struct Chord;
+  [[nodiscard]] Chord round_chord(const std::array<double, 3>& place_m,
+                                  const std::array<double, 3>& direction) const;
+  [[nodiscard]] Chord flat_chord(std::size_t axis, double place_m, double direction) const;
   [[nodiscard]] NearestSurface nearest_round(const std::array<double, 3>& place_m) const;
 
   std::array<double, 3> size_m_;

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/integration/wilson_theta.hpp"
 #include "core/motion/handling_cycle.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/sensor/finger_instruments.hpp"
 #include "core/simulation/outcome_observer.hpp"
 
 namespace unbruised {
@@ -18,6 +20,7 @@ struct LaneRun {
   bool busy = false;
   Scenario scenario;
   HandlingCycle cycle;
+  std::optional<FingerInstruments> instruments;          ///< where there is something to read
   std::int64_t step = 0;                                 ///< steps taken
   SupportPlane plane = SupportPlane::start;              ///< under the product
   OutcomeObserver* outcome = nullptr;                    ///< one of the observers

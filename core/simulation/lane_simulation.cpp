@@ -39,6 +39,8 @@ struct LaneSimulation::Impl {
 
   void abort_lanes(const Mask& lanes, const char* cause);
   void tell_cycle(int lane, double start_s, double time_s);
+  void read_instruments(int lane, double start_s, double time_s);
+  [[nodiscard]] StepObservation see(int lane, double time_s);
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   void observe_lane(int lane);
   void finish(const LaneStep& last);
@@ -122,6 +124,10 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
     sensor.emplace(scenario.sensor, *mount_of(scenario, parts.body), mount_state(lane, mounts));
   for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
+  if (FingerInstruments instruments(scenario); !instruments.idle()) {
+    instruments.start(view.finger_signs(lane, scenario, instruments.has_range()));
+    r.instruments = instruments;
+  }
   balances.load(lane, view, scenario);
   auto outcome = std::make_unique<OutcomeObserver>(scenario, balances);
   r.outcome = outcome.get();
@@ -131,7 +137,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
 void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observer) {
   LaneRun& r = run_of(lane);
   require(r.busy && r.step == 0, "LaneSimulation::watch: not right after load");
-  const StepObservation seen = view.observe(lane, r.scenario, 0.0);
+  const StepObservation seen = see(lane, 0.0);
   observer->start({.lane = lane, .scenario = r.scenario, .cycle = r.cycle, .seen = seen, .view = view});
   r.observers.push_back(std::move(observer));
 }
@@ -288,10 +294,11 @@ void LaneSimulation::Impl::observe_lane(int lane) {
   const double start = r.time_s(w);
   ++r.step;
   const double time = r.time_s(w);
+  read_instruments(lane, start, time);
   tell_cycle(lane, start, time);
   if (auto& sensor = sensors[static_cast<std::size_t>(lane)])
     sensor->observe(start, time, mount_state(lane, mounts));
-  const StepObservation seen = view.observe(lane, r.scenario, time);
+  const StepObservation seen = see(lane, time);
   balances.book_impulse(lane, view);
   const LaneStep step{.lane = lane,
                       .count = r.step,
@@ -312,7 +319,24 @@ void LaneSimulation::Impl::observe_lane(int lane) {
 void LaneSimulation::Impl::tell_cycle(int lane, double start_s, double time_s) {
   std::optional<double> touch_s;
   if (const double touch = contact.first_touch()[lane]; touch <= 1.0) touch_s = start_s + touch * w.theta * w.dt;
-  if (run_of(lane).cycle.observe(time_s, touch_s) == CycleEvent::lift_started) contact.forget_slip(lane);
+  LaneRun& r = run_of(lane);
+  const std::optional<double> guard_s = r.instruments ? r.instruments->guard_s() : std::nullopt;
+  if (r.cycle.observe(time_s, touch_s, guard_s) == CycleEvent::lift_started) contact.forget_slip(lane);
+}
+
+void LaneSimulation::Impl::read_instruments(int lane, double start_s, double time_s) {
+  LaneRun& r = run_of(lane);
+  if (!r.instruments) return;
+  r.instruments->observe(start_s, time_s, view.finger_signs(lane, r.scenario, r.instruments->has_range()));
+}
+
+/// What the observers are shown.
+StepObservation LaneSimulation::Impl::see(int lane, double time_s) {
+  const LaneRun& r = run_of(lane);
+  StepObservation seen = view.observe(lane, r.scenario, time_s);
+  if (!r.instruments) return seen;
+  for (std::size_t f = 0; f < kFingerCount; ++f) seen.finger[f].range_m = r.instruments->range_m()[f];
+  return seen;
 }
 
 void LaneSimulation::Impl::finish(const LaneStep& last) {

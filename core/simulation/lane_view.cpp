@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/body/rigid_motion.hpp"
 #include "core/lanes/lane_rotation.hpp"
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/contact_set.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
+#include "core/sensor/finger_rays.hpp"
 
 namespace unbruised {
 namespace {
@@ -96,6 +99,10 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
     finger.slip_m = contact.slip(static_cast<int>(f)).way_m(lane);
     finger.slip_rad = contact.slip(static_cast<int>(f)).angle_rad(lane);
     finger.yield_ratio = yield_ratio[f][lane];
+    const double touched = contact.touched(static_cast<int>(f))[lane],
+                 left = contact.left(static_cast<int>(f))[lane];
+    if (touched <= 1.0) finger.touched_s = time_s + (touched * w.theta - 1.0) * w.dt;
+    if (left >= 0.0) finger.left_s = time_s + (left * w.theta - 1.0) * w.dt;
     const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
     for (std::size_t i = 0; i < 3; ++i) {
       seen.force_N[i] += force_N[i];
@@ -131,11 +138,25 @@ bool LaneView::sinks_through(int lane, const Scenario& scenario) const {
   return false;
 }
 
+FingerSigns LaneView::finger_signs(int lane, const Scenario& scenario, bool with_range) const {
+  FingerSigns signs;
+  for (std::size_t f = 0; f < kFingerCount; ++f) signs.force_N[f] = contact.tally()[f].normal[lane];
+  if (!with_range || !model.carried_surface) return signs;
+  const BodyPose pose = pose_of(body, model.body, lane);
+  const auto rays = finger_rays(scenario, model.body.center_m(), carriers, gripper, lane);
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    signs.distance_m[f] = model.carried_surface->distance_m(rays[f], pose, body.u(), lane)
+                              .value_or(std::numeric_limits<double>::infinity());
+  }
+  return signs;
+}
+
 TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) const {
   TraceRow row;
   row.time_s = time_s;
   row.gripper = has_gripper(scenario);
   row.yields = can_yield(scenario);
+  row.ranged = has_range_sensors(scenario);
   row.surface_count = model.contact.surface_count;
   for (std::size_t surface = 0; surface < static_cast<std::size_t>(row.surface_count); ++surface) {
     row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);

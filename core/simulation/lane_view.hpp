@@ -9,6 +9,7 @@
 #include "core/gripper/gripper_lanes.hpp"
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
+#include "core/sensor/finger_instruments.hpp"
 #include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "core/simulation/trace_row.hpp"
@@ -36,6 +37,8 @@ struct LaneView {
   [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
+  /// What the instruments of the fingers have to read. @param with_range do they ask for distances?
+  [[nodiscard]] FingerSigns finger_signs(int lane, const Scenario& scenario, bool with_range) const;
   /// Angle between the grip axis and what of a product that turns lay along it; 0 for one that stays upright.
   [[nodiscard]] double lean_in_grip_rad(int lane, const Scenario& scenario) const;
   /// Does the product reach through a plane with places that its contact set leaves out?

@@ -2,6 +2,7 @@
 
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/factor_key.hpp"
+#include "core/scenario/product.hpp"
 #include "core/simulation/model_parts.hpp"
 
 namespace unbruised {
@@ -52,6 +53,8 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
     error = refused.what();
     return nullptr;
   }
+  const auto shape = true_shape(scenario.product);
+  if (shape && parts.body.lattice) parts.carried_surface.emplace(*shape, *parts.body.lattice);
   if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
 }

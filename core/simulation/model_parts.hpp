@@ -11,6 +11,7 @@
 #include "core/contact/static_rest.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/scenario/product_frame.hpp"
+#include "core/sensor/carried_surface.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised {
@@ -21,7 +22,8 @@ struct Model::Parts {
   ProductFrame frame = ProductFrame::upright;
   BodyModel body;
   ContactModel contact;
-  std::optional<SupportRest> rest;  ///< solids
+  std::optional<SupportRest> rest;                ///< solids
+  std::optional<CarriedSurface> carried_surface;  ///< lattices
 };
 
 }  // namespace unbruised

@@ -25,6 +25,7 @@ void TraceRecorder::record(const LaneStep& step) {
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const FingerObservation& finger = step.seen.finger[f];
     row.yield_ratio[f] = finger.yield_ratio;
+    row.range_m[f] = finger.range_m;
     if (!step.cycle.lift_started() || finger.closed_contacts == 0) continue;
     row.slip_m[f] = finger.slip_m;
     row.slip_rad[f] = finger.slip_rad;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/outcome/damage_limits.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -89,6 +90,9 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
           "angle that the product has turned against each finger's pad since the start of the lift", {"finger"},
           {kFingerCount});
   declare(trace, "phase", "1", phase_codes(), {}, {});
+  if (has_range_sensors(scenario)) {
+    declare(trace, "range_m", "m", "last reading of each finger's range sensor", {"finger"}, {kFingerCount});
+  }
   if (!can_yield(scenario)) return;
   declare(trace, "contact_yield_ratio", "1",
           "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"},
@@ -136,6 +140,7 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   signals.put(row.slip_m);
   signals.put(row.slip_rad);
   signals.put(static_cast<double>(row.phase));
+  if (row.ranged) signals.put(row.range_m);
   if (row.yields) signals.put(row.yield_ratio);
 }
 

@@ -25,13 +25,14 @@ struct TraceRow {
   double time_s = 0;
   bool gripper = false;
   bool yields = false;  ///< the product can keep a deformation
+  bool ranged = false;  ///< there are range sensors
   int surface_count = 0;
   std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
   std::array<double, kSurfaceCount> closed{}, sliding{};
   std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{}, palm_rotation_rad{};
   CyclePhase phase = CyclePhase::approach;
-  std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{};
+  std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{}, range_m{};
   double support_yield_ratio = 0;
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;

@@ -159,6 +159,8 @@ struct Assembler {
       case Use::network_support:
         return !lattice || !spec.path.starts_with("product.");
       case Use::gripper:
+      case Use::range:
+      case Use::force_guard:
         return input.has_gripper || !spec.path.starts_with("gripper.");
       default:
         return true;

@@ -119,6 +119,18 @@ std::string where_used(Use use) {
       return "lattice products on a support";
     case Use::network_support:
       return "networks on a support";
+    case Use::tracking:
+      return "palms that track";
+    case Use::stop:
+      return "cycles that are stopped";
+    case Use::range:
+      return "grippers with range sensors";
+    case Use::guard:
+      return "approaches with a guard";
+    case Use::range_guard:
+      return "guards by range";
+    case Use::force_guard:
+      return "guards by force";
     default:
       return listed(kinds_that_use(use), "and") + " studies";
   }

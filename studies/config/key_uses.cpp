@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <variant>
 
+#include "core/scenario/gripper.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/text/joined.hpp"
 
@@ -70,13 +72,23 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return has_gripper(scenario) && (scenario.strategy.stop_time_s || varied("strategy.stop_time_s"));
     case Use::sensor:
       return has_sensor(scenario) || varied("sensor.at");
+    case Use::range:
+      return has_range_sensors(scenario) || (has_gripper(scenario) && varied("gripper.range.maximum_m"));
+    case Use::guard:
+      return has_gripper(scenario) && (scenario.strategy.guard != GuardKind::none || varied("strategy.guard"));
+    case Use::range_guard:
+      return has_gripper(scenario) && (scenario.strategy.guard == GuardKind::range || varied("strategy.guard"));
+    case Use::force_guard:
+      return has_gripper(scenario) && (scenario.strategy.guard == GuardKind::force || varied("strategy.guard"));
     default:
       return true;
   }
 }
 
 std::string why_unused(Use use, const Scenario& scenario) {
-  const bool grips = use == Use::not_window || use == Use::tracking || use == Use::stop;
+  constexpr std::array<Use, 7> kGripping = {Use::not_window, Use::tracking,    Use::stop,       Use::range,
+                                            Use::guard,      Use::range_guard, Use::force_guard};
+  const bool grips = std::find(kGripping.begin(), kGripping.end(), use) != kGripping.end();
   if (grips && !has_gripper(scenario)) use = Use::gripper;
   switch (use) {
     case Use::always:
@@ -103,6 +115,14 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: without strategy.stop_time_s nothing is stopped";
     case Use::sensor:
       return "not used: there is no sensor; sensor.at says where it is";
+    case Use::range:
+      return "not used: without gripper.range.maximum_m there are no range sensors";
+    case Use::guard:
+      return "not used: only an approach with a guard (strategy.guard) has it";
+    case Use::range_guard:
+      return "not used: only a guard by range (strategy.guard = \"range\") has it";
+    case Use::force_guard:
+      return "not used: only a guard by force (strategy.guard = \"force\") has it";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

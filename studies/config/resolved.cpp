@@ -63,6 +63,13 @@ struct Writer {
       list_of("product." + leaf + "[]", name + "." + leaf, scenario);
   }
 
+  /// Of a gripper that has them, under `name`.
+  void range_sensors(const std::string& name, Scenario& scenario) {
+    if (!scenario_uses(Use::range, scenario, varied_keys)) return;
+    header("[" + name + "]");
+    keys("gripper.range", scenario, 0);
+  }
+
   void variants(const VaryColumn& column) {
     std::size_t grippers = 1;
     for (const VaryColumn& other : data.plan.columns) {
@@ -78,6 +85,7 @@ struct Writer {
         keys("limits", scenario, 0);
       } else {
         keys("gripper", scenario, 0);
+        range_sensors("vary.variant.range", scenario);
       }
     }
   }
@@ -164,6 +172,7 @@ std::string resolved_text(const StudyData& data) {
   }
   if (has_gripper(base) && !gripper_varies) {
     writer.table("gripper", base);
+    writer.range_sensors("gripper.range", base);
     writer.sources("gripper");
   }
   writer.table("cell", base);

@@ -183,6 +183,10 @@ enum class Use {
   tracking,  ///< palms that go with a belt
   stop,      ///< cycles that are stopped
   sensor,    ///< scenarios with a six-axis sensor
+  range,     ///< grippers with range sensors
+  guard,     ///< approaches with a guard
+  range_guard,
+  force_guard,
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

@@ -5,7 +5,7 @@
 
 #include "core/contact/contact_effort.hpp"
 #include "core/motion/motion_plan.hpp"
-#include "core/scenario/opening.hpp"
+#include "core/scenario/guard.hpp"
 #include "studies/execution/build_info.hpp"
 
 namespace unbruised::studies {
@@ -35,7 +35,7 @@ LaneStepRate measured_lane_step_rate() {
 double simulated_duration_s(const Scenario& scenario) {
   if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
   const StrategyParameters& strategy = scenario.strategy;
-  const double approach_s = approach_gap_m(scenario) / strategy.approach_speed_m_s;
+  const double approach_s = planned_approach(scenario).time_s;
   return MotionPlan(scenario, strategy.ramp_from_start ? 0.0 : approach_s).end_s();
 }
 

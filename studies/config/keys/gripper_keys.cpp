@@ -130,6 +130,12 @@ Table drive_keys() {
        .use = use,
        .note = "absent: as wide as the product and the approach gaps need",
        .field = parallel_jaw<&G::opening_m>},
+      {.path = "gripper.force_rate_Hz",
+       .type = optional_number,
+       .meaning = "How often the force of a finger is measured, which a guard by force waits for.",
+       .use = Use::force_guard,
+       .note = "absent: at all times",
+       .field = parallel_jaw<&G::force_rate_Hz>},
   };
 }
 

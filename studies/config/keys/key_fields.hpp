@@ -70,6 +70,10 @@ template <auto member>
 FieldRef parallel_jaw(Scenario& scenario, int /*index*/) {
   return field_ref(jaw_of(scenario).*member);
 }
+template <auto member>
+FieldRef range(Scenario& scenario, int /*index*/) {
+  return field_ref(jaw_of(scenario).range.*member);
+}
 /// Its words are the kinds behind NoGripper, in the order of the variant.
 inline FieldRef gripper_kind(Scenario& scenario, int /*index*/) {
   return ChoiceRef{&scenario.gripper,

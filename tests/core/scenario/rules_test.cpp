@@ -326,10 +326,68 @@ std::vector<Breach> handling_breaches() {
   };
 }
 
+/// A grip that slows down 4 mm before the product, which stands 5 mm away; its sensors sit 1 mm behind the pads.
+Scenario guarded_grip() {
+  Scenario scenario = usual_grip();
+  jaw_of(scenario).range.maximum_m = 0.05;
+  jaw_of(scenario).range.depth_m = 1e-3;
+  jaw_of(scenario).range.rate_Hz = 500.0;
+  scenario.strategy.guard = GuardKind::range;
+  scenario.strategy.guard_range_m = 5e-3;
+  return scenario;
+}
+
+Scenario force_guarded_grip() {
+  Scenario scenario = usual_grip();
+  scenario.strategy.guard = GuardKind::force;
+  scenario.strategy.guard_force_N = 0.1;
+  return scenario;
+}
+
+std::vector<Breach> guard_breaches() {
+  return {
+      {"gripper.range.rate_Hz", "must be <= 1 / simulation.time_step_s = 1000", guarded_grip,
+       [](S s) { jaw_of(s).range.rate_Hz = 1001.0; }},
+      {"gripper.force_rate_Hz", "must be <= 1 / simulation.time_step_s = 1000", force_guarded_grip,
+       [](S s) { jaw_of(s).force_rate_Hz = 2000.0; }},
+      {"gripper.range.noise_m", "must be 0 without gripper.range.rate_Hz", guarded_grip,
+       [](S s) {
+         jaw_of(s).range.rate_Hz.reset();
+         jaw_of(s).range.noise_m = 1e-4;
+       }},
+      {"gripper.range.depth_m", "must be > - the way to the product", guarded_grip,
+       [](S s) { jaw_of(s).range.depth_m = -6e-3; }},
+      {"strategy.guard", "needs a gripper", guarded_grip, [](S s) { s.gripper = NoGripper{}; }},
+      {"strategy.guard", "needs range sensors", guarded_grip, [](S s) { jaw_of(s).range.maximum_m.reset(); }},
+      {"strategy.ramp_from_start", "must be false with a guard", guarded_grip,
+       [](S s) { s.strategy.ramp_from_start = true; }},
+      {"strategy.guard_range_m", "missing", guarded_grip, [](S s) { s.strategy.guard_range_m.reset(); }},
+      {"strategy.guard_range_m", "must be <= gripper.range.maximum_m", guarded_grip,
+       [](S s) { jaw_of(s).range.maximum_m = 4e-3; }},
+      {"strategy.guard_range_m", "must be <= what the range sensors read at the start, 0.006 m", guarded_grip,
+       [](S s) { s.strategy.guard_range_m = 7e-3; }},
+      {"strategy.guard_range_m", "must be > what the range sensors read when the pads touch, 0.001 m",
+       guarded_grip, [](S s) { s.strategy.guard_range_m = 5e-4; }},
+      {"strategy.guard_range_m", "is never read", guarded_grip,
+       [](S s) {
+         jaw_of(s).range.offset_m = {0.04, 0.0};
+       }},
+      {"strategy.guard_force_N", "missing", force_guarded_grip, [](S s) { s.strategy.guard_force_N.reset(); }},
+      {"strategy.guard_force_N", "must be < strategy.contact_force_N = 0.3", force_guarded_grip,
+       [](S s) { s.strategy.guard_force_N = 0.3; }},
+      {"strategy.guard_force_N", "must be < gripper.drive_gain_N_s_m x", force_guarded_grip,
+       [](S s) { jaw_of(s).drive_gain_N_s_m = 1.0; }},
+      {"strategy.guard_speed_m_s", "must be < strategy.approach_speed_m_s = 0.05", force_guarded_grip,
+       [](S s) { s.strategy.guard_speed_m_s = 0.05; }},
+      {"strategy.guard_speed_m_s", "must be > 0 with strategy.guard = \"range\"", guarded_grip,
+       [](S s) { s.strategy.guard_speed_m_s = 0.0; }},
+  };
+}
+
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part :
-       {lattice_breaches(), surface_breaches(), sensor_breaches(), network_breaches(), handling_breaches()}) {
+  for (const auto& part : {lattice_breaches(), surface_breaches(), sensor_breaches(), network_breaches(),
+                           handling_breaches(), guard_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -350,6 +408,8 @@ bool speaks(const Violations& all, const Breach& breach) {
 TEST(Rules, HoldInUsualScenarios) {
   EXPECT_TRUE(validate(usual_grip()).empty());
   EXPECT_TRUE(validate(usual_network()).empty());
+  EXPECT_TRUE(validate(guarded_grip()).empty());
+  EXPECT_TRUE(validate(force_guarded_grip()).empty());
 }
 
 TEST(Rules, AreBrokenByTheScenariosMadeForThem) {
@@ -399,11 +459,21 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {
-      "product.shape", "product.axis",      "product.kind",           "product.particle[].fixed",
-      "gripper",       "gripper.coupling",  "cell.support",           "strategy.pick",
-      "cell.surface",  "cell.target_plane", "simulation.contact_set", "sensor.at",
-      "sensor.model"};
+  const std::set<std::string_view> words = {"product.shape",
+                                            "product.axis",
+                                            "product.kind",
+                                            "product.particle[].fixed",
+                                            "gripper",
+                                            "gripper.coupling",
+                                            "cell.support",
+                                            "strategy.pick",
+                                            "cell.surface",
+                                            "cell.target_plane",
+                                            "simulation.contact_set",
+                                            "strategy.guard",
+                                            "strategy.ramp_from_start",
+                                            "sensor.at",
+                                            "sensor.model"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

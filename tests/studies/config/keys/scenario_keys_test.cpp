@@ -56,7 +56,11 @@ std::vector<Arrival> product_arrivals() {
   };
 }
 
+const std::vector<std::string> kByForce = {"strategy.guard=\"force\"", "strategy.guard_force_N=0.01",
+                                           "strategy.guard_speed_m_s=0.001"};
+
 std::vector<Arrival> gripper_arrivals() {
+  const std::vector<std::string> ranges = {"gripper.range.maximum_m=0.05"};
   return {
       {"gripper.finger_mass_kg", "0.375", [](S s) { return jaw_of(s).finger_mass_kg == 0.375; }},
       {"gripper.stroke_m", "0.375", [](S s) { return jaw_of(s).stroke_m == 0.375; }},
@@ -76,6 +80,21 @@ std::vector<Arrival> gripper_arrivals() {
       {"gripper.force_accuracy", "0.125", [](S s) { return jaw_of(s).force_accuracy == 0.125; }},
       {"gripper.force_step_N", "0.125", [](S s) { return jaw_of(s).force_step_N == 0.125; }},
       {"gripper.opening_m", "0.375", [](S s) { return jaw_of(s).opening_m == 0.375; }, {"gripper.stroke_m=0.5"}},
+      {"gripper.range.maximum_m", "0.375", [](S s) { return jaw_of(s).range.maximum_m == 0.375; }},
+      {"gripper.range.offset_m", "[0.002, -0.003]",
+       [](S s) {
+         return jaw_of(s).range.offset_m == A2{0.002, -0.003};
+       },
+       ranges},
+      {"gripper.range.depth_m", "0.375", [](S s) { return jaw_of(s).range.depth_m == 0.375; }, ranges},
+      {"gripper.range.rate_Hz", "37.5", [](S s) { return jaw_of(s).range.rate_Hz == 37.5; }, ranges},
+      {"gripper.range.resolution_m", "0.375", [](S s) { return jaw_of(s).range.resolution_m == 0.375; }, ranges},
+      {"gripper.range.noise_m",
+       "0.375",
+       [](S s) { return jaw_of(s).range.noise_m == 0.375; },
+       {"gripper.range.maximum_m=0.05", "gripper.range.rate_Hz=50.0"}},
+      {"gripper.range.noise_seed", "37", [](S s) { return jaw_of(s).range.noise_seed == 37; }, ranges},
+      {"gripper.force_rate_Hz", "37.5", [](S s) { return jaw_of(s).force_rate_Hz == 37.5; }, kByForce},
       {"gripper.max_force_N", "375.0", [](S s) { return jaw_of(s).max_force_N == 375.0; }},
       {"gripper.max_speed_m_s", "3.75", [](S s) { return jaw_of(s).max_speed_m_s == 3.75; }},
       {"gripper.coupling", "\"independent\"",
@@ -135,6 +154,13 @@ std::vector<Arrival> strategy_arrivals() {
       {"strategy.grip_ramp_s", "0.875", [](S s) { return s.strategy.grip_ramp_s == 0.875; }},
       {"strategy.ramp_from_start", "true", [](S s) { return s.strategy.ramp_from_start; }},
       {"strategy.settle_s", "0.875", [](S s) { return s.strategy.settle_s == 0.875; }},
+      {"strategy.guard", "\"force\"", [](S s) { return s.strategy.guard == GuardKind::force; }, kByForce},
+      {"strategy.guard_range_m",
+       "0.003125",
+       [](S s) { return s.strategy.guard_range_m == 0.003125; },
+       {"gripper.range.maximum_m=0.05", "strategy.guard=\"range\"", "strategy.guard_speed_m_s=0.001"}},
+      {"strategy.guard_force_N", "0.0125", [](S s) { return s.strategy.guard_force_N == 0.0125; }, kByForce},
+      {"strategy.guard_speed_m_s", "0.0025", [](S s) { return s.strategy.guard_speed_m_s == 0.0025; }, kByForce},
       {"strategy.pick",
        "\"tracking\"",
        [](S s) { return s.strategy.pick == PickKind::tracking; },

@@ -24,9 +24,8 @@ struct LaneView {
   /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;
 
-  /// Elastic energy and energy of motion of product, layers and fingers, the elastic one from the present plastic
-  /// strains [J].
-  [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
+  /// Of product, layers and fingers.
+  [[nodiscard]] StoredEnergy stored_energy(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// Angle between the grip axis and what of a product that turns lay along it; 0 for one that stays upright.

@@ -102,7 +102,7 @@ double ContactEvents::touching_s(const ContactStep& step) const {
 double ContactEvents::leaving_s(const ContactStep& step, const Memory& last) const {
   const double fall = last.depth_m - step.depth_m;
   const double fraction = fall > 0.0 ? last.depth_m / fall : 1.0;
-  return earliest_s() + w_.dt * std::clamp(fraction, 0.0, 1.0);
+  return std::clamp((w_.theta - 1.0 + fraction) * w_.dt, earliest_s(), latest_s());
 }
 
 /// Where the way along which it slid turns back, by the parabola through its last three places; at once where it
@@ -110,7 +110,7 @@ double ContactEvents::leaving_s(const ContactStep& step, const Memory& last) con
 double ContactEvents::halting_s(const ContactStep& step, const Memory& last) const {
   const double along = dot(last.way_m, last.way_m), now = dot(step.place_m - last.place_m, last.way_m);
   const double fraction = along > now ? along / (along - now) - 0.5 : 0.0;
-  return earliest_s() + w_.dt * std::clamp(fraction, 0.0, 1.0);
+  return std::clamp((w_.theta - 1.0 + fraction) * w_.dt, earliest_s(), latest_s());
 }
 
 /// Where the force that the layer would have without slipping leaves the cone.

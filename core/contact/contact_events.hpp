@@ -2,7 +2,7 @@
 
 /// @file
 /// Finds when within a step the contact state register changed. It is asked once a step, at t + theta dt, so that
-/// a change lies between the last time it was asked and this one: those windows, [(theta - 1) dt, theta dt] after
+/// a change lies between the last time it was asked and this one: those windows, ((theta - 1) dt, theta dt] after
 /// the start of each step, follow one another without gap or overlap (docs/instruments.md).
 
 #include <array>
@@ -61,7 +61,8 @@ class ContactEvents {
     double depth_m = 0;
     std::array<double, 2> place_m{}, way_m{};  ///< along the tangents, and from the last step on
   };
-  [[nodiscard]] double earliest_s() const { return (w_.theta - 1.0) * w_.dt; }
+  /// The moment itself still belongs to the last step.
+  [[nodiscard]] double earliest_s() const { return (w_.theta - 1.0 + 1e-6) * w_.dt; }
   [[nodiscard]] double latest_s() const { return w_.theta * w_.dt; }
   [[nodiscard]] double touching_s(const ContactStep& step) const;
   [[nodiscard]] double leaving_s(const ContactStep& step, const Memory& last) const;

@@ -96,11 +96,12 @@ TEST_P(TraceEnergy, PartsAddUp) {
     EXPECT_NEAR(sum_of("dissipated_energy_J", row), sum_of("dissipated_by_cause_J", row), 1e-15) << row;
     EXPECT_GE(sum_of("plastic_work_J", row), sum_of("hardening_energy_J", row)) << row;
   }
-  // Every cause that dissipates never takes anything back, but for the half step by which damping is behind.
-  const TraceSignal& lost = signal(trace_, "dissipated_by_cause_J");
-  for (const std::size_t cause : {1u, 3u}) {
-    const std::vector<double> values = column(trace_, lost.name, cause);
-    for (std::size_t row = 1; row < values.size(); ++row) EXPECT_GE(values[row], values[row - 1] - 1e-15) << row;
+  // Plastic flow takes nothing back; neither does friction, within the trapezoid rule by which it is summed.
+  const std::vector<double> flow = column(trace_, "dissipated_by_cause_J", 1);
+  const std::vector<double> friction = column(trace_, "dissipated_by_cause_J", 3);
+  for (std::size_t row = 1; row < flow.size(); ++row) {
+    EXPECT_GE(flow[row], flow[row - 1] - 1e-15) << row;
+    EXPECT_GE(friction[row], friction[row - 1] - 1e-3 * friction.back()) << row;
   }
 }
 
@@ -142,25 +143,23 @@ TEST(SurfaceTorque, IsTheRateOfTheAngularMomentum) {
   run(scenario, &trace);
   const Points points = points_of(scenario);
   const TraceSignal& torque = signal(trace, "surface_torque_N_m");
+  const Eigen::Vector3d first = spin_row(trace, points, 0).momentum_kg_m2_s;
   Eigen::Vector3d gained = Eigen::Vector3d::Zero(), before = Eigen::Vector3d::Zero();
-  double size = 0.0;
+  double largest_change = 0.0, largest_error = 0.0;
   for (std::size_t row = 0; row < trace.time_s.size(); ++row) {
     Eigen::Vector3d now = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < width(torque); ++i)
       now[static_cast<Eigen::Index>(i % 3)] += torque.values[row * width(torque) + i];
-    if (row > 0) {
-      const double step_s = trace.time_s[row] - trace.time_s[row - 1];
-      gained += 0.5 * step_s * (before + now);
-      size += 0.5 * step_s * (before + now).norm();
-    }
+    if (row > 0) gained += 0.5 * (trace.time_s[row] - trace.time_s[row - 1]) * (before + now);
     before = now;
+    const Eigen::Vector3d change = spin_row(trace, points, row).momentum_kg_m2_s - first;
+    largest_change = std::max(largest_change, change.norm());
+    largest_error = std::max(largest_error, (gained - change).norm());
   }
-  const Eigen::Vector3d change =
-      spin_row(trace, points, trace.time_s.size() - 1).momentum_kg_m2_s - spin_row(trace, points, 0).momentum_kg_m2_s;
-  ASSERT_GT(change.norm(), 0.1 * size);
+  ASSERT_GT(largest_change, 1e-4) << "it tumbles";
   // Torques at the ends of steps against what the steps were solved with, at t + theta dt.
-  EXPECT_LT((gained - change).norm(), 0.02 * size);
-  std::cout << "[ measured ] torque over time against angular momentum: " << (gained - change).norm() / size << "\n";
+  EXPECT_LT(largest_error, 0.02 * largest_change);
+  std::cout << "[ measured ] torque over time against angular momentum: " << largest_error / largest_change << "\n";
 }
 
 TEST(FrictionMargin, IsLeastWhereTheMetricSays) {

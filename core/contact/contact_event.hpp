@@ -16,6 +16,9 @@ struct ContactEvent {
   int node = 0;         ///< particle index
   int surface = 0;      ///< its number in `kSurfaces`
   Kind kind = Kind::make;
+  int contact = 0;  ///< number of the candidate: a particle, or a place that it carries, before one surface
+  std::array<double, 3> place_m{};  ///< of the contact in the cell at that time
+  std::array<double, 3> force_N{};  ///< on the product at that time
 };
 
 /// In the order of `ContactEvent::Kind`.

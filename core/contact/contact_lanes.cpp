@@ -29,7 +29,8 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       mounted_(model),
       sweep_(model, surfaces_, register_),
       window_(windows_over(model)),
-      place_windows_(model.patch_side_m) {
+      place_windows_(model.patch_side_m),
+      events_(model.candidate.size(), wilson) {
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
   if (model.place.empty()) return;
@@ -45,7 +46,11 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   forget_slip(lane);
   for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
-  for (Lane* value : {&dissipated_, &patch_pressure_, &layer_strain_}) value->set(lane, 0.0);
+  for (Lane* value :
+       {&dissipated_, &losses_.friction, &losses_.viscous, &losses_.left, &patch_pressure_, &layer_strain_}) {
+    value->set(lane, 0.0);
+  }
+  events_.stop(lane);
   const auto at = static_cast<std::size_t>(lane);
   pad_layer_[at] = layer_at_pad(scenario);
   support_layer_[at] = layer_at_support(scenario);
@@ -93,6 +98,12 @@ void ContactLanes::leave(int surface, int lane) {
     if (model_.candidate[c].surface != surface) continue;
     const LayerEnergy stored = register_.stored_energy(c, surfaces_[surface]);
     dissipated_.set(lane, dissipated_[lane] + stored.pressed[lane] + stored.sheared[lane]);
+    losses_.left.set(lane, losses_.left[lane] + stored.pressed[lane] + stored.sheared[lane]);
+    if (register_.is_closed(c)[lane]) {
+      events_.note_left(
+          static_cast<int>(c), lane,
+          {register_.normal.at(c, lane), register_.tangent[0].at(c, lane), register_.tangent[1].at(c, lane)});
+    }
     register_.open(c, lane);
   }
 }
@@ -221,6 +232,7 @@ void ContactLanes::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& p
   const LayerEnergy after = register_.stored_energy(c, surface);
   const Lane lost = before.pressed - after.pressed + before.sheared - after.sheared;
   dissipated_ += select(lanes, lost, Lane(0.0));
+  losses_.left += select(lanes, lost, Lane(0.0));
 }
 
 void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running) {
@@ -279,8 +291,10 @@ void ContactLanes::end_candidate(std::size_t c, const ContactEnd& end, const Mas
   const Lane slid =
       (step.before[1] + step.after[1]) * step.moved[0] + (step.before[2] + step.after[2]) * step.moved[1];
   dissipated_ += select(running, -Lane(0.5) * slid, Lane(0.0));
+  losses_.friction += select(running, -Lane(0.5) * slid, Lane(0.0));
   tally_candidate(c, running, step);
   note_layer_strain(c, step);
+  if (any(events_.lanes() & running)) note_changes(c, step);
   if (!is_pad(model_.candidate[c].surface)) return;
   tally_torque(c, end, running, step);
   note_touch(c, step);
@@ -348,6 +362,7 @@ void ContactLanes::book_viscous(std::size_t c, const Mask& running, const Candid
   const Lane least(candidate.least_relief_m);
   const Lane way = max0(step.penetration - least) - max0(step.penetration_before - least);
   dissipated_ += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
+  losses_.viscous += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
 }
 
 void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const CandidateStep& step) {
@@ -389,12 +404,6 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
   }
   for (std::size_t t = 0; t < 2; ++t) arm[tangents[t]] -= surfaces_[surface].center_m[t];
   tally_[surface].add_torque(arm, along_axes(surface, step.after[0], step.after[1], step.after[2]), running);
-}
-
-void ContactLanes::record_events(int lane, double step_start_s, std::vector<ContactEvent>& events) const {
-  for (int c : sweep_.live_candidates()) {
-    register_.append_events(static_cast<std::size_t>(c), lane, step_start_s, w_, events);
-  }
 }
 
 }  // namespace unbruised

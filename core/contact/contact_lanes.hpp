@@ -15,7 +15,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/body/body_lanes.hpp"
 #include "core/contact/contact_event.hpp"
+#include "core/contact/contact_events.hpp"
 #include "core/contact/contact_model.hpp"
 #include "core/contact/contact_register.hpp"
 #include "core/contact/contact_sweep.hpp"
@@ -57,6 +59,20 @@ struct ContactEnd {
   const CarrierMotion& theta;
   const CarrierMotion& next;
   const MountLanes* mount = nullptr;  ///< at t + dt
+};
+
+/// What the layers have dissipated since load, by cause [J].
+struct LayerLosses {
+  Lane friction{0.0};
+  Lane viscous{0.0};
+  Lane left{0.0};  ///< what they still held where an edge left them, or their surface was taken away
+};
+
+/// The step whose events are asked for, and the state at its end.
+struct EventStep {
+  double start_s, end_s;
+  const BodyLanes& body;
+  const CarrierMotion& now;
 };
 
 /// How a plane stands to a product.
@@ -131,6 +147,8 @@ class ContactLanes {
   [[nodiscard]] const Lane& left(int pad) const { return left_[static_cast<std::size_t>(pad)]; }
   /// Dissipated by sliding and in viscous layers since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
+  /// The same by cause.
+  [[nodiscard]] const LayerLosses& losses() const { return losses_; }
   /// Stored in the layers, [J].
   [[nodiscard]] Lane stored_energy() const;
   /// Mean pressure of a surface's patch / mean pressure at first yield, from the present tally.
@@ -140,11 +158,21 @@ class ContactLanes {
   [[nodiscard]] std::optional<FacedPlane> faced_plane(int surface, int lane, const CarrierMotion& now) const;
   /// Of the face that meets a surface in one lane.
   [[nodiscard]] const PatchForm& patch_form(int surface, int lane) const;
-  /// Force of one surface on the product along x, y, z, in one lane.
+  /// Force of one surface on the product along x, y, z, in one lane; of a pad along the axes of its palm.
   [[nodiscard]] std::array<double, 3> surface_force(int surface, int lane) const;
 
-  /// Appends the register's changes of the last step in `lane`.
-  void record_events(int lane, double step_start_s, std::vector<ContactEvent>& events) const;
+  // For those who record a lane; nobody else pays for it.
+
+  /// Notes the register's changes in a lane from now on, beginning with the contacts that it holds.
+  void note_events(int lane);
+  /// Another step begins: what was noted of the last one has been read.
+  void forget_events() { events_.forget(); }
+  /// Appends the changes of the last step in `lane` in the order of time.
+  void append_events(int lane, const EventStep& step, std::vector<ContactEvent>& events) const;
+  /// Torque of each surface on the product about its centre of mass, along x, y, z, in one lane: that of its
+  /// forces where they act on the product's particles and places.
+  [[nodiscard]] std::array<std::array<double, 3>, kSurfaceCount> surface_torques(int lane, const BodyLanes& body,
+                                                                                 const CarrierMotion& now) const;
 
  private:
   /// How one candidate went through a step.
@@ -192,6 +220,15 @@ class ContactLanes {
   void tally_candidate(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_torque(std::size_t candidate, const ContactEnd& end, const Mask& running, const CandidateStep& step);
   void note_touch(std::size_t candidate, const CandidateStep& step);
+  void note_changes(std::size_t candidate, const CandidateStep& step);
+  [[nodiscard]] ContactStep contact_step(std::size_t candidate, int lane, const CandidateStep& step) const;
+  /// Where a contact of one lane is, on the particle or place that its force acts on.
+  struct ContactPoint {
+    std::array<double, 3> place_m, velocity_m_s;
+  };
+  [[nodiscard]] ContactPoint contact_point(std::size_t candidate, int lane, const BodyLanes& body) const;
+  [[nodiscard]] std::array<double, 3> in_cell(int surface, int lane, const std::array<double, 3>& along_axes,
+                                              const CarrierMotion& now) const;
   void note_layer_strain(std::size_t candidate, const CandidateStep& step);
   /// Contacts of a pad nearer together than this say nothing about an angle.
   [[nodiscard]] double least_turning_radius_m() const {
@@ -243,6 +280,8 @@ class ContactLanes {
   std::array<PadSlip, kFingerCount> slip_;
   Lane patch_pressure_{0.0}, layer_strain_{0.0}, dissipated_{0.0};
   PadForces touched_ = without_force(), left_ = without_force();  ///< fractions of theta dt; > 1, < 0: none
+  LayerLosses losses_;
+  ContactEvents events_;
 };
 
 }  // namespace unbruised

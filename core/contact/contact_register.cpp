@@ -1,7 +1,5 @@
 #include "core/contact/contact_register.hpp"
 
-#include <algorithm>
-
 #include "core/contact/layer_law.hpp"
 #include "core/door/require.hpp"
 
@@ -123,28 +121,6 @@ LayerEnergy ContactRegister::stored_energy(std::size_t c, const SurfaceLane& sur
   const Lane stored = press * squared_depth(candidate, penetration.get(c), cover(c)) * Lane(0.5);
   const Lane sheared = layer_stiffness(c, surface) * (s1 * s1 + s2 * s2) * Lane(0.5 / 3.0);
   return {select(closed | pressed, stored, Lane(0.0)), select(closed, sheared, Lane(0.0))};
-}
-
-void ContactRegister::append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& w,
-                                    std::vector<ContactEvent>& events) const {
-  using Kind = ContactEvent::Kind;
-  const ContactCandidate& candidate = model_.candidate[c];
-  const bool was = was_closed.at(c, lane);
-  const bool is = normal_theta.at(c, lane) > 0.0;
-  if (is != was) {
-    const double gap = std::max(0.0, gap_now.at(c, lane));
-    const double way = gap - gap_free.at(c, lane);
-    double fraction = 0.5;
-    if (is) fraction = way > 0.0 ? gap / way : 0.0;
-    const double time_s = step_start_s + w.theta * w.dt * std::clamp(fraction, 0.0, 1.0);
-    events.push_back({time_s, candidate.node, candidate.surface, is ? Kind::make : Kind::break_});
-  }
-  const bool slid = was && was_sliding.at(c, lane);
-  const bool slides = is && sliding.at(c, lane);
-  if (is && slid != slides) {
-    events.push_back(
-        {step_start_s + w.theta * w.dt, candidate.node, candidate.surface, slides ? Kind::slip : Kind::stick});
-  }
 }
 
 }  // namespace unbruised

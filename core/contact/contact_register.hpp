@@ -8,11 +8,9 @@
 #include <array>
 #include <vector>
 
-#include "core/contact/contact_event.hpp"
 #include "core/contact/contact_model.hpp"
 #include "core/contact/place_cover.hpp"
 #include "core/contact/static_rest.hpp"
-#include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/surface/surface_lanes.hpp"
 
@@ -57,10 +55,6 @@ class ContactRegister {
   void set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
   /// Stored in one candidate's layer [J].
   [[nodiscard]] LayerEnergy stored_energy(std::size_t c, const SurfaceLane& surface) const;
-
-  /// Appends one candidate's changes of the last step in `lane`.
-  void append_events(std::size_t c, int lane, double step_start_s, const WilsonTheta& wilson,
-                     std::vector<ContactEvent>& events) const;
 
   // Per candidate, kept from step to step.
   LaneArray normal;                  ///< force at the start of the step

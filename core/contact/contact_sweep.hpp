@@ -61,6 +61,11 @@ class ContactSweep {
   [[nodiscard]] const LeverSums& levers() const { return levers_; }
   /// Force of a candidate at t + theta dt in the axes of the product's frame.
   [[nodiscard]] LaneVector force_in_frame(std::size_t candidate) const;
+  /// Relaxation time x rate of the penetration of a near candidate at t + theta dt [m].
+  [[nodiscard]] Lane viscous_depth(std::size_t candidate) const {
+    return rate_slope_[model_.candidate[candidate].surface] * contacts_.penetration_theta.get(candidate) -
+           viscous_.get(candidate);
+  }
   /// Contact nodes with something near a surface in any lane.
   [[nodiscard]] const std::vector<int>& active_nodes() const { return active_node_; }
   /// Candidates that are near or carry force in any lane.

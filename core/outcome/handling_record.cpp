@@ -37,6 +37,17 @@ void refuse_infinite_metrics(ScenarioResult& result, double end_time_s) {
 
 }  // namespace
 
+std::optional<double> friction_margin(const FingerObservation& finger, double friction,
+                                      const LimitParameters& limits) {
+  if (!touches(finger)) return std::nullopt;
+  if (finger.sliding_contacts >= finger.closed_contacts) {
+    return -std::max(finger.slip_m / limits.slip_m, finger.slip_rad / limits.slip_rad);
+  }
+  const double tangential = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
+  if (tangential <= kLeastTangentialShare * finger.normal_N) return std::nullopt;
+  return friction * finger.normal_N / tangential - 1.0;
+}
+
 HandlingRecord::HandlingRecord(const Scenario& scenario)
     : limits_(scenario.limits),
       friction_(product_friction(scenario.product)),
@@ -214,16 +225,8 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
     for (const FingerObservation& finger : now.finger) {
-      if (!touches(finger)) continue;
-      double margin;
-      if (finger.sliding_contacts >= finger.closed_contacts) {
-        margin = -std::max(finger.slip_m / limits_.slip_m, finger.slip_rad / limits_.slip_rad);
-      } else {
-        const double tangential = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
-        if (tangential <= kLeastTangentialShare * finger.normal_N) continue;
-        margin = friction_ * finger.normal_N / tangential - 1.0;
-      }
-      least = std::isnan(least) ? margin : std::min(least, margin);
+      const std::optional<double> margin = friction_margin(finger, friction_, limits_);
+      if (margin) least = std::isnan(least) ? *margin : std::min(least, *margin);
     }
   }
   observe_hold(now, cycle);

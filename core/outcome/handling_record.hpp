@@ -33,6 +33,11 @@ struct FingerObservation {
   double range_m = 0;                          ///< that its sensor reads, where it has one
 };
 
+/// How far a finger that touches is from losing its hold: mu N / |T| - 1; while it slides as a whole, how much of
+/// the slip limits it has used up, negative. Nothing where it has no tangential force to speak of.
+std::optional<double> friction_margin(const FingerObservation& finger, double friction,
+                                      const LimitParameters& limits);
+
 /// What one scenario looked like at the end of a step.
 struct StepObservation {
   double time_s = 0;

@@ -69,7 +69,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   impulse_[at].initial_momentum = view.body.momentum(lane);
   for (std::size_t i = 0; i < 3; ++i) impulse_[at].outer_force_N[i] = view.body.mass_a()[i][lane];
   if (const FrameLanes* frame = view.body.frame()) open_angular_account(lane, *frame);
-  initial_energy_J_[at] = view.stored_energy_J(lane, scenario);
+  initial_energy_J_[at] = view.stored_energy(lane, scenario).total;
   double kinetic = view.body.kinetic_energy_J(lane);
   if (has_gripper(scenario)) kinetic += view.gripper.energy()[lane];
   positive_work_.set(lane, kinetic);
@@ -167,6 +167,25 @@ double Balances::impulse_mismatch(int lane, const LaneView& view) const {
   return std::sqrt(mismatch);
 }
 
+Dissipated Balances::dissipated(int lane, const LaneView& view, const Scenario& scenario) {
+  const LayerLosses& layers = view.contact.losses();
+  return {.damping = view.body.damped_J(lane),
+          .plastic_flow = view.material.plastic_work()[lane] - view.material.hardening_energy()[lane],
+          .layer_viscosity = layers.viscous[lane],
+          .friction = layers.friction[lane],
+          .layers_left = layers.left[lane],
+          .gripper = has_gripper(scenario) ? view.gripper.dissipated()[lane] : 0.0,
+          .mount = view.mounts.dissipated()[lane]};
+}
+
+WorkDone Balances::work_done(int lane, const LaneView& view, const Scenario& scenario) const {
+  return {.gravity = gravity_work_[lane],
+          .palm = palm_work_[lane],
+          .surfaces = belt_work_[lane],
+          .drives = has_gripper(scenario) ? view.gripper.work()[lane] : 0.0,
+          .mount = view.mounts.work()[lane]};
+}
+
 void Balances::measure(int lane, double time_s, const LaneView& view, const Scenario& scenario,
                        Metrics& metrics) const {
   const BodyModel& product = view.model.body;
@@ -194,7 +213,8 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);
   if (!(put_in > kLeastInputShare * weight_N * product.smallest_extent_m()) || has_loads(scenario.product)) return;
-  const double stored = view.stored_energy_J(lane, scenario) - initial_energy_J_[static_cast<std::size_t>(lane)];
+  const double stored =
+      view.stored_energy(lane, scenario).total - initial_energy_J_[static_cast<std::size_t>(lane)];
   metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
 }
 

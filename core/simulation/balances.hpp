@@ -25,6 +25,8 @@ class Balances {
   /// Books the impulse of everything outside the product over the last step of one lane.
   void book_impulse(int lane, const LaneView& view);
 
+  [[nodiscard]] static Dissipated dissipated(int lane, const LaneView& view, const Scenario& scenario);
+  [[nodiscard]] WorkDone work_done(int lane, const LaneView& view, const Scenario& scenario) const;
   /// Fills the balance metrics at the end of a run.
   void measure(int lane, double time_s, const LaneView& view, const Scenario& scenario, Metrics& metrics) const;
 

@@ -145,6 +145,7 @@ void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observe
 void LaneSimulation::Impl::step() {
   finished.clear();
   if (none(running)) return;
+  contact.forget_events();
   timer = PartTimer(timing);
   follow_plans();
   gripper.begin_step(w, command);
@@ -366,7 +367,10 @@ const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return imp
 void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
   impl_->watch(lane, std::move(observer));
 }
-void LaneSimulation::record_trace(int lane, Trace& trace) { watch(lane, std::make_unique<TraceRecorder>(trace)); }
+void LaneSimulation::record_trace(int lane, Trace& trace) {
+  impl_->contact.note_events(lane);
+  watch(lane, std::make_unique<TraceRecorder>(trace, impl_->balances));
+}
 
 ScenarioResult simulate(const std::shared_ptr<const Model>& model, const Scenario& scenario, Trace* trace) {
   LaneSimulation simulation(model);

@@ -32,22 +32,31 @@ void turn_by_palm(const CarrierMotion& carriers, int lane, std::array<double, 3>
 
 }  // namespace
 
-double LaneView::stored_energy_J(int lane, const Scenario& scenario) const {
+StoredEnergy LaneView::stored_energy(int lane, const Scenario& scenario) const {
   const BodyModel& product = model.body;
   const std::size_t freedoms = 3 * product.particle_count;
   std::vector<double> displacement(freedoms), force(freedoms);
   for (std::size_t i = 0; i < freedoms; ++i) displacement[i] = body.u().at(i, lane);
   multiply(product.K, std::span<const double>(displacement), std::span<double>(force));
   const std::vector<double> plastic = material.plastic_load_N(lane);
-  double energy = 0.0;
+  StoredEnergy energy;
+  const auto add = [&energy](double StoredEnergy::*part, double value) {
+    energy.total += value;
+    energy.*part += value;
+  };
   for (std::size_t i = 0; i < freedoms; ++i) {
-    energy += 0.5 * product.mass_kg[i / 3] * body.v().at(i, lane) * body.v().at(i, lane);
-    energy += displacement[i] * (0.5 * force[i] - plastic[i]);
-    if (!product.rest_force_N.empty()) energy -= displacement[i] * product.rest_force_N[i];
+    add(&StoredEnergy::kinetic, 0.5 * product.mass_kg[i / 3] * body.v().at(i, lane) * body.v().at(i, lane));
+    add(&StoredEnergy::elastic, displacement[i] * (0.5 * force[i] - plastic[i]));
+    if (!product.rest_force_N.empty()) add(&StoredEnergy::elastic, -displacement[i] * product.rest_force_N[i]);
   }
-  energy += material.self_energy(lane) + material.hardening_energy()[lane];
-  if (mounts.has(lane)) energy += mounts.energy()[lane];
-  return energy + contact.stored_energy()[lane] + (has_gripper(scenario) ? gripper.energy()[lane] : 0.0);
+  energy.elastic += material.self_energy(lane);
+  energy.hardening = material.hardening_energy()[lane];
+  energy.layers = contact.stored_energy()[lane];
+  energy.fingers = has_gripper(scenario) ? gripper.energy()[lane] : 0.0;
+  energy.total += material.self_energy(lane) + energy.hardening;
+  energy.mount = mounts.has(lane) ? mounts.energy()[lane] : 0.0;
+  energy.total = energy.total + energy.layers + energy.fingers + energy.mount;
+  return energy;
 }
 
 std::array<PatchDamage, kSurfaceCount> LaneView::damage_below_patches(int lane, const Scenario& scenario) const {
@@ -170,9 +179,10 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   }
   for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = carriers.palm[i].place_m[lane];
   row.palm_rotation_rad = of_lane(carriers.palm_rotation_rad, lane);
+  row.surface_torque_N_m = contact.surface_torques(lane, body, carriers);
   row.plastic_strain = material.largest_plastic_strain()[lane];
-  row.stored_energy_J = stored_energy_J(lane, scenario);
-  row.contact_energy_J = contact.stored_energy()[lane];
+  row.stored = stored_energy(lane, scenario);
+  row.plastic_work_J = material.plastic_work()[lane];
   if (const FrameLanes* frame = body.frame()) {
     row.attitude = frame->attitude().of_lane(lane);
     row.spin_rad_s = of_lane(frame->to_world(frame->spin_rad_s()), lane);

@@ -32,9 +32,8 @@ struct LaneView {
   /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;
 
-  /// Elastic energy and energy of motion of product, layers, fingers and mount, the elastic one from the present
-  /// plastic strains [J].
-  [[nodiscard]] double stored_energy_J(int lane, const Scenario& scenario) const;
+  /// Of product, layers, fingers and mount.
+  [[nodiscard]] StoredEnergy stored_energy(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;
   /// What the instruments of the fingers have to read. @param with_range do they ask for distances?

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scenario/product.hpp"
+
 namespace unbruised {
 
 void TraceRecorder::start(const LaneStep& loaded) {
@@ -10,25 +12,35 @@ void TraceRecorder::start(const LaneStep& loaded) {
   const double every_s = loaded.scenario.simulation.trace_interval_s.value_or(dt);
   stride_ = std::max<std::int64_t>(1, std::llround(every_s / dt));
   start_trace(loaded.view.model.body.position_m, loaded.scenario, trace_);
+  record_events(loaded);
   record(loaded);
 }
 
 bool TraceRecorder::observe(const LaneStep& step) {
-  step.view.contact.record_events(step.lane, step.start_s, trace_.events);
+  record_events(step);
   for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, step.seen.patch[s]);
   if (step.count % stride_ == 0) record(step);
   return true;
 }
 
+void TraceRecorder::record_events(const LaneStep& step) {
+  const LaneView& view = step.view;
+  view.contact.append_events(step.lane, {step.start_s, step.time_s, view.body, view.carriers}, trace_.events);
+}
+
 void TraceRecorder::record(const LaneStep& step) {
   TraceRow row = step.view.trace_row(step.lane, step.scenario, step.time_s);
+  row.dissipated = Balances::dissipated(step.lane, step.view, step.scenario);
+  row.work = balances_.work_done(step.lane, step.view, step.scenario);
+  const double friction = product_friction(step.scenario.product);
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const FingerObservation& finger = step.seen.finger[f];
+    FingerObservation finger = step.seen.finger[f];
     row.yield_ratio[f] = finger.yield_ratio;
     row.range_m[f] = finger.range_m;
-    if (!step.cycle.lift_started() || finger.closed_contacts == 0) continue;
+    if (!step.cycle.lift_started() || finger.closed_contacts == 0) finger.slip_m = finger.slip_rad = 0.0;
     row.slip_m[f] = finger.slip_m;
     row.slip_rad[f] = finger.slip_rad;
+    row.friction_margin[f] = friction_margin(finger, friction, step.scenario.limits).value_or(std::nan(""));
   }
   row.phase = step.cycle.phase(row.time_s);
   row.support_yield_ratio = step.seen.support_yield_ratio;

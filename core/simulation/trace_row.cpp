@@ -1,7 +1,9 @@
 #include "core/simulation/trace_row.hpp"
 
+#include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/gripper.hpp"
@@ -15,13 +17,46 @@ void declare(Trace& trace, const char* name, const char* units, std::string long
   trace.signals.push_back({name, units, std::move(long_name), std::move(dimensions), std::move(extents), {}});
 }
 
-/// "phase of the cycle: 0 approach, 1 grip, ..."
-std::string phase_codes() {
-  std::string text = "phase of the cycle:";
-  for (std::size_t i = 0; i < kCyclePhaseWords.size(); ++i) {
-    text += (i == 0 ? " " : ", ") + std::to_string(i) + " " + std::string(kCyclePhaseWords[i]);
-  }
+/// "0 approach, 1 grip, ..."
+template <std::size_t N>
+std::string codes(const std::array<std::string_view, N>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < N; ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(i) + " " + std::string(words[i]);
   return text;
+}
+
+/// In the order of `Dissipated` and of `WorkDone`.
+constexpr std::array<std::string_view, 7> kDissipationWords = {
+    "product damping", "plastic flow", "layer viscosity", "friction", "layers left", "gripper", "sensor"};
+constexpr std::array<std::string_view, 5> kWorkWords = {"gravity", "palm", "moving surfaces", "drives",
+                                                        "sensor's load"};
+
+std::array<double, kDissipationWords.size()> by_cause(const Dissipated& lost) {
+  return {lost.damping, lost.plastic_flow, lost.layer_viscosity, lost.friction, lost.layers_left,
+          lost.gripper, lost.mount};
+}
+
+/// What is stored, what is gone, what was put in: stored_energy_J + dissipated_energy_J - sum of work_J keeps its
+/// first value.
+void declare_energies(Trace& trace, const Scenario& scenario) {
+  declare(trace, "kinetic_energy_J", "J", "energy of motion of the product", {}, {});
+  declare(trace, "elastic_energy_J", "J", "elastic energy of the product", {}, {});
+  declare(trace, "plastic_work_J", "J", "work of the plastic flow of the product's cells or springs", {}, {});
+  declare(trace, "hardening_energy_J", "J", "part of the plastic work that hardening stores", {}, {});
+  declare(trace, "dissipated_energy_J", "J", "energy lost since the start, whatever the cause", {}, {});
+  declare(trace, "dissipated_by_cause_J", "J", "energy lost since the start: " + codes(kDissipationWords),
+          {"cause"}, {static_cast<int>(kDissipationWords.size())});
+  declare(trace, "work_J", "J", "work done since the start on product and fingers: " + codes(kWorkWords),
+          {"source"}, {static_cast<int>(kWorkWords.size())});
+  if (has_gripper(scenario)) {
+    declare(trace, "finger_energy_J", "J", "energy of motion of the fingers against the palm, and of end stops",
+            {}, {});
+  }
+  if (has_sensor(scenario)) {
+    declare(trace, "sensor_energy_J", "J", "energy of motion of what the sensor carries, and of its spring", {},
+            {});
+  }
 }
 
 /// Appends values to the signals in the order of their declaration.
@@ -39,6 +74,29 @@ class SignalWriter {
   std::size_t at_ = 0;
 };
 
+void put_energies(const TraceRow& row, SignalWriter& signals) {
+  signals.put(row.stored.kinetic);
+  signals.put(row.stored.elastic);
+  signals.put(row.plastic_work_J);
+  signals.put(row.stored.hardening);
+  const auto lost = by_cause(row.dissipated);
+  signals.put(std::accumulate(lost.begin(), lost.end(), 0.0));
+  signals.put(lost);
+  signals.put(std::array{row.work.gravity, row.work.palm, row.work.surfaces, row.work.drives, row.work.mount});
+  if (row.gripper) signals.put(row.stored.fingers);
+  if (row.sensor) signals.put(row.stored.mount);
+}
+
+void put_surfaces(const TraceRow& row, SignalWriter& signals) {
+  for (const auto* vectors : {&row.surface_force_N, &row.surface_torque_N_m}) {
+    std::vector<double> values;
+    for (std::size_t s = 0; s < static_cast<std::size_t>(row.surface_count); ++s) {
+      values.insert(values.end(), (*vectors)[s].begin(), (*vectors)[s].end());
+    }
+    signals.put(values);
+  }
+}
+
 }  // namespace
 
 void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace) {
@@ -52,9 +110,15 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {surfaces});
   declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
   declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
-  declare(trace, "stored_energy_J", "J", "kinetic and elastic energy of product, contact layers and fingers", {},
-          {});
+  declare(trace, "stored_energy_J", "J",
+          "kinetic and elastic energy of product, contact layers, fingers and what a sensor carries", {}, {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
+  declare_energies(trace, scenario);
+  declare(trace, "surface_force_N", "N", "force of each surface on the product: " + surface_codes(surfaces),
+          {"surface", "component"}, {surfaces, 3});
+  declare(trace, "surface_torque_N_m", "N m",
+          "torque of each surface on the product about its centre of mass: " + surface_codes(surfaces),
+          {"surface", "component"}, {surfaces, 3});
   if (can_yield(scenario)) {
     declare(trace, "support_yield_ratio", "1",
             "mean pressure of the support's contact patch over the one at first yield above it", {}, {});
@@ -89,7 +153,11 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   declare(trace, "slip_rad", "rad",
           "angle that the product has turned against each finger's pad since the start of the lift", {"finger"},
           {kFingerCount});
-  declare(trace, "phase", "1", phase_codes(), {}, {});
+  declare(trace, "friction_margin", "1",
+          "friction coefficient x normal force / tangential force of each finger - 1; while a finger slides as a "
+          "whole, how much of the slip limits it has used up, negative",
+          {"finger"}, {kFingerCount});
+  declare(trace, "phase", "1", "phase of the cycle: " + codes(kCyclePhaseWords), {}, {});
   if (has_range_sensors(scenario)) {
     declare(trace, "range_m", "m", "last reading of each finger's range sensor", {"finger"}, {kFingerCount});
   }
@@ -115,8 +183,10 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   for (const auto* counts : {&row.closed, &row.sliding}) signals.put(std::span(*counts).first(surfaces));
   signals.put(row.plastic_strain);
   signals.put(row.absorbed_energy_J);
-  signals.put(row.stored_energy_J);
-  signals.put(row.contact_energy_J);
+  signals.put(row.stored.total);
+  signals.put(row.stored.layers);
+  put_energies(row, signals);
+  put_surfaces(row, signals);
   if (row.yields) signals.put(row.support_yield_ratio);
   if (row.attitude) {
     signals.put(*row.attitude);
@@ -139,6 +209,7 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   signals.put(row.patch_pressure_Pa);
   signals.put(row.slip_m);
   signals.put(row.slip_rad);
+  signals.put(row.friction_margin);
   signals.put(static_cast<double>(row.phase));
   if (row.ranged) signals.put(row.range_m);
   if (row.yields) signals.put(row.yield_ratio);

@@ -11,6 +11,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/simulation/energies.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {
@@ -27,7 +28,7 @@ struct TraceRow {
   bool yields = false;  ///< the product can keep a deformation
   bool ranged = false;  ///< there are range sensors
   int surface_count = 0;
-  std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{};
+  std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{}, surface_torque_N_m{};
   std::array<double, kSurfaceCount> closed{}, sliding{};
   std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{}, palm_rotation_rad{};
@@ -37,11 +38,14 @@ struct TraceRow {
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;
   double absorbed_energy_J = 0;
-  double stored_energy_J = 0;
+  double plastic_work_J = 0;  ///< of the cells alone
+  StoredEnergy stored;
+  Dissipated dissipated;
+  WorkDone work;
+  std::array<double, kFingerCount> friction_margin{};
   /// Where the product has a floating frame: a unit quaternion w, x, y, z, and the angular velocity of the whole.
   std::optional<std::array<double, 4>> attitude;
   std::array<double, 3> spin_rad_s{};
-  double contact_energy_J = 0;
   std::optional<SensorRow> sensor;  ///< where there is a six-axis sensor
 };
 

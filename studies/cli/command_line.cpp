@@ -118,10 +118,11 @@ class CommandLine {
   }
 
   void add_readers() {
-    CLI::App& info = command("info", "what a run directory or results file holds", [this] {
-      return info_command(one_word("info", "a run directory or results file"), run_.program, answer_form());
-    });
+    CLI::App& info = command("info", "what a run directory or results file holds", [this] { return call_info(); });
     info.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    info.add_option("--at", at_s_, "the signals of one scenario at this time since its start, in s")
+        ->type_name("TIME");
+    info.add_option("--scenario", scenario_, "with --at: which one of a run directory")->type_name("ID");
     add_json(info);
     CLI::App& verify = command("verify", "check every checksum of a run directory",
                                [this] { return verify_command(one_word("verify", "a run directory")); });
@@ -182,6 +183,14 @@ class CommandLine {
         ->required();
     fresh.add_option("--gripper", new_.gripper, "as `use` takes it")->type_name("FILE")->required();
     fresh.add_option("--output,-o", output_, "the study (default: NAME.toml)")->type_name("FILE.toml");
+  }
+
+  int call_info() {
+    const std::string path = one_word("info", "a run directory or results file");
+    if (scenario_ && !at_s_) throw UsageError{"--scenario ID goes with --at TIME", "info"};
+    if (!at_s_) return info_command(path, run_.program, answer_form());
+    return instant_command(
+        {.path = path, .scenario = scenario_id("info"), .time_s = *at_s_, .program = run_.program}, answer_form());
   }
 
   int call_run() {
@@ -269,6 +278,7 @@ class CommandLine {
   std::string output_;
   std::optional<long> threads_;
   std::optional<long long> scenario_;
+  std::optional<double> at_s_;
   RunArguments run_;
   NewArguments new_;
   ExportArguments export_;

@@ -51,6 +51,14 @@ int run_one_command(const RunArguments& arguments);
 enum class AnswerForm { lines, json };
 int check_command(const StudyArguments& arguments, AnswerForm form);
 int info_command(const std::filesystem::path& path, const std::string& program, AnswerForm form);
+struct InstantArguments {
+  std::filesystem::path path;             ///< run directory or results file
+  std::optional<std::uint64_t> scenario;  ///< of a run directory
+  double time_s = 0;
+  std::string program = "unbruised";
+};
+/// `info --at TIME`: every signal of a trace at that time.
+int instant_command(const InstantArguments& arguments, AnswerForm form);
 /// @param output none: report.html beside the results, or the name of another results file with .html.
 int report_command(const std::filesystem::path& path, const std::optional<std::filesystem::path>& output,
                    const std::string& program);

@@ -21,6 +21,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr const char* kInfoSchema = "unbruised.info/1";
+constexpr const char* kInstantSchema = "unbruised.instant/1";
 constexpr const char* kCheckSchema = "unbruised.check/1";
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
@@ -132,6 +133,25 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
   document["damage"] = recorded.damage;
   document["digest"] = rows_digest(tables.rows);
   return printed(document);
+}
+
+std::string instant_json(const TraceInstant& instant, const std::string& source) {
+  json signals = json::object();
+  for (const TraceSignal& signal : instant.signals) {
+    json curves = json::array();
+    for (std::size_t entry = 0; entry < signal.values.size(); ++entry) {
+      curves.push_back({{"name", curve_name(signal, entry)}, {"value", number(signal.values[entry])}});
+    }
+    signals[signal.name] = {{"units", signal.units},
+                            {"long_name", signal.long_name},
+                            {"interpolated", !is_counted(signal)},
+                            {"curves", std::move(curves)}};
+  }
+  return printed({{"schema", kInstantSchema},
+                  {"source", source},
+                  {"time_s", number(instant.time_s)},
+                  {"row_times_s", {number(instant.before_s), number(instant.after_s)}},
+                  {"signals", std::move(signals)}});
 }
 
 std::string check_json(const Study& study, const StudyCost& cost, const std::vector<std::string>& warnings,

@@ -10,6 +10,7 @@
 #include "studies/estimate/warnings.hpp"
 #include "studies/execution/lone_run.hpp"
 #include "studies/findings/claims.hpp"
+#include "studies/findings/contact_table.hpp"
 #include "studies/kinds/kind_table.hpp"
 #include "studies/kinds/study_results.hpp"
 #include "studies/report/report_page.hpp"
@@ -132,12 +133,14 @@ int run_one_command(const RunArguments& arguments) {
       .result = *result,
       .inputs = has_fixed_scenarios(study->kind()) ? scenario_set(*study).inputs(id) : recorded->inputs,
       .place = {}};
+  std::vector<ResultTable> tables;
+  if (auto contacts = contact_table(trace)) tables.push_back(*std::move(contacts));
   const fs::path file = directory / joined({"scenario_", std::to_string(id), ".h5"});
   const ResultsContent content{.meta = results_meta(*study, warnings, ResultsState::complete),
                                .inputs = input_columns(*study),
                                .rows = {row},
                                .rows_of_search = false,
-                               .tables = {},
+                               .tables = std::move(tables),
                                .window = nullptr,
                                .trace = trace.time_s.empty() ? nullptr : &trace};
   if (auto error = write_results_file(file, content)) return report_error(*error);
@@ -148,6 +151,7 @@ int run_one_command(const RunArguments& arguments) {
     print_line(std::string(remark));
   }
   print_metrics(*result);
+  for (const std::string& line : contact_lines(content.tables)) print_line(line);
   compare_with_recorded(*result, recorded);
   print_line(joined({"results: ", file.string()}));
   write_page(file, content, arguments);

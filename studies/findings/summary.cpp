@@ -9,6 +9,7 @@
 #include "studies/config/study_kind.hpp"
 #include "studies/findings/balances.hpp"
 #include "studies/findings/claims.hpp"
+#include "studies/findings/contact_table.hpp"
 #include "studies/findings/found_lines.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
@@ -123,7 +124,10 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   });
   for (std::string& line : found_lines(tables.found, held_words(tables.damage_note)))
     lines.push_back(std::move(line));
-  if (!tables.found.empty()) return lines;
+  for (std::string& line : contact_lines(tables.found)) lines.push_back(std::move(line));
+  const bool has_answer = std::any_of(tables.found.begin(), tables.found.end(),
+                                      [](const ResultTable& table) { return table.name != kContactTable; });
+  if (has_answer) return lines;
   if (kind && leaves_trace(*kind)) {
     if (has_cycles) lines.push_back(best_line(tables));
   } else {

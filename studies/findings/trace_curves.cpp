@@ -1,6 +1,8 @@
 #include "studies/findings/trace_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/surface/surfaces.hpp"
@@ -56,6 +58,42 @@ ResultTable trace_as_table(const Trace& trace) {
     }
   }
   return table;
+}
+
+bool is_counted(const TraceSignal& signal) { return signal.name == "phase" || signal.name.ends_with("_count"); }
+
+std::optional<TraceInstant> trace_at(const Trace& trace, double time_s) {
+  const std::vector<double>& times = trace.time_s;
+  if (times.empty()) return std::nullopt;
+  // As near to a row as this it is that row: times of rows are multiples of a step, rounded.
+  const double near_s = 1e-9 * std::max(1.0, times.back());
+  if (!(time_s >= times.front() - near_s) || !(time_s <= times.back() + near_s)) return std::nullopt;
+  const auto next = std::lower_bound(times.begin(), times.end(), time_s - near_s);
+  const auto after = static_cast<std::size_t>(next - times.begin());
+  const std::size_t before = *next > time_s + near_s ? after - 1 : after;
+  const double span_s = times[after] - times[before];
+  const double part = span_s > 0.0 ? (time_s - times[before]) / span_s : 0.0;
+  TraceInstant instant{time_s, times[before], times[after], {}};
+  for (const TraceSignal& signal : trace.signals) {
+    if (!is_whole(trace, signal)) continue;
+    TraceSignal& now = instant.signals.emplace_back(
+        TraceSignal{signal.name, signal.units, signal.long_name, signal.dimensions, signal.extents, {}});
+    const std::size_t width = width_of(signal);
+    const double* from = signal.values.data() + before * width;
+    const double* to = signal.values.data() + after * width;
+    const bool turns = signal.dimensions.size() == 1 && signal.dimensions.front() == "quaternion";
+    // -q is the same rotation as q: the nearer of the two.
+    const double sign = turns && std::inner_product(from, from + width, to, 0.0) < 0.0 ? -1.0 : 1.0;
+    for (std::size_t i = 0; i < width; ++i) {
+      now.values.push_back(is_counted(signal) || before == after ? from[i]
+                                                                 : from[i] + part * (sign * to[i] - from[i]));
+    }
+    if (!turns) continue;
+    const auto& q = now.values;
+    const double length = std::sqrt(std::inner_product(q.begin(), q.end(), q.begin(), 0.0));
+    for (double& value : now.values) value /= length;
+  }
+  return instant;
 }
 
 }  // namespace unbruised::studies

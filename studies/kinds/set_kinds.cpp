@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "studies/execution/batch_runner.hpp"
+#include "studies/findings/contact_table.hpp"
 #include "studies/findings/found_tables.hpp"
 #include "studies/findings/grid_answer.hpp"
 #include "studies/kinds/set_half_step.hpp"
@@ -49,6 +50,7 @@ KindAnswer run_simulate(const KindInput& input) {
   answer.interrupted = !result;
   if (!result) return answer;
   if (!is_done) input.journal.record({.id = 0, .result = *result, .inputs = grid_inputs(input.study, 0)});
+  if (auto contacts = contact_table(trace)) answer.found.push_back(*std::move(contacts));
   answer.trace = std::move(trace);
   return answer;
 }

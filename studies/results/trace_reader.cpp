@@ -37,6 +37,22 @@ void require_whole(const Trace& trace) {
   }
 }
 
+/// Files of earlier versions know neither which contact, where nor how hard.
+void read_later_columns(const Hdf5File& file, std::vector<ContactEvent>& events) {
+  if (const std::string name = "/contact_events/contact"; file.exists(name)) {
+    const auto contacts = read_integer_column(file, name, events.size());
+    for (std::size_t i = 0; i < events.size(); ++i) events[i].contact = static_cast<int>(contacts[i]);
+  }
+  for (const EventVector& vector : kEventVectors) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool there = file.exists(vector.name(axis));
+      const auto values = there ? read_column(file, vector.name(axis), events.size())
+                                : std::vector<double>(events.size(), kAbsent);
+      for (std::size_t i = 0; i < events.size(); ++i) (events[i].*vector.field)[axis] = values[i];
+    }
+  }
+}
+
 std::vector<ContactEvent> read_events(const Hdf5File& file) {
   const auto times = file.read_doubles("/contact_events/time_s");
   const auto nodes = read_integer_column(file, "/contact_events/node", times.size());
@@ -49,7 +65,9 @@ std::vector<ContactEvent> read_events(const Hdf5File& file) {
     }
     events[i] = {times[i], static_cast<int>(nodes[i]), static_cast<int>(surfaces[i]),
                  static_cast<ContactEvent::Kind>(kinds[i])};
+    events[i].contact = events[i].node;
   }
+  read_later_columns(file, events);
   return events;
 }
 

@@ -95,6 +95,13 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
   write_column(file, "/contact_events/time_s", dimension,
                column_of(events, [](const ContactEvent& e) { return e.time_s; }), "s",
                "time of the event, interpolated inside the step");
+  for (const EventVector& vector : kEventVectors) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      write_column(file, vector.name(i), dimension,
+                   column_of(events, [&](const ContactEvent& e) { return (e.*vector.field)[i]; }),
+                   std::string(vector.units), joined({vector.long_name, ", along ", kAxisLetters.substr(i, 1)}));
+    }
+  }
   const auto write_index = [&](const std::string& name, int ContactEvent::*field, const std::string& long_name) {
     file.write(name, column_of(events, [&](const ContactEvent& e) { return std::int32_t{e.*field}; }),
                {events.size()});
@@ -104,6 +111,8 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
   int surfaces = kFirstCellSurface;
   for (const ContactEvent& event : events) surfaces = std::max(surfaces, event.surface + 1);
   write_index("/contact_events/node", &ContactEvent::node, "index of the particle");
+  write_index("/contact_events/contact", &ContactEvent::contact,
+              "number of the contact: a particle, or a place of the true surface, before one surface");
   write_index("/contact_events/surface", &ContactEvent::surface, surface_codes(surfaces));
   file.write("/contact_events/kind",
              column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),

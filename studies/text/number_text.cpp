@@ -20,6 +20,8 @@ std::string printed(const char* format, double value) {
 
 std::string short_number(double value) { return printed("%.4g", value); }
 
+std::string nine_digits(double value) { return printed("%.9g", value); }
+
 std::string three_digits(double value) {
   if (std::abs(value) < 1000.0 || std::abs(value) >= 1e15) return printed("%.3g", value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);

@@ -10,6 +10,9 @@ namespace unbruised::studies {
 /// Four significant digits: 1.234, 0.25, 1.2e-07.
 std::string short_number(double value);
 
+/// Nine: a time among the steps of a run.
+std::string nine_digits(double value);
+
 /// Three: what is only an estimate, or a rate. 23.1, 0.25, 1,230
 std::string three_digits(double value);
 

@@ -71,7 +71,8 @@ Trace sample_trace(std::size_t times, int particles) {
     for (const int extent : signal.extents) size *= static_cast<std::size_t>(extent);
     for (std::size_t i = 0; i < size; ++i) signal.values.push_back(static_cast<double>(i));
   }
-  trace.events = {{0.0105, 7, 0, ContactEvent::Kind::make}, {0.02, 8, 1, ContactEvent::Kind::slip}};
+  trace.events = {{0.0105, 7, 0, ContactEvent::Kind::make},
+                  {0.02, 8, 1, ContactEvent::Kind::slip, 31, {0.1, 0.2, 0.3}, {1.0, -2.0, 3.0}}};
   return trace;
 }
 
@@ -222,6 +223,9 @@ TEST(ResultsFile, GivesATraceBack) {
   ASSERT_EQ(back->events.size(), 2U);
   EXPECT_EQ(back->events[1].kind, ContactEvent::Kind::slip);
   EXPECT_EQ(back->events[1].node, 8);
+  EXPECT_EQ(back->events[1].contact, 31);
+  EXPECT_EQ(back->events[1].place_m, (std::array{0.1, 0.2, 0.3}));
+  EXPECT_EQ(back->events[1].force_N, (std::array{1.0, -2.0, 3.0}));
 }
 
 TEST(ResultsFile, TakesEmptyTables) {

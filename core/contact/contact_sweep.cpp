@@ -185,13 +185,40 @@ struct ContactSweep::TurnedNode {
   }
 };
 
+/// Where no surface is on a mount nothing asks for one.
+struct ContactSweep::FixedSurfaces {
+  MountedContacts* none = nullptr;
+
+  void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
+  [[nodiscard]] const Lane& place(std::size_t, std::size_t, const Lane& carrier) const { return carrier; }
+  void push(std::size_t, const Lane&) const {}
+  void end(std::size_t) const {}
+};
+
+/// How the mounts of surfaces answer while a candidate is updated.
+struct ContactSweep::MountedSurfaces {
+  MountedContacts* mounted;
+  LaneVector change{};  ///< of the force on the product so far
+
+  [[gnu::always_inline]] void give_way(std::size_t c, std::size_t axis, Lane& compliance, Lane& place_m) const {
+    compliance += mounted->own_compliance(c, axis);
+    place_m += mounted->along(c, axis);
+  }
+  [[nodiscard, gnu::always_inline]] Lane place(std::size_t c, std::size_t axis, const Lane& carrier) const {
+    return carrier + mounted->along(c, axis);
+  }
+  [[gnu::always_inline]] void push(std::size_t axis, const Lane& by) { change[axis] = by; }
+  [[gnu::always_inline]] void end(std::size_t c) const { mounted->push(c, change); }
+};
+
 // The three of a sweep's innermost loop are one piece of code: lane values stay in registers.
 
 /// Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
 /// @return change of the force
-template <class AnyNode>
+template <class Mounting, class AnyNode>
 [[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const GripperLanes& gripper,
-                                                               const Mask& active, Slope slope, AnyNode& node) {
+                                                               const Mask& active, Slope slope, AnyNode& node,
+                                                               Mounting& mounting) {
   const ContactCandidate& candidate = model_.candidate[c];
   const int surface = candidate.surface;
   const auto axis = static_cast<std::size_t>(normal_axis(surface));
@@ -203,10 +230,7 @@ template <class AnyNode>
     way = gripper.way_at_theta(surface, pad_force_);
   }
   Lane place = surfaces_.place(surface, *theta_, way);
-  if (mounted_ != nullptr) {
-    compliance += mounted_->own_compliance(c, axis);
-    place += mounted_->along(c, axis);
-  }
+  mounting.give_way(c, axis, compliance, place);
   const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - place);
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
@@ -225,18 +249,15 @@ template <class AnyNode>
   contacts_.normal_theta.put(c, normal);
   if (is_pad(surface)) pad_force_[surface] += change;
   node.push(axis, sign, change);
-  if (mounted_ != nullptr) {
-    LaneVector force;
-    force[axis] = sign * change;
-    mounted_->push(c, force);
-  }
+  mounting.push(axis, sign * change);
   return change;
 }
 
 /// Tangential: a spring to the anchor, held inside the friction cone.
 /// @return the larger of the changes
-template <class AnyNode>
-[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, AnyNode& node) {
+template <class Mounting, class AnyNode>
+[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, AnyNode& node,
+                                                                Mounting& mounting) {
   const int surface = model_.candidate[c].surface;
   const auto tangents = tangent_axes(surface);
   const auto t1 = static_cast<std::size_t>(tangents[0]);
@@ -244,12 +265,8 @@ template <class AnyNode>
   const auto& carrier = carrier_of(surface, *theta_);
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
-  Lane r1 = node.d[t1] - carrier[t1].place_m;
-  Lane r2 = node.d[t2] - carrier[t2].place_m;
-  if (mounted_ != nullptr) {
-    r1 -= mounted_->along(c, t1);
-    r2 -= mounted_->along(c, t2);
-  }
+  const Lane r1 = node.d[t1] - mounting.place(c, t1, carrier[t1].place_m);
+  const Lane r2 = node.d[t2] - mounting.place(c, t2, carrier[t2].place_m);
   const Lane old1 = contacts_.tangent_theta[0].get(c);
   const Lane old2 = contacts_.tangent_theta[1].get(c);
   Lane new1 = old1 + (-shear * (r1 - contacts_.anchor[0].get(c)) - old1) * inverse;
@@ -266,35 +283,34 @@ template <class AnyNode>
   const Lane change1 = new1 - old1;
   const Lane change2 = new2 - old2;
   node.push({t1, t2}, {change1, change2});
-  if (mounted_ != nullptr) {
-    LaneVector force;
-    force[t1] = change1;
-    force[t2] = change2;
-    mounted_->push(c, force);
-  }
+  mounting.push(t1, change1);
+  mounting.push(t2, change2);
   return max(abs(change1), abs(change2));
 }
 
-template <class AnyNode>
+template <class Mounting, class AnyNode>
 [[gnu::always_inline]] inline void ContactSweep::update_forces(std::size_t c, const GripperLanes& gripper,
                                                                const Mask& active, Pass& pass, AnyNode& node) {
-  const Lane change = abs(update_normal(c, gripper, active, pass.slope, node));
-  const Lane change_across = update_tangent(c, active, node);
+  Mounting mounting{mounted_};
+  const Lane change = abs(update_normal(c, gripper, active, pass.slope, node, mounting));
+  const Lane change_across = update_tangent(c, active, node, mounting);
+  mounting.end(c);
   pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
   pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
 }
 
+template <class Mounting>
 [[gnu::always_inline]] inline void ContactSweep::update_candidate(std::size_t c, const GripperLanes& gripper,
                                                                   Pass& pass, Node& node) {
   const Mask active = pass.solving & contacts_.near.get(c);
   if (none(active)) return;
   if (eyes_.frame == nullptr) {
-    update_forces(c, gripper, active, pass, node);
+    update_forces<Mounting>(c, gripper, active, pass, node);
     return;
   }
   const ContactCandidate& candidate = model_.candidate[c];
   TurnedNode turned{own_.row(9 * c), seen_displacement(candidate, {node.d}), {}};
-  update_forces(c, gripper, active, pass, turned);
+  update_forces<Mounting>(c, gripper, active, pass, turned);
   const LaneVector change = transposed(axes_of(candidate).turn) * turned.change;
   node.push(change);
   if (eyes_.places == nullptr) return;
@@ -310,6 +326,12 @@ inline LaneVector ContactSweep::seen_displacement(const ContactCandidate& candid
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
+  return mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
+                             : solve_with<MountedSurfaces>(gripper, lanes);
+}
+
+template <class Mounting>
+Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
   Lane sweeps(0.0);
   unsolved_ = Mask(false);
   // A lane with nothing near takes no sweep, whatever its neighbours do.
@@ -327,7 +349,7 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
         for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
       }
       for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
-        update_candidate(static_cast<std::size_t>(c), gripper, pass, node);
+        update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
       }
     }
     sweeps += select(solving, Lane(1.0), Lane(0.0));

@@ -87,15 +87,20 @@ class ContactSweep {
   };
   struct Node;
   struct TurnedNode;
+  struct FixedSurfaces;
+  struct MountedSurfaces;
+  template <class Mounting>
+  Lane solve_with(const GripperLanes& gripper, const Mask& solving);
+  template <class Mounting>
   void update_candidate(std::size_t candidate, const GripperLanes& gripper, Pass& pass, Node& node);
-  template <class AnyNode>
+  template <class Mounting, class AnyNode>
   void update_forces(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
                      AnyNode& node);
-  template <class AnyNode>
+  template <class Mounting, class AnyNode>
   Lane update_normal(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Slope slope,
-                     AnyNode& node);
-  template <class AnyNode>
-  Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node);
+                     AnyNode& node, Mounting& mounting);
+  template <class Mounting, class AnyNode>
+  Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node, Mounting& mounting);
   void prepare_turned(std::size_t candidate);
   /// Force of a candidate on the product at t + theta dt along the axes of its surface's carrier.
   [[nodiscard]] LaneVector force_on_carrier(std::size_t candidate) const;

@@ -42,12 +42,14 @@ std::map<std::string, PageRow> page_rows() {
   return rows;
 }
 
-/// One that can yield, turn, be gripped.
+/// One that can yield, turn, be gripped and measured.
 Scenario with_everything() {
   Scenario scenario = unbruised::testing::small_box();
   LatticeParameters& product = unbruised::testing::lattice_of(scenario);
   product.yield_stress_Pa = 800.0;
   product.tangent_modulus_Pa = 5e4;
+  scenario.sensor.at = SensorMount::wrist;
+  jaw_of(scenario).range.maximum_m = 0.1;
   scenario.simulation.contact_set = ContactSet::whole_surface;
   return scenario;
 }

@@ -121,9 +121,11 @@ ContactChange ContactEvents::first_slip(int candidate, const ContactStep& step) 
     change[t] = step.shear_N_m * (step.anchor_m[t] - step.place_m[t]) - tangent[t];
   }
   const double normal = step.before_N[0], rise = step.theta_N[0] - normal;
-  const double fraction = std::min(
-      1.0, leaving_cone(tangent, change, step.friction * normal, step.friction * rise));
-  return {candidate, Kind::slip, std::clamp(fraction * latest_s(), earliest_s(), latest_s()),
+  const double fraction =
+      std::min(1.0, leaving_cone(tangent, change, step.friction * normal, step.friction * rise));
+  return {candidate,
+          Kind::slip,
+          std::clamp(fraction * latest_s(), earliest_s(), latest_s()),
           {normal + fraction * rise, tangent[0] + fraction * change[0], tangent[1] + fraction * change[1]}};
 }
 

@@ -21,9 +21,9 @@ struct ContactStep {
   double gap_now_m = 0, gap_free_m = 0;          ///< at t; at t + theta dt without contact forces
   double depth_m = 0;  ///< to which the layer pushes at t + theta dt; not positive: it does not
   double friction = 0;
-  double shear_N_m = 0;                          ///< stiffness of the layer along the tangents
-  std::array<double, 3> before_N{}, theta_N{};   ///< normal, tangents at t and t + theta dt
-  std::array<double, 2> anchor_m{}, place_m{};   ///< at t, and of the particle at t + theta dt
+  double shear_N_m = 0;                         ///< stiffness of the layer along the tangents
+  std::array<double, 3> before_N{}, theta_N{};  ///< normal, tangents at t and t + theta dt
+  std::array<double, 2> anchor_m{}, place_m{};  ///< at t, and of the particle at t + theta dt
 };
 
 /// A change of a candidate of one lane.

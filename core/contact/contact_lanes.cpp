@@ -45,8 +45,8 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   forget_slip(lane);
   for (WindowPressure& windows : window_) windows.clear(lane);
   for (SurfaceTally& tally : tally_) tally.clear_lane(lane);
-  for (Lane* value : {&dissipated_, &losses_.friction, &losses_.viscous, &losses_.left, &patch_pressure_,
-                      &layer_strain_}) {
+  for (Lane* value :
+       {&dissipated_, &losses_.friction, &losses_.viscous, &losses_.left, &patch_pressure_, &layer_strain_}) {
     value->set(lane, 0.0);
   }
   events_.stop(lane);
@@ -99,9 +99,9 @@ void ContactLanes::leave(int surface, int lane) {
     dissipated_.set(lane, dissipated_[lane] + stored.pressed[lane] + stored.sheared[lane]);
     losses_.left.set(lane, losses_.left[lane] + stored.pressed[lane] + stored.sheared[lane]);
     if (register_.is_closed(c)[lane]) {
-      events_.note_left(static_cast<int>(c), lane,
-                        {register_.normal.at(c, lane), register_.tangent[0].at(c, lane),
-                         register_.tangent[1].at(c, lane)});
+      events_.note_left(
+          static_cast<int>(c), lane,
+          {register_.normal.at(c, lane), register_.tangent[0].at(c, lane), register_.tangent[1].at(c, lane)});
     }
     register_.open(c, lane);
   }

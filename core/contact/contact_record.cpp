@@ -14,7 +14,8 @@ void ContactLanes::note_events(int lane) {
     if (!(register_.normal_theta.at(c, lane) > 0.0)) continue;
     ContactStep rest;
     rest.depth_m = register_.penetration.at(c, lane) - model_.candidate[c].least_relief_m;
-    rest.theta_N = {register_.normal.at(c, lane), register_.tangent[0].at(c, lane), register_.tangent[1].at(c, lane)};
+    rest.theta_N = {register_.normal.at(c, lane), register_.tangent[0].at(c, lane),
+                    register_.tangent[1].at(c, lane)};
     for (std::size_t t = 0; t < 2; ++t) rest.place_m[t] = register_.anchor[t].at(c, lane);
     events_.note_rest(static_cast<int>(c), lane, rest);
   }
@@ -119,8 +120,8 @@ std::array<std::array<double, 3>, kSurfaceCount> ContactLanes::surface_torques(i
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     if (!(register_.normal.at(c, lane) > 0.0)) continue;
     const int surface = model_.candidate[c].surface;
-    const LaneVector lanes{along_axes(surface, register_.normal.get(c), register_.tangent[0].get(c),
-                                      register_.tangent[1].get(c))};
+    const LaneVector lanes{
+        along_axes(surface, register_.normal.get(c), register_.tangent[0].get(c), register_.tangent[1].get(c))};
     const std::array<double, 3> force_N = in_cell(surface, lane, of_lane(lanes, lane), now);
     std::array<double, 3> arm_m = contact_point(c, lane, body).place_m;
     for (std::size_t i = 0; i < 3; ++i) arm_m[i] -= center_m[i];

@@ -208,7 +208,8 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);
   if (!(put_in > kLeastInputShare * weight_N * product.smallest_extent_m()) || has_loads(scenario.product)) return;
-  const double stored = view.stored_energy(lane, scenario).total - initial_energy_J_[static_cast<std::size_t>(lane)];
+  const double stored =
+      view.stored_energy(lane, scenario).total - initial_energy_J_[static_cast<std::size_t>(lane)];
   metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
 }
 

@@ -20,7 +20,8 @@ void declare(Trace& trace, const char* name, const char* units, std::string long
 template <std::size_t N>
 std::string codes(const std::array<std::string_view, N>& words) {
   std::string text;
-  for (std::size_t i = 0; i < N; ++i) text += (i == 0 ? "" : ", ") + std::to_string(i) + " " + std::string(words[i]);
+  for (std::size_t i = 0; i < N; ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(i) + " " + std::string(words[i]);
   return text;
 }
 
@@ -41,13 +42,13 @@ void declare_energies(Trace& trace, const Scenario& scenario) {
   declare(trace, "plastic_work_J", "J", "work of the plastic flow of the product's cells or springs", {}, {});
   declare(trace, "hardening_energy_J", "J", "part of the plastic work that hardening stores", {}, {});
   declare(trace, "dissipated_energy_J", "J", "energy lost since the start, whatever the cause", {}, {});
-  declare(trace, "dissipated_by_cause_J", "J", "energy lost since the start: " + codes(kDissipationWords), {"cause"},
-          {static_cast<int>(kDissipationWords.size())});
+  declare(trace, "dissipated_by_cause_J", "J", "energy lost since the start: " + codes(kDissipationWords),
+          {"cause"}, {static_cast<int>(kDissipationWords.size())});
   declare(trace, "work_J", "J", "work done since the start on product and fingers: " + codes(kWorkWords),
           {"source"}, {static_cast<int>(kWorkWords.size())});
   if (has_gripper(scenario)) {
-    declare(trace, "finger_energy_J", "J", "energy of motion of the fingers against the palm, and of end stops", {},
-            {});
+    declare(trace, "finger_energy_J", "J", "energy of motion of the fingers against the palm, and of end stops",
+            {}, {});
   }
 }
 

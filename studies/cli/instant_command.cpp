@@ -24,8 +24,8 @@ bool is_there(const fs::path& path) {
 /// The command that records the trace of a scenario of a run directory.
 std::string recording_command(const RecordedStudy& recorded, const InstantArguments& arguments) {
   const std::string replay = replay_command(recorded, arguments.program);
-  return joined({replay.empty() ? joined({shell_word(arguments.program), " run STUDY.toml --scenario"}) : replay, " ",
-                 arguments.scenario ? std::to_string(*arguments.scenario) : "ID"});
+  return joined({replay.empty() ? joined({shell_word(arguments.program), " run STUDY.toml --scenario"}) : replay,
+                 " ", arguments.scenario ? std::to_string(*arguments.scenario) : "ID"});
 }
 
 /// The file with the trace that is asked about; says which command makes it where there is none.
@@ -53,8 +53,9 @@ std::optional<fs::path> trace_file(const InstantArguments& arguments, int& statu
     print_error(joined({path.string(), " holds no trace of scenario ", std::to_string(*arguments.scenario),
                         " yet; this makes it: ", recording_command(*recorded, arguments)}));
   } else {
-    print_error(joined({path.string(), " holds no trace of its own; --scenario ID picks one that was recorded by: ",
-                        recording_command(*recorded, arguments)}));
+    print_error(
+        joined({path.string(), " holds no trace of its own; --scenario ID picks one that was recorded by: ",
+                recording_command(*recorded, arguments)}));
   }
   return std::nullopt;
 }
@@ -98,9 +99,8 @@ int instant_command(const InstantArguments& arguments, AnswerForm form) {
     if (trace->time_s.empty()) {
       print_error(joined({source->string(), ": its trace has no rows"}));
     } else {
-      print_error(joined({"--at ", nine_digits(arguments.time_s), ": must be ",
-                          nine_digits(trace->time_s.front()), " to ", nine_digits(trace->time_s.back()),
-                          " s, from the start to the end of the run"}));
+      print_error(joined({"--at ", nine_digits(arguments.time_s), ": must be ", nine_digits(trace->time_s.front()),
+                          " to ", nine_digits(trace->time_s.back()), " s, from the start to the end of the run"}));
     }
     return kExitInput;
   }

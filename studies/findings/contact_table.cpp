@@ -67,8 +67,8 @@ std::optional<ResultTable> contact_table(const Trace& trace) {
   }
   table.columns.push_back({"first_contact_s", "s", "when something touched it first", std::move(first)});
   table.columns.push_back({"last_contact_s", "s", "until when something touched it", std::move(last)});
-  table.columns.push_back({"longest_contact_s", "s", "longest stretch in which something touched it",
-                           std::move(longest)});
+  table.columns.push_back(
+      {"longest_contact_s", "s", "longest stretch in which something touched it", std::move(longest)});
   return table;
 }
 
@@ -79,14 +79,13 @@ std::vector<std::string> contact_lines(const std::vector<ResultTable>& tables) {
     const auto seconds = [&](std::string_view column) {
       return joined({short_number(number_in(*table, column, row)), " s"});
     };
-    lines.push_back(joined(
-        {"contacts of ", text_in(*table, "surface", row), ": ",
-         comma_list(kContactEventWords,
-                    [&](std::string_view word) {
-                      return counted(number_in(*table, joined({word, "_count"}), row), word);
-                    }),
-         "; touched from ", seconds("first_contact_s"), " to ", seconds("last_contact_s"), ", at longest for ",
-         seconds("longest_contact_s")}));
+    lines.push_back(joined({"contacts of ", text_in(*table, "surface", row), ": ",
+                            comma_list(kContactEventWords,
+                                       [&](std::string_view word) {
+                                         return counted(number_in(*table, joined({word, "_count"}), row), word);
+                                       }),
+                            "; touched from ", seconds("first_contact_s"), " to ", seconds("last_contact_s"),
+                            ", at longest for ", seconds("longest_contact_s")}));
   }
   return lines;
 }

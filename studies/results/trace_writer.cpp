@@ -99,8 +99,7 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
     for (std::size_t i = 0; i < 3; ++i) {
       write_column(file, vector.name(i), dimension,
                    column_of(events, [&](const ContactEvent& e) { return (e.*vector.field)[i]; }),
-                   std::string(vector.units),
-                   joined({vector.long_name, ", along ", kAxisLetters.substr(i, 1)}));
+                   std::string(vector.units), joined({vector.long_name, ", along ", kAxisLetters.substr(i, 1)}));
     }
   }
   const auto write_index = [&](const std::string& name, int ContactEvent::*field, const std::string& long_name) {

@@ -18,8 +18,8 @@ struct Recount {
   std::size_t impossible = 0;  ///< events that no contact in that state can have, or that go back in time
 };
 
-/// Plays the events over the contacts, each of which is open, sticks or slides, and compares their numbers with the
-/// counts of every row: those are of the register, which looks (theta - 1) dt ahead of the row.
+/// Plays the events over the contacts, each of which is open, sticks or slides, and compares their numbers with
+/// the counts of every row: those are of the register, which looks (theta - 1) dt ahead of the row.
 inline Recount recount(const Trace& trace, double theta, double time_step_s) {
   using Kind = ContactEvent::Kind;
   enum class State { open, sticks, slides };
@@ -47,9 +47,7 @@ inline Recount recount(const Trace& trace, double theta, double time_step_s) {
       if (event.kind == Kind::make) now_closed[s] += 1.0;
       if (event.kind == Kind::break_) now_closed[s] -= 1.0;
       now_sliding[s] += (event.kind == Kind::slip ? 1.0 : 0.0) - (state == State::slides ? 1.0 : 0.0);
-      state = event.kind == Kind::break_  ? State::open
-              : event.kind == Kind::slip ? State::slides
-                                         : State::sticks;
+      state = event.kind == Kind::break_ ? State::open : event.kind == Kind::slip ? State::slides : State::sticks;
     }
     for (std::size_t s = 0; s < surfaces; ++s) {
       found.closed_differs += closed.values[row * surfaces + s] == now_closed[s] ? 0 : 1;

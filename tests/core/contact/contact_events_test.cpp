@@ -75,8 +75,8 @@ TEST(ContactEvents, OfABounceComeAtTheTimesOfTheClosedForm) {
   std::cout << "[ measured ] break late by " << late_s[0] << " s at 4 ms, " << late_s[1] << " s at 1 ms\n";
 }
 
-/// A particle that has settled on a viscous layer is pushed by a force that rises to 8 N from 1.5 to 1.7 s and falls
-/// to nothing until 1.9 s; mu = 0.3.
+/// A particle that has settled on a viscous layer is pushed by a force that rises to 8 N from 1.5 to 1.7 s and
+/// falls to nothing until 1.9 s; mu = 0.3.
 constexpr double kFrom_s = 1.5, kRise_s = 0.2, kRate_N_s = 40.0, kMu = 0.3;
 Trace pushed(double time_step_s) {
   Scenario scenario = particle(time_step_s, 2.6);

@@ -159,7 +159,8 @@ TEST(SurfaceTorque, IsTheRateOfTheAngularMomentum) {
   ASSERT_GT(largest_change, 1e-4) << "it tumbles";
   // Torques at the ends of steps against what the steps were solved with, at t + theta dt.
   EXPECT_LT(largest_error, 0.02 * largest_change);
-  std::cout << "[ measured ] torque over time against angular momentum: " << largest_error / largest_change << "\n";
+  std::cout << "[ measured ] torque over time against angular momentum: " << largest_error / largest_change
+            << "\n";
 }
 
 TEST(FrictionMargin, IsLeastWhereTheMetricSays) {

@@ -123,7 +123,8 @@ TEST_F(Instants, ContactsAreSummarisedPerSurface) {
   EXPECT_EQ(support["surface"], "support");
   EXPECT_EQ(support["first_contact_s"], 0.0) << "it stands there";
   EXPECT_GT(support["make_count"].get<double>(), support["break_count"].get<double>()) << "and stands there again";
-  EXPECT_NE(call("export results/two/scenario_1.h5 --table contacts -o -").out.find("left pad,"), std::string::npos);
+  EXPECT_NE(call("export results/two/scenario_1.h5 --table contacts -o -").out.find("left pad,"),
+            std::string::npos);
   EXPECT_NE(text_of("results/two/scenario_1.html").find("contacts"), std::string::npos);
 }
 

@@ -63,7 +63,8 @@ def draw_lost(axes, time, trace):
 def draw_counts(axes, time, trace):
     closed, sliding, names = trace["contact_count"], trace["sliding_count"], words_of(trace["contact_count"])
     for surface, colour in enumerate(SURFACES[: closed.shape[1]]):
-        axes.step(time, closed[:, surface], where="post", color=colour, lw=1.5, label=names[surface])
+        axes.step(time, closed[:, surface], where="post", color=colour, lw=4 if surface == 0 else 1.5,
+                  alpha=0.5 if surface == 0 else 1, label=names[surface])
         axes.fill_between(time, sliding[:, surface], step="post", color=colour, alpha=0.3, lw=0)
     axes.set_ylabel("closed contacts\n(filled: sliding)")
     axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
@@ -73,7 +74,7 @@ def draw_events(axes, events, names):
     for row, (kind, mark) in enumerate(KINDS):
         for surface, colour in enumerate(SURFACES):
             here = (events["kind"][...] == row) & (events["surface"][...] == surface)
-            axes.plot(events["time_s"][...][here], events["place_z_m"][...][here] * 1e3, mark, color=colour, ms=4,
+            axes.plot(events["time_s"][...][here], events["place_z_m"][...][here] * 1e3, mark, color=colour, ms=7 if surface == 0 else 4,
                       mfc="none", mew=0.9, label=kind if surface == 2 else None)
     axes.set_ylabel("height of the event [mm]")
     axes.set_xlabel("time [s]")

@@ -10,6 +10,20 @@
 
 namespace unbruised::studies {
 
+namespace {
+
+/// "friction" of entry 3 in "energy lost since the start: 0 product damping, 1 plastic flow, ..."; empty where the
+/// text has no such list.
+std::string coded_word(const std::string& text, std::size_t code) {
+  const std::string begin = joined({code == 0 ? ": " : ", ", std::to_string(code), " "});
+  const std::size_t at = text.find(begin);
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + begin.size();
+  return text.substr(from, text.find(',', from) - from);
+}
+
+}  // namespace
+
 std::size_t width_of(const TraceSignal& signal) {
   std::size_t width = 1;
   for (const int extent : signal.extents) width *= static_cast<std::size_t>(std::max(extent, 0));
@@ -34,6 +48,9 @@ std::string curve_name(const TraceSignal& signal, std::size_t entry) {
     std::string part = dimension + " " + std::to_string(at + 1);
     if (dimension == "component" && extent == 3) part = kAxes[at];
     if (dimension == "surface") part = surface_name(static_cast<int>(at));
+    if (dimension == "cause" || dimension == "source") {
+      if (std::string word = coded_word(signal.long_name, at); !word.empty()) part = std::move(word);
+    }
     text = text.empty() ? part : part + ", " + text;
   }
   return text;

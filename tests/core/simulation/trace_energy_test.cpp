@@ -157,8 +157,8 @@ TEST(SurfaceTorque, IsTheRateOfTheAngularMomentum) {
     largest_error = std::max(largest_error, (gained - change).norm());
   }
   ASSERT_GT(largest_change, 1e-4) << "it tumbles";
-  // Torques at the ends of steps against what the steps were solved with, at t + theta dt.
-  EXPECT_LT(largest_error, 0.02 * largest_change);
+  // Torques at the ends of steps against what the steps were solved with, at t + theta dt: 6e-5 here.
+  EXPECT_LT(largest_error, 1e-3 * largest_change);
   std::cout << "[ measured ] torque over time against angular momentum: " << largest_error / largest_change
             << "\n";
 }

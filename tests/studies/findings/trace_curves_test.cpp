@@ -23,6 +23,15 @@ TEST(TraceCurves, CountWhatHasNoNameAndSayAxes) {
   EXPECT_EQ(curve_name({"absorbed_energy_J", "J", "plastic work", {}, {}, {}}, 0), "");
 }
 
+TEST(TraceCurves, SayCausesAndSourcesInTheWordsOfTheirSignal) {
+  const TraceSignal signal{"work_J",   "J", "work done: 0 gravity, 1 moving surfaces, 2 drives",
+                           {"source"}, {4}, {}};
+  EXPECT_EQ(curve_name(signal, 0), "gravity");
+  EXPECT_EQ(curve_name(signal, 1), "moving surfaces");
+  EXPECT_EQ(curve_name(signal, 2), "drives");
+  EXPECT_EQ(curve_name(signal, 3), "source 4");
+}
+
 TEST(TraceCurves, AreTheColumnsOfATableButForIncompleteSignals) {
   Trace trace;
   trace.time_s = {0.0, 0.1};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -71,8 +70,9 @@ TEST(SignalsPage, NamesNoSignalThatThereIsNot) {
   std::string source;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(UNBRUISED_SOURCE_DIR "/core")) {
     if (entry.path().extension() != ".cpp") continue;
-    std::ifstream file(entry.path());
-    source.append(std::istreambuf_iterator<char>(file), {});
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    source += text.str();
   }
   for (const auto& [name, row] : page_rows()) {
     EXPECT_NE(source.find(joined({"\"", name, "\""})), std::string::npos) << name;

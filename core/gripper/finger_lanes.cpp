@@ -50,6 +50,10 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
   for (int finger = 0; finger < kFingerCount; ++finger) {
     State& s = state_[finger];
     s.viscous = w.viscous(s.way, s.speed, s.acceleration);
+    const Lane held = max(-command_.force_limit_N, min(command_.force_limit_N, s.drive));
+    s.least = select(command_.told < Lane(1.0),
+                     (Lane(1.0) - command_.told) * held - command_.told * command_.force_limit_N,
+                     -command_.force_limit_N);
     s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - palm_force(finger);
   }
 }
@@ -75,7 +79,7 @@ Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
 
 Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
   const Lane wanted = gain_ * (command_.set_speed_m_s - (a1_ * way_theta - state_[finger].viscous));
-  return max(-command_.force_limit_N, min(command_.force_limit_N, wanted));
+  return max(state_[finger].least, min(command_.force_limit_N, wanted));
 }
 
 Lane FingerLanes::free_way_at_theta(int finger, const Lane& contact) const {
@@ -97,7 +101,7 @@ Lane FingerLanes::stopped_way_at_theta(int finger, const Lane& contact) const {
     return min(apart, max(approaching, viscoelastic));
   };
   const Lane forwards = way(stiffness_, push + command_.force_limit_N);
-  const Lane backwards = way(stiffness_, push - command_.force_limit_N);
+  const Lane backwards = way(stiffness_, push + s.least);
   const Lane regulated = way(stiffness_ + a1_ * gain_, push + gain_ * (command_.set_speed_m_s + s.viscous));
   return min(forwards, max(backwards, regulated));
 }

@@ -66,6 +66,7 @@ class FingerLanes {
     Lane stop{0.0};        ///< force of the end stop there, against the closing way
     Lane depth{0.0};       ///< how far the stop is pressed in there, as linear as its force
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
+    Lane least{0.0};       ///< drive force, in this step
     Lane viscous{0.0};     ///< a1 w + 2 w' + a3 w'' at the start of the step
   };
   /// Force of inertia of a palm that is accelerated or turns against the closing way.

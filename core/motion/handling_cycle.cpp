@@ -36,7 +36,9 @@ void HandlingCycle::follow_guard(double guard_s) {
 }
 
 void HandlingCycle::start_grip() {
-  const double start_s = scenario_.strategy.guard == GuardKind::force ? guard_s_ : first_contact_s_;
+  // The force of the step in which the contact comes begins with the step.
+  const bool by_force = scenario_.strategy.guard == GuardKind::force;
+  const double start_s = by_force ? std::max(guard_s_, first_contact_s_) : first_contact_s_;
   if (!(start_s < kNever)) return;
   grip_started_ = true;
   plan_ = MotionPlan(scenario_, start_s, guard_s_);

@@ -247,19 +247,19 @@ double MotionPlan::ramped(double time_s) const {
   return ramp_s > 0.0 ? std::min(1.0, (time_s - ramp_start_s_) / ramp_s) : 1.0;
 }
 
-/// What an instrument shows within a step is known at its end, and has reached the drives over the one after: the
-/// drives are told the mean of each step, so that the motion is as continuous in the time of the guard as in any
-/// other.
+/// What an instrument shows within a step is known at its end. The drives hear of it as late in the step after, so
+/// that the motion is as continuous in the time of the guard as in any other.
+double MotionPlan::told(double time_s) const {
+  if (!(guard_s_ < kNever) || time_s < guard_s_) return 1.0;
+  return std::clamp((time_s - command_lag_s_ - guard_s_) / command_step_s_, 0.0, 1.0);
+}
+
 double MotionPlan::guarded_speed_m_s(double time_s) const {
-  const double fast = strategy_.approach_speed_m_s;
-  if (time_s < guard_s_) return fast;
-  const double told = std::clamp((time_s - command_lag_s_ - guard_s_) / command_step_s_, 0.0, 1.0);
-  double slow = strategy_.guard_speed_m_s;
+  if (time_s < guard_s_) return strategy_.approach_speed_m_s;
+  const double slow = strategy_.guard_speed_m_s;
   // A grip that the guard has begun presses with a speed that rises as the force's limit does.
-  if (strategy_.guard == GuardKind::force && time_s >= ramp_start_s_) {
-    slow += ramped(time_s) * (pressing_speed_m_s_ - slow);
-  }
-  return fast + told * (slow - fast);
+  const bool presses = strategy_.guard == GuardKind::force && time_s >= ramp_start_s_;
+  return presses ? slow + ramped(time_s) * (pressing_speed_m_s_ - slow) : slow;
 }
 
 double MotionPlan::set_speed_m_s(double time_s) const {

@@ -49,6 +49,8 @@ class MotionPlan {
   [[nodiscard]] PalmState palm(double time_s) const;
   /// Largest drive force per finger.
   [[nodiscard]] double force_limit_N(double time_s) const;
+  /// For how much of the step with this time, t + theta dt, the drives know what they aim at.
+  [[nodiscard]] double told(double time_s) const;
   /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
   [[nodiscard]] double set_speed_m_s(double time_s) const;
   /// The plane under a product that follows the plan.
@@ -86,7 +88,7 @@ class MotionPlan {
   StrategyParameters strategy_{};
   double pressing_speed_m_s_ = 0.0;  ///< aimed at once the force limit rises
   double guard_s_ = kNever;
-  double command_step_s_ = 0.0, command_lag_s_ = 0.0;
+  double command_step_s_ = 0.0, command_lag_s_ = 0.0;  ///< dt, theta dt
   double place_height_m_ = 0.0;
   Horizontal transfer_m_{}, place_velocity_m_s_{};
   Belt belt_;

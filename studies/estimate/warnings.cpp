@@ -8,6 +8,7 @@
 #include "core/contact/contact_effort.hpp"
 #include "core/contact/contact_time.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
+#include "studies/estimate/guard_warnings.hpp"
 #include "studies/findings/shown_probability.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -100,6 +101,7 @@ std::vector<std::string> study_warnings(const Study& study) {
   warn_about_contact(study, warnings);
   warn_about_light_products(study, warnings);
   warn_about_damping(study, warnings);
+  for (std::string& warning : guard_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));
   return warnings;

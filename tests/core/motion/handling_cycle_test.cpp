@@ -101,6 +101,61 @@ TEST(HandlingCycle, GivesUpAfterTwiceTheStrokeAndASecond) {
   EXPECT_DOUBLE_EQ(HandlingCycle(scene()).approach_deadline_s(), 2.0 * 0.04 / 0.05 + 1.0);
 }
 
+Scenario guarded(GuardKind kind) {
+  Scenario scenario = scene();
+  scenario.strategy.guard = kind;
+  scenario.strategy.guard_speed_m_s = 0.01;
+  return scenario;
+}
+
+TEST(HandlingCycle, SlowsDownWhenAGuardSeesTheProductAndGripsWhenItTouches) {
+  HandlingCycle cycle(guarded(GuardKind::range));
+  cycle.observe(1.0, std::nullopt, std::nullopt);
+  EXPECT_EQ(cycle.plan().set_speed_m_s(1.1), 0.05);
+  cycle.observe(1.001, std::nullopt, 1.0);
+  EXPECT_EQ(cycle.plan().set_speed_m_s(1.1), 0.01);
+  EXPECT_FALSE(cycle.grip_started());
+  cycle.observe(1.5, 1.5, 1.0);
+  EXPECT_TRUE(cycle.grip_started());
+  EXPECT_NEAR(cycle.plan().lift_start_s(), 1.8, kSum);
+  EXPECT_EQ(cycle.plan().set_speed_m_s(1.6), 0.05) << "2 F / gain, more than the guard's speed";
+}
+
+TEST(HandlingCycle, ForgetsAGuardThatSeesTheProductAfterTheContact) {
+  HandlingCycle cycle(guarded(GuardKind::range));
+  cycle.observe(1.001, 1.0, 1.0005);
+  EXPECT_EQ(cycle.plan().set_speed_m_s(1.1), HandlingCycle(scene()).plan().set_speed_m_s(1.1));
+}
+
+TEST(HandlingCycle, GripsFromWhereAGuardFeelsTheProductAndNotFromTheContact) {
+  HandlingCycle cycle(guarded(GuardKind::force));
+  cycle.observe(1.0, 1.0, std::nullopt);
+  EXPECT_TRUE(cycle.has_contact());
+  EXPECT_FALSE(cycle.grip_started());
+  EXPECT_EQ(cycle.plan().force_limit_N(1.5), 0.5);
+  cycle.observe(1.301, std::nullopt, 1.3);
+  EXPECT_EQ(cycle.first_contact_s(), 1.0);
+  EXPECT_NEAR(cycle.plan().lift_start_s(), 1.6, kSum);
+  // From the guard's speed to the one that presses, 2 F / gain, as the force's limit rises.
+  EXPECT_NEAR(cycle.plan().set_speed_m_s(1.4), 0.01 + 0.5 * (0.05 - 0.01), kSum);
+  EXPECT_NEAR(cycle.plan().force_limit_N(1.4), 1.5, kSum);
+}
+
+TEST(MotionPlan, TellsTheDrivesOfAGuardOneStepLate) {
+  Scenario scenario = guarded(GuardKind::range);
+  scenario.simulation.time_step_s = 1e-3;
+  const MotionPlan plan(scenario, kNever, 1.00025);
+  // The guard is seen in the step from 1.000 s; at a quarter of the next one the drives know.
+  const auto of_step = [&](double start_s) { return plan.told(start_s + scenario.simulation.theta * 1e-3); };
+  EXPECT_NEAR(of_step(1.001), 0.75, 1e-9);
+  EXPECT_EQ(of_step(1.002), 1.0);
+  EXPECT_EQ(MotionPlan(scenario, kNever).told(1.0), 1.0);
+}
+
+TEST(HandlingCycle, GivesASlowApproachItsTime) {
+  EXPECT_DOUBLE_EQ(HandlingCycle(guarded(GuardKind::range)).approach_deadline_s(), 2.0 * 0.04 / 0.01 + 1.0);
+}
+
 TEST(MotionPlan, CarriesThePalmUpAcrossAndDown) {
   const MotionPlan plan(scene(), 0.0);
   EXPECT_EQ(plan.palm(plan.lift_start_s()).position_m[2], 0.0);

@@ -17,6 +17,7 @@ Scenario fast_box() {
   scenario.strategy.approach_speed_m_s = 0.2;
   scenario.strategy.contact_force_N = 0.25;
   scenario.simulation.time_step_s = 5e-4;
+  scenario.simulation.duration_s = 0.45;       // into the lift
   jaw_of(scenario).drive_viscous_N_s_m = 0.0;  // as the closed form has it
   jaw_of(scenario).range.maximum_m = 0.05;
   return scenario;
@@ -45,10 +46,11 @@ TEST(GuardByRange, TouchesWithTheSlowSpeedAtTheTimeOfTheClosedForm) {
   const PlannedApproach planned = planned_approach(scenario);
   EXPECT_NEAR(planned.time_s, 0.0025 / 0.2 + 0.18 / 2.5 + (0.0095 - 0.00792) / 0.02, 1e-12);
   EXPECT_EQ(planned.touch_speed_m_s, 0.02);
-  // The drive hears of the guard a step later, over a step: 1.5 steps at the fast speed are 0.15 mm of the slow
-  // way.
-  const double late_s = 1.5 * 5e-4, saved_s = late_s * (0.2 / 0.02 - 1.0);
-  EXPECT_NEAR(result.metrics[Metric::first_contact_time_s], planned.time_s - saved_s, 2.0 * 5e-4);
+  // The drives hear of the guard a step later, and the fingers follow a jump of a force by Wilson's method as if
+  // it came 0.9 steps late: the mean accelerations of the first steps are 0.36, 0.82, 0.95 ... of what they will
+  // be. At 0.2 m/s instead of 0.02 m/s that shortens the slow way.
+  const double saved_s = 1.9 * 5e-4 * (0.2 / 0.02 - 1.0);
+  EXPECT_NEAR(result.metrics[Metric::first_contact_time_s], planned.time_s - saved_s, 5e-4);
 }
 
 TEST(GuardByRange, CostsTheCycleWhatItCostsTheApproach) {
@@ -79,8 +81,8 @@ TEST(GuardByRange, WithoutRoomTouchesAsFastAsTheBrakeLeaves) {
   const ScenarioResult result = testing::run(scenario, &trace);
   const PlannedApproach planned = planned_approach(scenario);
   EXPECT_NEAR(planned.touch_speed_m_s, std::sqrt(0.04 - 2.0 * 2.5 * 0.004), 1e-12);
-  // 1.5 steps late at 0.2 m/s are 0.15 mm, at 2.5 m/s2 and 0.14 m/s 3 mm/s.
-  EXPECT_NEAR(speed_at_touch_m_s(result, trace), planned.touch_speed_m_s, 5e-3);
+  // A step late at 0.2 m/s is 0.1 mm: at 2.5 m/s2 and 0.14 m/s 2 mm/s.
+  EXPECT_NEAR(speed_at_touch_m_s(result, trace), planned.touch_speed_m_s, 3e-3);
 }
 
 TEST(GuardByRange, IsContinuousInItsRange) {
@@ -111,7 +113,6 @@ TEST(GuardByRange, WaitsForTheSampleThatShowsIt) {
 Scenario feeling_box(double speed_m_s) {
   Scenario scenario = fast_box();
   jaw_of(scenario).range.maximum_m.reset();
-  testing::lattice_of(scenario).youngs_modulus_Pa = 1e6;
   scenario.strategy.guard = GuardKind::force;
   scenario.strategy.guard_force_N = 0.15;
   scenario.strategy.guard_speed_m_s = speed_m_s;
@@ -119,30 +120,48 @@ Scenario feeling_box(double speed_m_s) {
 }
 
 TEST(GuardByForce, BeginsTheGripWhereItFeelsTheContact) {
-  const Scenario scenario = feeling_box(0.0);
+  const Scenario scenario = feeling_box(0.05);
   Trace trace;
   const ScenarioResult result = testing::run(scenario, &trace);
   ASSERT_EQ(result.outcome, Outcome::held) << result.cause;
   const double touch_s = result.metrics[Metric::first_contact_time_s];
   const double felt_s =
       result.metrics[Metric::lift_time_s] - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s;
-  EXPECT_GT(felt_s, touch_s);
-  EXPECT_LT(felt_s, touch_s + 0.01);
-  // Where the force crosses 0.15 N between the ends of two steps.
+  // Where the force crosses 0.15 N between the ends of two steps, but not before the contact.
   const std::vector<double> force = column(trace, "finger_force_N");
-  const auto at = static_cast<std::size_t>(felt_s / 5e-4);
-  EXPECT_LE(force[at], 0.15);
-  EXPECT_GT(force[at + 1], 0.15);
-  EXPECT_NEAR(felt_s, trace.time_s[at] + 5e-4 * (0.15 - force[at]) / (force[at + 1] - force[at]), 1e-9);
+  std::size_t at = 0;
+  while (force[at + 1] <= 0.15) ++at;
+  const double crossed_s = trace.time_s[at] + 5e-4 * (0.15 - force[at]) / (force[at + 1] - force[at]);
+  EXPECT_NEAR(felt_s, std::max(crossed_s, touch_s), 1e-9);
 }
 
-TEST(GuardByForce, StopsTheFingersThatGoOnWithoutIt) {
-  // Right after the contact is felt the drives hold back instead of pressing on: the peak of the impact falls.
+TEST(GuardByForce, LooksAtTheForceAtItsSamplesOnly) {
+  Scenario scenario = feeling_box(0.05);
+  jaw_of(scenario).force_rate_Hz = 50.0;
+  const ScenarioResult result = testing::run(scenario);
+  const double touch_s = result.metrics[Metric::first_contact_time_s];
+  const double felt_s =
+      result.metrics[Metric::lift_time_s] - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s;
+  EXPECT_GT(felt_s, touch_s);
+  EXPECT_NEAR(std::remainder(felt_s, 0.02), 0.0, 1e-12);
+}
+
+TEST(GuardByForce, StopsTheFingersWhereItFeelsTheContact) {
+  Trace trace;
+  testing::run(feeling_box(0.0), &trace);
+  const std::vector<double> force = column(trace, "finger_force_N"), speed = column(trace, "finger_speed_m_s");
+  std::size_t felt = 0;
+  while (force[felt] <= 0.15) ++felt;
+  EXPECT_GT(speed[felt], 0.1);
+  // The drives brake with up to 0.25 N, 2.5 m/s2, beside what the cube pushes back: at rest within 0.1 s, but for
+  // the 1.2 mm/s that the ramp of the force has reached then.
+  for (std::size_t i = felt + 200; trace.time_s[i] < trace.time_s[felt] + 0.14; ++i) {
+    EXPECT_LT(std::abs(speed[i]), 2e-3) << trace.time_s[i];
+  }
+  // Without it they press on.
   Scenario unguarded = feeling_box(0.0);
   unguarded.strategy.guard = GuardKind::none;
-  const double without_N = testing::run(unguarded).metrics[Metric::peak_finger_force_N];
-  const double with_N = testing::run(feeling_box(0.0)).metrics[Metric::peak_finger_force_N];
-  EXPECT_LT(with_N, without_N);
+  EXPECT_LT(testing::largest(force), testing::run(unguarded).metrics[Metric::peak_finger_force_N]);
 }
 
 TEST(GuardByForce, IsNotGraspedWhereItFeelsNothing) {

@@ -26,11 +26,11 @@ TEST(RangeScene, ReadsTheWayThatIsLeftAndTheDepthWhereThePadsTouch) {
   ASSERT_EQ(testing::signal(trace, "range_m").extents, std::vector<int>{2});
   for (std::size_t f = 0; f < 2; ++f) {
     const std::vector<double> range = column(trace, "range_m", f), way = column(trace, "finger_way_m", f);
-    EXPECT_NEAR(range.front(), 0.006, 1e-9) << "gap and depth";
+    // Gap and depth; the cube bulges by nu rho g h / E x 1 cm = 5 um at most as it stands on its mat.
+    EXPECT_NEAR(range.front(), 0.006, 5e-6);
     for (std::size_t i = 0; i < range.size(); ++i) {
-      if (trace.time_s[i] > result.metrics[Metric::first_contact_time_s]) break;
-      // The cube stands on a mat that it presses in: it sinks, and spreads by less than a micrometre.
-      EXPECT_NEAR(range[i], 0.006 - way[i], 1e-6) << trace.time_s[i];
+      if (trace.time_s[i] > result.metrics[Metric::first_contact_time_s] - 1e-3) break;
+      EXPECT_NEAR(range[i], range.front() - way[i], 1e-9) << trace.time_s[i];  // it is at rest
     }
     // Held: the pad's layer is pressed in by force / (E / thickness x area) = 0.3 / (0.4e6 / 3e-3 x 4e-4) = 5.6 um
     // on a face that stays flat within as much again.

@@ -52,6 +52,20 @@ TEST(Warnings, WrittenZerosOfDampingSayWhatTheyDoToTheWindow) {
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"cell.support_relaxation_time_s=0"}), "half as wide"));
 }
 
+TEST(Warnings, AGuardWithoutRoomToBrakeSaysHowFastTheFingersTouch) {
+  // 0.3 N brake 0.1 kg by 3 m/s2: from 0.1 to 0.02 m/s in 1.6 mm.
+  const std::vector<std::string> guard = {"strategy.approach_speed_m_s=0.1", "strategy.guard=\"range\"",
+                                          "strategy.guard_speed_m_s=0.02", "gripper.range.maximum_m=0.05"};
+  const auto with_range = [&](const std::string& range_m) {
+    std::vector<std::string> sets = guard;
+    sets.push_back("strategy.guard_range_m=" + range_m);
+    return warnings_of(kGripped, sets);
+  };
+  EXPECT_FALSE(one_says(with_range("0.0017"), "no room to brake"));
+  EXPECT_TRUE(one_says(with_range("0.001"), "no room to brake from 0.1 to 0.02 m/s"));
+  EXPECT_TRUE(one_says(with_range("0.001"), "the fingers touch at 0.0632"));
+}
+
 TEST(Warnings, DoubtsOfReadingTheStudyAreAmongThem) {
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"product.friction=0"}), "product.friction is 0"));
 }

@@ -4,7 +4,7 @@
     plot_sensor.py RESULTS.h5 [-o FILE.png]     sensor_force.png beside the results unless given
 
 Of a product that bounces on a plate it prints each bounce: when it touched, how long it pressed and flew, the peak,
-and the restitution by the flights. Those without a number are the last.
+and the restitution by the flights.
 Exit status: 0 drawn, 2 the file holds no trace of a sensor.
 """
 import argparse
@@ -18,6 +18,7 @@ from draw_pictures import INK, SOFT, save  # which sets the looks of the picture
 
 GRAVITY = 9.80665
 READ = "#1b9e77"
+BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "frameon": False}
 
 
 def trace_of(path):
@@ -32,36 +33,28 @@ def trace_of(path):
         return trace["time_s"][:], trace["sensor_wrench"][:], trace["sensor_wrench_compensated"][:]
 
 
-def crossings(time, force, level):
-    """Times at which the force rises above and falls below a level, between rows."""
-    above = force > level
-    at = np.flatnonzero(above[1:] != above[:-1])
-    when = time[at] + (level - force[at]) / (force[at + 1] - force[at]) * (time[at + 1] - time[at])
-    return when[~above[at]], when[above[at]]
+def bounces(time, force, least_s=1e-3):
+    """Touch, release and peak of every contact; a gap shorter than `least_s` does not end one."""
+    pressed = np.flatnonzero(force > 1e-6 * force.max())
+    if pressed.size == 0:
+        return np.empty((0, 3))
+    apart = np.flatnonzero(np.diff(time[pressed]) > least_s)
+    first, last = np.append(0, apart + 1), np.append(apart, pressed.size - 1)
+    return np.array([[time[pressed[i]], time[pressed[k]], force[pressed[i]:pressed[k] + 1].max()]
+                     for i, k in zip(first, last)])
 
 
-def bounces(time, force):
-    """Touch, release and peak of every contact that a flight ends."""
-    touch, release = crossings(time, force, 0.002 * force.max())
-    rows = []
-    for start, end in zip(touch, release):
-        inside = (time >= start) & (time <= end)
-        if inside.any():
-            rows.append([start, end, force[inside].max()])
-    return np.array(rows).reshape(-1, 3)
-
-
-def table(rows, file=sys.stdout):
-    """Prints the bounces; the restitution of a bounce is the flight after it over the one before."""
+def table(rows, force, time, file=sys.stdout):
+    """Prints the bounces with the peaks that were read; restitution: the flight after a bounce over that before."""
     print("bounce  touch_s  contact_ms  flight_s  peak_N  restitution  height_mm", file=file)
     flight = np.append(rows[1:, 0] - rows[:-1, 1], np.nan)
     before = 2.0 * rows[0, 0]  # let go at the top of a flight
-    for i, (touch, release, peak) in enumerate(rows):
-        if np.isnan(flight[i]) or flight[i] < 2e-3:
-            break
-        height = GRAVITY * flight[i] ** 2 / 8.0
-        print(f"{i + 1:6d}  {touch:7.4f}  {1e3 * (release - touch):10.2f}  {flight[i]:8.4f}  {peak:6.2f}  "
-              f"{flight[i] / before:11.3f}  {1e3 * height:9.2f}", file=file)
+    for i, (touch, release, _) in enumerate(rows):
+        peak = force[(time >= touch) & (time <= release)].max()
+        flies = np.isfinite(flight[i])
+        left = f"{flight[i]:8.4f}" if flies else "   rests"
+        print(f"{i + 1:6d}  {touch:7.4f}  {1e3 * (release - touch):10.2f}  {left}  {peak:6.2f}"
+              + (f"  {flight[i] / before:11.3f}  {1e3 * GRAVITY * flight[i] ** 2 / 8.0:9.2f}" if flies else ""), file=file)
         before = flight[i]
 
 
@@ -79,15 +72,15 @@ def draw(time, wrench, compensated):
         if np.abs(force[:, axis]).max() < 1e-3 * np.abs(force).max():
             continue
         upper.plot(time, force[:, axis], color=colors[axis], lw=1.2, label=f"F{names[axis]} read")
-    if np.abs(compensated[:, 2] - force[:, 2]).max() > 0.01 * np.abs(force).max():
+    if np.abs(compensated[:, 2] - force[:, 2]).max() > 0.1 * np.abs(force).max():
         upper.plot(time, compensated[:, 2], color=INK, lw=0.8, ls="--", label="Fz compensated")
     upper.set_ylabel("force [N]")
-    upper.legend(loc="upper right")
+    upper.legend(**BESIDE)
     if has_torque:
         for axis in range(3):
             axes[1, 0].plot(time, torque[:, axis], color=colors[axis], lw=1.2, label=f"M{names[axis]} read")
         axes[1, 0].set_ylabel("torque [N m]")
-        axes[1, 0].legend(loc="upper right")
+        axes[1, 0].legend(**BESIDE)
     axes[-1, 0].set_xlabel("time [s]")
     axes[-1, 0].set_xlim(time[0], time[-1])
     return figure
@@ -101,10 +94,9 @@ def main():
     time, wrench, compensated = trace_of(arguments.results)
     output = arguments.output or arguments.results.parent / "sensor_force.png"
     save(draw(time, wrench, compensated), output)
-    print(f"plot: {output}")
-    rows = bounces(time, wrench[:, 2])
-    if len(rows) > 2:
-        table(rows)
+    rows = bounces(time, compensated[:, 2])  # without the plate's own swing
+    if len(rows) > 2 and rows[0, 0] > time[0]:
+        table(rows, wrench[:, 2], time)
 
 
 if __name__ == "__main__":

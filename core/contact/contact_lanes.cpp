@@ -31,10 +31,12 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       place_windows_(model.patch_side_m) {
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
+  group_candidates();
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
   places_.emplace(model, body, surfaces_);
   over_ = MaskArray(model.candidate.size());
+  lowest_arm_m_ = LaneArray(place_group_.size());
   for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
 }
 
@@ -56,21 +58,48 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   if (places_) over_.clear_lane(lane);
 }
 
+/// The candidates of a node with one surface stand side by side.
+void ContactLanes::group_candidates() {
+  for (int c = 0; c < static_cast<int>(model_.candidate.size()); ++c) {
+    awake_candidate_.push_back(c);
+    const ContactCandidate& candidate = model_.candidate[static_cast<std::size_t>(c)];
+    if (candidate.place < 0) {
+      side_candidate_.push_back(c);
+      continue;
+    }
+    const auto node = static_cast<std::size_t>(candidate.contact_node);
+    if (place_group_.empty() || place_group_.back().node != node ||
+        place_group_.back().surface != candidate.surface) {
+      place_group_.push_back({node, candidate.surface, c, c, 0});
+    }
+    place_group_.back().end = c + 1;
+  }
+}
+
 void ContactLanes::wake_all() {
   if (!places_) return;
   asleep_.assign(model_.candidate.size(), 0);
-  awake_.assign(model_.node_count() * kSurfaceCount, 0);
-  for (const ContactCandidate& candidate : model_.candidate) {
-    if (candidate.place < 0) continue;
-    ++awake_[static_cast<std::size_t>(candidate.contact_node) * kSurfaceCount +
-             static_cast<std::size_t>(candidate.surface)];
+  for (PlaceGroup& group : place_group_) group.awake = group.end - group.first;
+  list_awake();
+}
+
+void ContactLanes::list_awake() {
+  if (!places_) return;  // nothing sleeps
+  awake_candidate_.clear();
+  auto side = side_candidate_.begin();
+  for (const PlaceGroup& group : place_group_) {
+    for (; side != side_candidate_.end() && *side < group.first; ++side) awake_candidate_.push_back(*side);
+    for (int c = group.first; group.awake > 0 && c < group.end; ++c) {
+      if (asleep_[static_cast<std::size_t>(c)] == 0) awake_candidate_.push_back(c);
+    }
   }
+  awake_candidate_.insert(awake_candidate_.end(), side, side_candidate_.end());
 }
 
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    if (!asleep_.empty() && asleep_[c] != 0) continue;
+  for (const int awake : awake_candidate_) {
+    const auto c = static_cast<std::size_t>(awake);
     const LayerEnergy stored = register_.stored_energy(c, surfaces_[model_.candidate[c].surface]);
     energy += stored.pressed + stored.sheared;
   }
@@ -113,14 +142,14 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   frame_ = given.frame;
   const Eyes eyes = frame_ == nullptr ? Eyes{} : Eyes{frame_, &*seen_, places_ ? &*places_ : nullptr};
   sweep_.begin_step(w_, start.theta, eyes);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    const ContactCandidate& candidate = model_.candidate[c];
-    if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
+  for (const int side : side_candidate_) {
+    const auto c = static_cast<std::size_t>(side);
+    meet_side(c, starts[carrier_number(model_.candidate[c].surface)], running);
   }
   meets_rim_ = Mask(false);
-  if (places_) free_turn_ = sweep_.levers().turn_by(given.free.moment_N_m);
-  for (std::size_t node = 0; places_ && node < model_.node_count(); ++node) meet_places(node, given, running);
-  sweep_.list_active(running, asleep_);
+  if (places_) meet_places(given, running);
+  list_awake();
+  sweep_.list_active(running, awake_candidate_);
   sweep_.rebase(given.free, running);
 }
 
@@ -216,8 +245,8 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
 void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    if (model_.candidate[c].place >= 0) continue;  // theirs go with them as they meet
+  for (const int side : side_candidate_) {  // those of places go with them as they meet
+    const auto c = static_cast<std::size_t>(side);
     const int surface = model_.candidate[c].surface;
     const ContactEnd& end = ends[carrier_number(surface)];
     const auto tangents = tangent_axes(surface);

@@ -40,8 +40,8 @@ class SeenPlaces {
 
   /// Displacement along the axes of its surface of a candidate's place, by that of its particle and the turn of
   /// the body as a whole, both against the frame that was seen last.
-  [[nodiscard]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u,
-                                        const LaneVector& turn_rad) const {
+  [[nodiscard, gnu::always_inline]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u,
+                                                            const LaneVector& turn_rad) const {
     const PlaceArm& place = arm_of(candidate);
     const LaneVector moved = u + cross(turn_rad, to_lanes(place.arm_m));
     return axes(candidate.surface).displacement(to_lanes(place.from_mass_m), moved);

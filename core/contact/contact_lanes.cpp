@@ -33,10 +33,12 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       events_(model.candidate.size(), wilson) {
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
+  group_candidates();
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
   places_.emplace(model, body, surfaces_);
   over_ = MaskArray(model.candidate.size());
+  lowest_arm_m_ = LaneArray(place_group_.size());
   for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
 }
 
@@ -62,21 +64,10 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   if (places_) over_.clear_lane(lane);
 }
 
-void ContactLanes::wake_all() {
-  if (!places_) return;
-  asleep_.assign(model_.candidate.size(), 0);
-  awake_.assign(model_.node_count() * kSurfaceCount, 0);
-  for (const ContactCandidate& candidate : model_.candidate) {
-    if (candidate.place < 0) continue;
-    ++awake_[static_cast<std::size_t>(candidate.contact_node) * kSurfaceCount +
-             static_cast<std::size_t>(candidate.surface)];
-  }
-}
-
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    if (!asleep_.empty() && asleep_[c] != 0) continue;
+  for (const int awake : awake_candidate_) {
+    const auto c = static_cast<std::size_t>(awake);
     const LayerEnergy stored = register_.stored_energy(c, surfaces_[model_.candidate[c].surface]);
     energy += stored.pressed + stored.sheared;
   }
@@ -124,17 +115,16 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   }
   frame_ = given.frame;
   const Eyes eyes = frame_ == nullptr ? Eyes{} : Eyes{frame_, &*seen_, places_ ? &*places_ : nullptr};
-  mounted_now_ = given.mount != nullptr;
-  if (mounted_now_) mounted_.begin_step(*given.mount);
+  begin_mounts(given.mount);
   sweep_.begin_step(w_, start.theta, eyes, mounted_now_ ? &mounted_ : nullptr);
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    const ContactCandidate& candidate = model_.candidate[c];
-    if (candidate.place < 0) meet_side(c, starts[carrier_number(candidate.surface)], running);
+  for (const int side : side_candidate_) {
+    const auto c = static_cast<std::size_t>(side);
+    meet_side(c, starts[carrier_number(model_.candidate[c].surface)], running);
   }
   meets_rim_ = Mask(false);
-  if (places_) free_turn_ = sweep_.levers().turn_by(given.free.moment_N_m);
-  for (std::size_t node = 0; places_ && node < model_.node_count(); ++node) meet_places(node, given, running);
-  sweep_.list_active(running, asleep_);
+  if (places_) meet_places(given, running);
+  list_awake();
+  sweep_.list_active(running, awake_candidate_);
   sweep_.rebase(given.free, running);
 }
 
@@ -165,21 +155,6 @@ void ContactLanes::meet_side(std::size_t c, const ContactStart& start, const Mas
   const Mask moves = meets & !(register_.is_closed(c) & !register_.sliding.get(c));
   if (any(moves)) cover_again(c, start, moves);
   take_in(c, meeting, meets, running);
-}
-
-/// Takes in that the surface moves with its mount. @param at_m the candidate's place, from where the carrier
-/// stands
-void ContactLanes::go_with_mount(std::size_t c, const LaneVector& at_m, const MountLanes& mount,
-                                 Meeting& meeting) {
-  const int surface = model_.candidate[c].surface;
-  if (!mounted_.carries(surface)) return;
-  const auto axis = static_cast<std::size_t>(normal_axis(surface));
-  const Lane sign(normal_sign(surface));
-  mounted_.place(c, at_m);
-  meeting.gap_now -= sign * mounted_.along(c, axis, mount.displacement());
-  meeting.gap_free -= sign * mounted_.along(c, axis, mount.free());
-  meeting.rate += sign * mounted_.along(c, axis, mount.velocity());
-  meeting.second_rate += sign * mounted_.along(c, axis, mount.acceleration());
 }
 
 Mask ContactLanes::may_meet(std::size_t c, const Meeting& meeting, const Mask& running) const {
@@ -256,8 +231,8 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
 
 /// Anchors of open contacts go with the particle, so that a contact closes where it touches.
 void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
-  for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
-    if (model_.candidate[c].place >= 0) continue;  // theirs go with them as they meet
+  for (const int side : side_candidate_) {  // those of places go with them as they meet
+    const auto c = static_cast<std::size_t>(side);
     const int surface = model_.candidate[c].surface;
     const ContactEnd& end = ends[carrier_number(surface)];
     const auto tangents = tangent_axes(surface);

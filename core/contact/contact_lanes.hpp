@@ -185,8 +185,23 @@ class ContactLanes {
   /// A step as each carrier sees it.
   using Starts = std::array<ContactStart, kCarrierCount>;
   using Ends = std::array<ContactEnd, kCarrierCount>;
+  /// The places of a node that may touch one surface.
+  struct PlaceGroup {
+    std::size_t node = 0;  ///< contact node
+    int surface = 0;
+    int first = 0, end = 0;  ///< candidates
+    int awake = 0;           ///< how many of them
+  };
+  /// How a surface stands to the product in the present step, at t + theta dt.
+  struct FacingPlane {
+    LaneVector normal;     ///< in the axes of the frame
+    Lane center_m{0.0};    ///< of the product's centre of mass above it
+    Lane turned_rad{0.0};  ///< at most by so much from where the arms were looked at
+  };
   void load_seen(int lane);
+  void group_candidates();
   void wake_all();
+  void list_awake();
   Starts seen_start(const ContactStart& start);
   Ends seen_end(const ContactEnd& end, const FrameLanes* frame);
   /// Where a candidate stands before its surface, at the start of a step and without contact forces at t + theta
@@ -199,10 +214,18 @@ class ContactLanes {
   [[nodiscard]] std::array<Lane, 2> place_on_face(const ContactCandidate& candidate) const;
   void meet_side(std::size_t candidate, const ContactStart& start, const Mask& running);
   void meet_place(std::size_t candidate, const ContactStart& start, const Mask& running);
-  void meet_places(std::size_t node, const ContactStart& start, const Mask& running);
-  [[nodiscard]] bool is_far(std::size_t node, int surface, const ContactStart& start) const;
+  void meet_places(const ContactStart& start, const Mask& running);
+  void meet_group(PlaceGroup& group, bool all_far, const ContactStart& start, const Mask& running);
+  FacingPlane facing_plane(int surface);
+  void find_lowest_arms(int surface);
   [[nodiscard]] bool is_far(std::size_t candidate, const ContactStart& start) const;
   void take_in(std::size_t candidate, const Meeting& meeting, const Mask& meets, const Mask& running);
+  void begin_mounts(const MountLanes* mount);
+  [[nodiscard]] Lane sway_m(const MountLanes& mount) const;
+  /// A place that comes this near to a surface is looked at closely.
+  [[nodiscard]] Lane near_m(int surface) const {
+    return surface == kSupport ? near_margin_ + sway_m_ : near_margin_;
+  }
   void go_with_mount(std::size_t candidate, const LaneVector& at_m, const MountLanes& mount, Meeting& meeting);
   [[nodiscard]] Mask may_meet(std::size_t candidate, const Meeting& meeting, const Mask& running) const;
   void cover_again(std::size_t candidate, const ContactStart& start, const Mask& lanes);
@@ -256,10 +279,16 @@ class ContactLanes {
   /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was
   /// last looked at closely.
   std::vector<char> asleep_;
-  std::vector<int> awake_;  ///< how many others there are, per contact node and surface
-  MaskArray over_;          ///< candidates that have been over their rectangle when they last stood before it
-  Mask meets_rim_{false};   ///< in this step
-  LaneVector free_turn_;    ///< of the body as a whole until t + theta dt without contact forces
+  std::vector<int> side_candidate_;      ///< candidates that are no places
+  std::vector<PlaceGroup> place_group_;  ///< of all others
+  std::vector<int> awake_candidate_;     ///< all that do not sleep, as of the start of the step, ascending
+  /// Per place group: n . arm of the lowest of its places, for the normals in the axes of the frame by which it
+  /// was looked for.
+  LaneArray lowest_arm_m_;
+  std::array<LaneVector, kSurfaceCount> arms_faced_;
+  MaskArray over_;         ///< candidates that have been over their rectangle when they last stood before it
+  Mask meets_rim_{false};  ///< in this step
+  LaneVector free_turn_;   ///< of the body as a whole until t + theta dt without contact forces
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
   /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
   std::array<std::array<Mask, 2>, kSurfaceCount> faces_;
@@ -267,6 +296,7 @@ class ContactLanes {
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
   MountedContacts mounted_;
+  Lane sway_m_{0.0};          ///< of the support on its mount, in the present step
   bool mounted_now_ = false;  ///< is any surface of any lane on a mount, in the present step?
   ContactSweep sweep_;
   std::vector<WindowPressure> window_;  ///< over each surface whose candidates are a side's particles

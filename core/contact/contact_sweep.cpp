@@ -82,22 +82,27 @@ void ContactSweep::prepare_turned(std::size_t c) {
   for (std::size_t i = 0; i < 9; ++i) own_.put(9 * c + i, turned.at[i]);
 }
 
-void ContactSweep::list_active(const Mask& running, std::span<const char> asleep) {
+void ContactSweep::list_active(const Mask& running, std::span<const int> awake) {
   active_node_.clear();
   live_candidate_.clear();
+  near_candidate_.clear();
+  first_near_.clear();
   has_near_ = Mask(false);
-  for (std::size_t node = 0; node < model_.node_count(); ++node) {
-    bool active = false;
-    for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
-      const auto at = static_cast<std::size_t>(c);
-      if (!asleep.empty() && asleep[at] != 0) continue;
-      const Mask near = contacts_.near.get(at);
-      has_near_ = has_near_ | near;
-      active = active || any(near);
-      if (any(near | (running & (contacts_.normal.get(at) > Lane(0.0))))) live_candidate_.push_back(c);
+  for (const int c : awake) {
+    const auto at = static_cast<std::size_t>(c);
+    const Mask near = contacts_.near.get(at);
+    const bool is_near = any(near);
+    if (is_near || any(running & (contacts_.normal.get(at) > Lane(0.0)))) live_candidate_.push_back(c);
+    if (!is_near) continue;
+    has_near_ = has_near_ | near;
+    const int node = model_.candidate[at].contact_node;
+    if (active_node_.empty() || active_node_.back() != node) {
+      active_node_.push_back(node);
+      first_near_.push_back(near_candidate_.size());
     }
-    if (active) active_node_.push_back(static_cast<int>(node));
+    near_candidate_.push_back(c);
   }
+  first_near_.push_back(near_candidate_.size());
 }
 
 LaneVector ContactSweep::force_in_frame(std::size_t c) const {
@@ -117,10 +122,11 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   PadForces pad_force = without_force();
   if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
   if (mounted_ != nullptr) mounted_->restart(lanes);
-  for (int node : active_node_) {
+  for (std::size_t a = 0; a < active_node_.size(); ++a) {
+    const int node = active_node_[a];
     const auto at = 3 * static_cast<std::size_t>(node);
     std::array<Lane, 3> force = {Lane(0.0), Lane(0.0), Lane(0.0)};
-    for (int c = model_.first_candidate[node]; c < model_.first_candidate[node + 1]; ++c) {
+    for (const int c : near_of(a)) {  // the others carry nothing
       const auto k = static_cast<std::size_t>(c);
       const ContactCandidate& candidate = model_.candidate[k];
       const LaneVector by_candidate = force_in_frame(k);
@@ -182,6 +188,9 @@ struct ContactSweep::TurnedNode {
   }
   [[gnu::always_inline]] void push(const std::array<std::size_t, 2>& axis, const std::array<Lane, 2>& by) {
     for (std::size_t t = 0; t < 2; ++t) push(axis[t], Lane(1.0), by[t]);
+  }
+  [[nodiscard, gnu::always_inline]] bool has_changed() const {
+    return any(max(abs(change[0]), max(abs(change[1]), abs(change[2]))) > Lane(0.0));
   }
 };
 
@@ -311,6 +320,7 @@ template <class Mounting>
   const ContactCandidate& candidate = model_.candidate[c];
   TurnedNode turned{own_.row(9 * c), seen_displacement(candidate, {node.d}), {}};
   update_forces<Mounting>(c, gripper, active, pass, turned);
+  if (!turned.has_changed()) return;  // near, and open
   const LaneVector change = transposed(axes_of(candidate).turn) * turned.change;
   node.push(change);
   if (eyes_.places == nullptr) return;
@@ -320,7 +330,8 @@ template <class Mounting>
 }
 
 /// Of a candidate along the axes of its surface's carrier, by that of its particle.
-inline LaneVector ContactSweep::seen_displacement(const ContactCandidate& candidate, const LaneVector& u) const {
+[[gnu::always_inline]] inline LaneVector ContactSweep::seen_displacement(const ContactCandidate& candidate,
+                                                                         const LaneVector& u) const {
   if (candidate.place >= 0) return eyes_.places->displacement(candidate, u, levers_.turn());
   return axes_of(candidate).displacement(rest_place_m(static_cast<std::size_t>(candidate.contact_node)), u);
 }
@@ -339,8 +350,8 @@ Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
   const std::size_t m = model_.node_count();
   for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
     Pass pass{solving, sweep >= kNewtonSweeps ? Slope::steepest : Slope::tangent};
-    for (int active : active_node_) {
-      const auto i = static_cast<std::size_t>(active);
+    for (std::size_t a = 0; a < active_node_.size(); ++a) {
+      const auto i = static_cast<std::size_t>(active_node_[a]);
       const double* row = model_.compliance.data() + 9 * i * m;
       Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
       add_blocks(row, active_node_, node_force_, node.d);
@@ -348,9 +359,7 @@ Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
         const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
         for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
       }
-      for (int c = model_.first_candidate[i]; c < model_.first_candidate[i + 1]; ++c) {
-        update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
-      }
+      for (const int c : near_of(a)) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
     }
     sweeps += select(solving, Lane(1.0), Lane(0.0));
     const Lane force = max(pass.largest_force, Lane(kLeastForce));

@@ -44,8 +44,8 @@ class ContactSweep {
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
   /// Lists the nodes with something near, once every candidate's `near` is known.
-  /// @param asleep candidates that are not, where it is not empty
-  void list_active(const Mask& running, std::span<const char> asleep);
+  /// @param awake candidates that may be near or carry force, ascending
+  void list_active(const Mask& running, std::span<const int> awake);
 
   /// Starts from the present forces over a motion without them.
   void rebase(const FreeMotion& free, const Mask& lanes);
@@ -89,6 +89,10 @@ class ContactSweep {
   struct TurnedNode;
   struct FixedSurfaces;
   struct MountedSurfaces;
+  /// The near candidates of an active node.
+  [[nodiscard]] std::span<const int> near_of(std::size_t active) const {
+    return std::span(near_candidate_).subspan(first_near_[active], first_near_[active + 1] - first_near_[active]);
+  }
   template <class Mounting>
   Lane solve_with(const GripperLanes& gripper, const Mask& solving);
   template <class Mounting>
@@ -132,7 +136,9 @@ class ContactSweep {
   LaneArray layer_, shear_, shear_relaxed_;     ///< stiffnesses of the near ones; 1 / (1 + shear x compliance)
   LaneArray base_, node_force_;
   std::vector<int> active_node_, live_candidate_;
-  Mask has_near_{false};  ///< some candidate is near
+  std::vector<int> near_candidate_;      ///< those near in any lane, by node
+  std::vector<std::size_t> first_near_;  ///< active node -> its first one; one more than active nodes
+  Mask has_near_{false};                 ///< some candidate is near
   Mask unsolved_{false};
   PadForces pad_force_ = without_force();
 };

@@ -17,7 +17,7 @@ namespace unbruised {
 struct LayerLaw {
   Lane force{0.0}, slope{0.0};
 
-  void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope) {
+  [[gnu::always_inline]] void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope) {
     const Lane d = max0(depth);
     const Lane viscous = max(-d, min(d, rate));
     const Lane viscous_slope = select(rate >= d, Lane(1.0), select(rate <= -d, Lane(-1.0), rate_slope));

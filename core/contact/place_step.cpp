@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "core/contact/contact_lanes.hpp"
 
@@ -8,6 +9,11 @@ namespace unbruised {
 
 namespace {
 
+/// Turned by more than this against a surface, the arms of a product are looked at again.
+constexpr double kFacedAlike_rad = 0.03;
+/// Of the length of an arm, for rounding.
+constexpr double kArmRounding = 1e-9;
+
 /// A tangential coordinate this far within a rectangle's edge, as a share of a place's extent, counts whole.
 Lane share_within(const Lane& place, const Lane& size, double extent_m) {
   const Lane inside = (Lane(0.5) * size - abs(place)) * Lane(1.0 / extent_m) + Lane(0.5);
@@ -16,40 +22,100 @@ Lane share_within(const Lane& place, const Lane& size, double extent_m) {
 
 }  // namespace
 
-/// The candidates of a node with one surface stand side by side. Those that sleep are looked at closely only when
-/// they come near.
-void ContactLanes::meet_places(std::size_t node, const ContactStart& start, const Mask& running) {
-  const auto last = static_cast<std::size_t>(model_.first_candidate[node + 1]);
-  auto c = static_cast<std::size_t>(model_.first_candidate[node]);
-  while (c < last) {
-    const int surface = model_.candidate[c].surface;
-    std::size_t end = c + 1;
-    while (end < last && model_.candidate[end].surface == surface) ++end;
-    if (model_.candidate[c].place >= 0) {
-      int& awake = awake_[node * kSurfaceCount + static_cast<std::size_t>(surface)];
-      const bool all_far = is_far(node, surface, start);
-      for (std::size_t k = c; (awake > 0 || !all_far) && k < end; ++k) {
-        const bool far = all_far || is_far(k, start);
-        if (far && asleep_[k] != 0) continue;
-        meet_place(k, start, running);
-        const bool sleeps = far && none(register_.normal.get(k) > Lane(0.0));
-        awake += (asleep_[k] != 0 ? 1 : 0) - (sleeps ? 1 : 0);
-        asleep_[k] = sleeps ? 1 : 0;
-      }
+/// The candidates of a node with one surface stand side by side.
+void ContactLanes::group_candidates() {
+  for (int c = 0; c < static_cast<int>(model_.candidate.size()); ++c) {
+    awake_candidate_.push_back(c);
+    const ContactCandidate& candidate = model_.candidate[static_cast<std::size_t>(c)];
+    if (candidate.place < 0) {
+      side_candidate_.push_back(c);
+      continue;
     }
-    c = end;
+    const auto node = static_cast<std::size_t>(candidate.contact_node);
+    if (place_group_.empty() || place_group_.back().node != node ||
+        place_group_.back().surface != candidate.surface) {
+      place_group_.push_back({node, candidate.surface, c, c, 0});
+    }
+    place_group_.back().end = c + 1;
   }
 }
 
-/// Are all places of a node too far from a surface to come near it within the step, in every lane?
-bool ContactLanes::is_far(std::size_t node, int surface, const ContactStart& start) const {
-  const auto axis = static_cast<std::size_t>(normal_axis(surface));
-  const LaneVector u = get_vector(start.free.displacement, node);
-  const LaneVector seen = places_->axes(surface).displacement(seen_->rest_place_m(*frame_, node), u);
-  const Lane height = Lane(body_.position_m[static_cast<std::size_t>(model_.node[node])][axis]) + seen[axis] -
-                      place_free_[surface];
-  // A body that turns within the step turns the arms, by less than twice their length.
-  return none(surfaces_[surface].present & (height < near_margin_ + Lane(2.0 * model_.place_radius_m[node])));
+void ContactLanes::wake_all() {
+  if (!places_) return;
+  asleep_.assign(model_.candidate.size(), 0);
+  for (PlaceGroup& group : place_group_) group.awake = group.end - group.first;
+  list_awake();
+}
+
+void ContactLanes::list_awake() {
+  if (!places_) return;  // nothing sleeps
+  awake_candidate_.clear();
+  auto side = side_candidate_.begin();
+  for (const PlaceGroup& group : place_group_) {
+    for (; side != side_candidate_.end() && *side < group.first; ++side) awake_candidate_.push_back(*side);
+    for (int c = group.first; group.awake > 0 && c < group.end; ++c) {
+      if (asleep_[static_cast<std::size_t>(c)] == 0) awake_candidate_.push_back(c);
+    }
+  }
+  awake_candidate_.insert(awake_candidate_.end(), side, side_candidate_.end());
+}
+
+/// Places that sleep are looked at closely only when the lowest one of their node comes near.
+void ContactLanes::meet_places(const ContactStart& start, const Mask& running) {
+  free_turn_ = sweep_.levers().turn_by(start.free.moment_N_m);
+  sway_m_ = start.mount == nullptr ? Lane(0.0) : sway_m(*start.mount);
+  std::array<FacingPlane, kSurfaceCount> plane;
+  for (int surface = kSupport; surface < model_.surface_count; ++surface)
+    plane[static_cast<std::size_t>(surface)] = facing_plane(surface);
+  for (std::size_t g = 0; g < place_group_.size(); ++g) {
+    PlaceGroup& group = place_group_[g];
+    const FacingPlane& facing = plane[static_cast<std::size_t>(group.surface)];
+    const LaneVector there =
+        seen_->rest_place_m(*frame_, group.node) + get_vector(start.free.displacement, group.node);
+    const Lane lowest = dot(facing.normal, there) + facing.center_m + lowest_arm_m_.get(g);
+    const Lane near = near_m(group.surface) + Lane(model_.place_radius_m[group.node]) * facing.turned_rad;
+    const bool all_far = none(surfaces_[group.surface].present & (lowest < near));
+    if (group.awake > 0 || !all_far) meet_group(group, all_far, start, running);
+  }
+}
+
+void ContactLanes::meet_group(PlaceGroup& group, bool all_far, const ContactStart& start, const Mask& running) {
+  for (auto c = static_cast<std::size_t>(group.first); c < static_cast<std::size_t>(group.end); ++c) {
+    const bool far = all_far || is_far(c, start);
+    if (far && asleep_[c] != 0) continue;
+    meet_place(c, start, running);
+    const bool sleeps = far && none((register_.normal.get(c) > Lane(0.0)) | register_.near.get(c));
+    group.awake += (asleep_[c] != 0 ? 1 : 0) - (sleeps ? 1 : 0);
+    asleep_[c] = sleeps ? 1 : 0;
+  }
+}
+
+/// n . (arm + w x arm) >= n0 . arm - (|n - n0| + |w|) |arm|, w the turn of the body within the step.
+ContactLanes::FacingPlane ContactLanes::facing_plane(int surface) {
+  LaneVector& from = arms_faced_[static_cast<std::size_t>(surface)];
+  const LaneVector normal = places_->normal(surface);
+  LaneVector change = normal - from;
+  if (any(surfaces_[surface].present & (dot(change, change) > Lane(kFacedAlike_rad * kFacedAlike_rad)))) {
+    from = normal;
+    change = LaneVector{};
+    find_lowest_arms(surface);
+  }
+  return {normal, places_->center_height(surface) - place_free_[surface],
+          sqrt(dot(change, change)) + sqrt(dot(free_turn_, free_turn_)) + Lane(kArmRounding)};
+}
+
+void ContactLanes::find_lowest_arms(int surface) {
+  const LaneVector& normal = arms_faced_[static_cast<std::size_t>(surface)];
+  for (std::size_t g = 0; g < place_group_.size(); ++g) {
+    const PlaceGroup& group = place_group_[g];
+    if (group.surface != surface) continue;
+    Lane lowest(std::numeric_limits<double>::infinity());
+    for (auto c = static_cast<std::size_t>(group.first); c < static_cast<std::size_t>(group.end); ++c) {
+      const auto place = static_cast<std::size_t>(model_.candidate[c].place);
+      lowest = min(lowest, dot(normal, to_lanes(model_.place[place].arm_m)));
+    }
+    lowest_arm_m_.put(g, lowest);
+  }
 }
 
 /// Is this place?
@@ -57,7 +123,7 @@ bool ContactLanes::is_far(std::size_t c, const ContactStart& start) const {
   const ContactCandidate& candidate = model_.candidate[c];
   const LaneVector u = get_vector(start.free.displacement, static_cast<std::size_t>(candidate.contact_node));
   const Lane gap = places_->height(candidate, u, free_turn_) - place_free_[candidate.surface];
-  return none(register_.is_closed(c) | (surfaces_[candidate.surface].present & (gap < near_margin_)));
+  return none(register_.is_closed(c) | (surfaces_[candidate.surface].present & (gap < near_m(candidate.surface))));
 }
 
 void ContactLanes::meet_place(std::size_t c, const ContactStart& start, const Mask& running) {

@@ -23,7 +23,12 @@ SeenNodes::SeenNodes(const ContactModel& model, const BodyModel& body)
   for (std::size_t i = 0; i < model.node_count(); ++i) {
     const auto first = model.candidate.begin() + model.first_candidate[i];
     const auto last = model.candidate.begin() + model.first_candidate[i + 1];
-    if (std::any_of(first, last, [](const ContactCandidate& c) { return c.place < 0; })) side_node_.push_back(i);
+    for (std::size_t carrier = 0; carrier < kCarrierCount; ++carrier) {
+      const auto meets = [carrier](const ContactCandidate& c) {
+        return c.place < 0 && carrier_number(c.surface) == carrier;
+      };
+      if (std::any_of(first, last, meets)) side_node_[carrier].push_back(i);
+    }
   }
 }
 
@@ -62,13 +67,17 @@ void SeenNodes::see_rates(const FrameLanes& frame, const StateRows& state, const
   A = back * A;
   const LaneVector Omega = back * now.palm_spin_rad_s, Omega_rate = back * now.palm_spin_acceleration_rad_s2;
   SeenMotion &palm = seen_[kPalm], &cell = seen_[kCell];
-  for (const std::size_t i : side_node_) {
+  for (const std::size_t i : side_node_[kCell]) {
+    const auto p = static_cast<std::size_t>(model_.node[i]);
+    const LaneVector X = to_lanes(frame.rest_place_m(p));
+    put_vector(cell.u, p, axes[kCell].displacement(X, get_vector(state.u, p)));
+    put_vector(cell.v, p, axes[kCell].turn * get_vector(state.v, p));
+    put_vector(cell.a, p, axes[kCell].turn * get_vector(state.a, p));
+  }
+  for (const std::size_t i : side_node_[kPalm]) {
     const auto p = static_cast<std::size_t>(model_.node[i]);
     const LaneVector X = to_lanes(frame.rest_place_m(p)), u = get_vector(state.u, p), v = get_vector(state.v, p),
                      a = get_vector(state.a, p);
-    put_vector(cell.u, p, axes[kCell].displacement(X, u));
-    put_vector(cell.v, p, axes[kCell].turn * v);
-    put_vector(cell.a, p, axes[kCell].turn * a);
     const LaneVector moved = axes[kPalm].displacement(X, u);
     const LaneVector r = moved + X + lever_;
     const LaneVector w = axes[kPalm].turn * v - V - cross(Omega, r);
@@ -81,7 +90,7 @@ void SeenNodes::see_rates(const FrameLanes& frame, const StateRows& state, const
 
 void SeenNodes::see_base(const FrameLanes& frame, const LaneArray& base) {
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (const std::size_t i : side_node_) {
+    for (const std::size_t i : side_node_[c]) {
       put_vector(seen_[c].base, i, axes_theta_[c].displacement(rest_place_m(frame, i), get_vector(base, i)));
     }
   }
@@ -89,17 +98,25 @@ void SeenNodes::see_base(const FrameLanes& frame, const LaneArray& base) {
 
 void SeenNodes::see_theta(const FrameLanes& frame, const LaneArray& u_theta) {
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (const std::size_t i : side_node_) {
+    for (const std::size_t i : side_node_[c]) {
       const auto p = static_cast<std::size_t>(model_.node[i]);
       put_vector(seen_[c].u_theta, p, axes_theta_[c].displacement(rest_place_m(frame, i), get_vector(u_theta, p)));
     }
   }
 }
 
+void SeenNodes::see_from_cell(const FrameLanes& frame, const LaneArray& u, const CarrierMotion& there) {
+  const CarrierAxes cell = axes_of(frame, there)[kCell];
+  for (std::size_t i = 0; i < model_.node_count(); ++i) {
+    const auto p = static_cast<std::size_t>(model_.node[i]);
+    put_vector(seen_[kCell].u, p, cell.displacement(rest_place_m(frame, i), get_vector(u, p)));
+  }
+}
+
 void SeenNodes::see_end(const FrameLanes& frame, const LaneArray& u, const CarrierMotion& there) {
   const auto axes = axes_of(frame, there);
   for (std::size_t c = 0; c < kCarrierCount; ++c) {
-    for (const std::size_t i : side_node_) {
+    for (const std::size_t i : side_node_[c]) {
       const auto p = static_cast<std::size_t>(model_.node[i]);
       put_vector(seen_[c].u, p, axes[c].displacement(rest_place_m(frame, i), get_vector(u, p)));
     }

@@ -59,6 +59,8 @@ class SeenNodes {
                  const CarrierMotion& theta);
   /// Looks at what the step has come to at t + theta dt.
   void see_theta(const FrameLanes& frame, const LaneArray& u_theta);
+  /// Looks at a state in the frame that fits it through the eyes of the cell, at every contact node.
+  void see_from_cell(const FrameLanes& frame, const LaneArray& u, const CarrierMotion& there);
   /// Looks at a state in the frame that fits it.
   void see_end(const FrameLanes& frame, const LaneArray& u, const CarrierMotion& there);
 
@@ -77,8 +79,8 @@ class SeenNodes {
                  const std::array<CarrierAxes, kCarrierCount>& axes);
 
   const ContactModel& model_;
-  std::vector<std::size_t>
-      side_node_;  ///< contact nodes with a candidate of a side; places are seen by themselves
+  /// Contact nodes that meet a surface of each carrier with a side; places are seen by themselves.
+  std::array<std::vector<std::size_t>, kCarrierCount> side_node_;
   std::array<double, 3> center_of_mass_m_;
   LaneVector lever_;  ///< from the centre of the pads to the centre of mass at rest
   std::array<SeenMotion, kCarrierCount> seen_;

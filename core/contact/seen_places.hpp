@@ -32,7 +32,9 @@ class SeenPlaces {
     return {{turn(2, 0), turn(2, 1), turn(2, 2)}};
   }
   /// How high the middle of the product stands over the plane of a surface that has not moved.
-  [[nodiscard]] Lane center_height(int surface) const { return axes(surface).origin[2] + center_of_mass_m_[2]; }
+  [[nodiscard]] Lane center_height(int surface) const { return center(surface)[2]; }
+  /// Where it stands along the axes of such a surface.
+  [[nodiscard]] LaneVector center(int surface) const { return axes(surface).origin + center_of_mass_m_; }
   /// How much of the piece of surface around a place faces a surface: the cosine of the angle between them.
   [[nodiscard]] Lane facing(const ContactCandidate& candidate) const {
     return max0(-dot(normal(candidate.surface), to_lanes(arm_of(candidate).outward)));
@@ -40,8 +42,8 @@ class SeenPlaces {
 
   /// Displacement along the axes of its surface of a candidate's place, by that of its particle and the turn of
   /// the body as a whole, both against the frame that was seen last.
-  [[nodiscard]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u,
-                                        const LaneVector& turn_rad) const {
+  [[nodiscard, gnu::always_inline]] LaneVector displacement(const ContactCandidate& candidate, const LaneVector& u,
+                                                            const LaneVector& turn_rad) const {
     const PlaceArm& place = arm_of(candidate);
     const LaneVector moved = u + cross(turn_rad, to_lanes(place.arm_m));
     return axes(candidate.surface).displacement(to_lanes(place.from_mass_m), moved);

@@ -24,7 +24,7 @@ void ContactLanes::load_seen(int lane) {
 }
 
 void ContactLanes::set_anchors(int lane, const LaneArray& u, const CarrierMotion& now, const FrameLanes* frame) {
-  if (seen_ && frame != nullptr) seen_->see_end(*frame, u, now);
+  if (seen_ && frame != nullptr) seen_->see_from_cell(*frame, u, now);
   // The palm has not moved yet: it sees what the cell sees.
   register_.set_anchors(lane, seen_ ? seen_->from(kCell).u : u);
   if (!places_ || frame == nullptr) return;

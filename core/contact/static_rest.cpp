@@ -42,10 +42,14 @@ SupportRest::Layers SupportRest::pressed_in(double weight_N, double layer_stiffn
   Layers layers{layer_stiffness_N_m3, std::vector<double>(k, 0.0), std::vector<double>(k),
                 std::vector<LayerSecant>(k)};
   // By the depth at which the layer of the whole body's footprint would carry it, at least.
-  double area = 0.0;
-  for (std::size_t i = 0; i < k; ++i) area += candidate(i).area_m2;
+  double area = 0.0, lowest_m = candidate(0).surface_m;
   for (std::size_t i = 0; i < k; ++i) {
-    layers.penetration_m[i] = 4.0 * weight_N / (area * layer_stiffness_N_m3) - candidate(i).surface_m;
+    area += candidate(i).area_m2;
+    lowest_m = std::min(lowest_m, candidate(i).surface_m + candidate(i).least_relief_m);
+  }
+  for (std::size_t i = 0; i < k; ++i) {
+    layers.penetration_m[i] =
+        4.0 * weight_N / (area * layer_stiffness_N_m3) + std::max(0.0, lowest_m) - candidate(i).surface_m;
     layers.secant[i] = layer(i, layer_stiffness_N_m3, layers.penetration_m[i]);
   }
   return layers;
@@ -74,10 +78,14 @@ void SupportRest::solve_forces(const std::vector<double>& free_m, Layers& layers
 
 bool SupportRest::press(const std::vector<double>& free_m, Layers& layers) const {
   const std::size_t k = layers.secant.size();
+  std::vector<std::size_t> pressed;
+  for (std::size_t j = 0; j < k; ++j) {
+    if (layers.force_N[j] != 0.0) pressed.push_back(j);
+  }
   bool changed = false;
   for (std::size_t i = 0; i < k; ++i) {
     layers.penetration_m[i] = -(candidate(i).surface_m + free_m[freedom(i)]);
-    for (std::size_t j = 0; j < k; ++j) layers.penetration_m[i] -= compliance(i, j) * layers.force_N[j];
+    for (const std::size_t j : pressed) layers.penetration_m[i] -= compliance(i, j) * layers.force_N[j];
     const LayerSecant next = layer(i, layers.stiffness_N_m3, layers.penetration_m[i]);
     changed = changed || next.touching != layers.secant[i].touching;
     layers.secant[i] = next;

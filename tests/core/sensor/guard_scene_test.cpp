@@ -67,6 +67,7 @@ TEST(GuardByRange, LowersThePeakToThatOfASlowApproach) {
   testing::lattice_of(stiff).youngs_modulus_Pa = 1e6;
   Scenario slow = stiff;
   slow.strategy.approach_speed_m_s = 0.02;
+  slow.simulation.duration_s = 1.0;  // it comes after 0.6 s
   const auto peak_N = [](const Scenario& scenario) {
     return testing::run(scenario).metrics[Metric::peak_finger_force_N];
   };

@@ -29,9 +29,10 @@ class Writer {
     text += "youngs_modulus_Pa = " + number(log_uniform(1e4, 1e7)) + "\n";
     text += chance(0.9) ? "mass_kg = " + number(log_uniform(0.01, 1.0)) + "\n" : "density_kg_m3 = 1000.0\n";
     text += keys("product.", 0.1);
-    text += "[gripper]\n" + keys("gripper.", 0.15) + "[cell]\n" + keys("cell.", 0.15) + "[strategy]\n" +
-            keys("strategy.", 0.15) + "[limits]\n" + keys("limits.", 0.2) + "[simulation]\n" +
+    text += "[gripper]\n" + keys("gripper.", 0.08) + "[cell]\n" + keys("cell.", 0.1) + "[strategy]\n" +
+            keys("strategy.", 0.08) + "[limits]\n" + keys("limits.", 0.2) + "[simulation]\n" +
             keys("simulation.", 0.15);
+    if (chance(0.3)) text += sensor();
     if (sweep) text += varied();
     if (sample) text += drawn(size);
     return text;
@@ -114,6 +115,15 @@ class Writer {
       if (value.empty()) value = near_default(spec);
       text += std::string(spec.path.substr(table.size())) + " = " + value + "\n";
     }
+    return text;
+  }
+
+  std::string sensor() {
+    std::string text = "[sensor]\nat = " + pick({"\"wrist\"", "\"support\""}) + "\nposition_m = [0.0, 0.0, 0.1]\n";
+    text += "mass_kg = " + number(log_uniform(0.05, 2.0)) + "\n";
+    if (chance(0.5)) text += "rate_Hz = " + number(log_uniform(100.0, 5000.0)) + "\n";
+    if (chance(0.2)) text += "noise_N = 0.01\n";
+    if (chance(0.2)) text += "stiffness_N_m = [1e6, 1e6, 1e6]\n";
     return text;
   }
 

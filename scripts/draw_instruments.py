@@ -3,7 +3,7 @@
 
 usage: scripts/draw_instruments.py SCENARIO.h5 [PICTURE]     docs/images/instruments.png unless given
 
-  unbruised run configs/kiwi_first.toml --scenario 17
+  unbruised run configs/kiwi_first.toml --scenario 9
 """
 import sys
 

@@ -5,7 +5,10 @@
 
 #include "core/contact/contact_effort.hpp"
 #include "core/motion/motion_plan.hpp"
+#include "core/scenario/contact_set.hpp"
 #include "core/scenario/guard.hpp"
+#include "core/scenario/product.hpp"
+#include "core/scenario/product_frame.hpp"
 #include "studies/execution/build_info.hpp"
 
 namespace unbruised::studies {
@@ -20,6 +23,22 @@ constexpr double kRowsPerCandidate = 48.0;
 constexpr double kDoublesPerCandidate = 50.0;
 /// Doubles that a particle of a lattice costs in the model: springs, cells, indices.
 constexpr double kDoublesPerParticle = 300.0;
+
+/// Steps of products that turn, and of those that touch with their whole surface, over an upright one, contact
+/// aside (docs/surfaces.md).
+constexpr double kTurningStep = 1.2, kPlacesStep = 1.4;
+/// Solutions of a step of a product that falls and yields, on average until it rests (configs/drop_attitude.toml).
+constexpr double kFallingRounds = 2.0;
+
+/// What a step takes over an upright one of the same product.
+double step_factor(const Scenario& scenario) {
+  const bool has_places = contact_set(scenario) != ContactSet::pads_and_support;
+  const double step = has_places                                          ? kPlacesStep
+                      : product_frame(scenario) == ProductFrame::floating ? kTurningStep
+                                                                          : 1.0;
+  const bool flows = starts_in_the_air(scenario.product) && can_yield(scenario.product) && scenario.cell.support;
+  return flows ? kFallingRounds * step : step;
+}
 
 double estimated_factor_entries(const ModelSize& size) {
   return kFactorEntriesPerFreedomPower * std::pow(static_cast<double>(size.freedom_count), 4.0 / 3.0);
@@ -71,7 +90,8 @@ double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   const double freedoms =
       std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_node_count));
   const double contact = estimated_sweeps(scenario) * freedoms * freedoms;
-  return rate.seconds_per_factor_entry * estimated_factor_entries(size) + rate.seconds_per_contact_entry * contact;
+  return step_factor(scenario) * rate.seconds_per_factor_entry * estimated_factor_entries(size) +
+         rate.seconds_per_contact_entry * contact;
 }
 
 }  // namespace unbruised::studies

@@ -51,16 +51,18 @@ KnownCost known_cost(const ScenarioSet& set) {
   return cost;
 }
 
-double compute_seconds(const KnownCost& known, double each) {
-  double seconds = 0.0;
+double compute_seconds(const KnownCost& known, double each, int threads) {
+  double seconds = 0.0, batches = 0.0;
   const double lanes = lane_count();
   for (const GroupCost& group : known.groups) {
     const double evaluations = each * static_cast<double>(group.count);
     const double mean_steps = group.steps / static_cast<double>(group.count);
     // Lanes that stay empty cost as much as full ones.
-    seconds += std::ceil(evaluations / lanes) * lanes * mean_steps * group.lane_step_s;
+    const double filled = std::ceil(evaluations / lanes);
+    batches += filled;
+    seconds += filled * lanes * mean_steps * group.lane_step_s;
   }
-  return seconds;
+  return seconds / std::min(static_cast<double>(threads), batches);  // a batch is one thread's
 }
 
 double memory_bytes(const KnownCost& known, int threads) {
@@ -96,7 +98,7 @@ StudyCost study_cost(const Study& study, int threads) {
   cost.longest_run_s = known.longest_run_s;
   cost.memory_bytes = memory_bytes(known, threads) + estimated_rows_bytes(cost.scenarios, set.columns.size());
   cost.disk_bytes = disk_bytes(study, known, set.columns.size(), cost.scenarios);
-  cost.seconds = compute_seconds(known, each) / threads;
+  cost.seconds = compute_seconds(known, each, threads);
   cost.threads = threads;
   return cost;
 }

@@ -112,6 +112,35 @@ std::size_t row_at(const Trace& trace, double time_s) {
                                   trace.time_s.begin());
 }
 
+TEST(GripLimits, SlidesOutOfAGripWhoseAxisIsTurnedFromTheVerticalWhereFrictionEnds) {
+  // Gravity along the grip axis first; turned from there, m g cos(beta) has to be carried by 2 mu F, beta from the
+  // horizontal: 36.902 deg. Turned in 12 s all contacts of the prototype slide from 36.95 deg on.
+  constexpr double kFriction = 0.6, kForce_N = 0.6535, kTurn_s = 12.0;
+  Scenario scenario = tilted_block({0.0, -kQuarter_rad, 0.0}, kForce_N, 4e-3);
+  lattice_of(scenario).friction = kFriction;
+  scenario.cell.support = false;
+  scenario.cell.gravity_m_s2 = {kGravity, 0.0, 0.0};
+  scenario.cell.approach_gap_m = 1e-5;
+  scenario.strategy.contact_force_N = kForce_N;
+  scenario.strategy.ramp_from_start = true;
+  scenario.strategy.lift_acceleration_m_s2 = 0.5;
+  scenario.strategy.tilt_acceleration_rad_s2 = 10.0 / std::sqrt(3.0) * kQuarter_rad / (kTurn_s * kTurn_s);
+  scenario.simulation.duration_s = 10.0;
+  const Trace trace = traces_of({scenario}).front();
+  const std::size_t begin = last_in_phase(trace, CyclePhase::lift);
+  const auto all_slide = [&](std::size_t row) {
+    for (std::size_t pad = 0; pad < 2; ++pad) {
+      const double closed = column(trace, "contact_count", pad)[row];
+      if (!(closed > 0.0) || column(trace, "sliding_count", pad)[row] < closed) return false;
+    }
+    return true;
+  };
+  std::size_t row = begin;
+  while (row + 1 < trace.time_s.size() && !all_slide(row)) ++row;
+  const double beta_deg = 90.0 - grip_row(trace, row).rotation_rad.norm() * 180.0 / std::numbers::pi;
+  EXPECT_NEAR(beta_deg, 36.95, 0.1);
+}
+
 TEST(GripLimits, AGripThatTurnsTooFastDragsTheProductWithTheTorsionOfItsPatches) {
   // Pads over 2 x 2 particles that lie 7.07 mm from their middle: the product follows with mu sum N r / J.
   constexpr double kFriction = 0.3, kForce_N = 2.0;

@@ -17,7 +17,7 @@ Scenario fast_box() {
   scenario.strategy.approach_speed_m_s = 0.2;
   scenario.strategy.contact_force_N = 0.25;
   scenario.simulation.time_step_s = 5e-4;
-  scenario.simulation.duration_s = 0.45;  // into the lift
+  scenario.simulation.duration_s = 0.45;       // into the lift
   jaw_of(scenario).drive_viscous_N_s_m = 0.0;  // as the closed form has it
   jaw_of(scenario).range.maximum_m = 0.05;
   return scenario;

@@ -92,12 +92,13 @@ def draw_windows(axes, tables, forces):
         axes.plot(time_s[some], high[some], mark + "-", color=colour, ms=5, lw=1.2, label=words)
         axes.plot(time_s[some], low[some], mark + "-", color=colour, ms=5, lw=1.2, mfc="white")
         axes.plot(time_s[~some], np.full((~some).sum(), forces.min()), "x", color=colour, ms=6)
+    axes.set_ylim(0.85 * forces.min(), 1.08 * forces.max())
     axes.set_yscale("log")
     axes.set_yticks([1, 2, 3, 4], ["1", "2", "3", "4"])
     axes.minorticks_off()
     axes.set_xlabel("cycle time [s]")
     axes.set_title("the grip window at equal time; ×: none", fontsize=10, color=INK)
-    axes.legend(frameon=False, fontsize=9)
+    axes.locator_params(axis="x", nbins=5)
 
 
 def report(tables, speeds, forces):
@@ -130,7 +131,8 @@ def main():
             axes.spines[side].set_visible(False)
         for side in ("left", "bottom"):
             axes.spines[side].set_color(SOFT)
-    figure.tight_layout()
+    figure.tight_layout(rect=(0.0, 0.06, 1.0, 1.0))
+    figure.legend(*right.get_legend_handles_labels(), loc="lower center", ncol=len(tables), frameon=False, fontsize=9)
     save(figure, options.output)
     return 0
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <set>
 
 #include "core/scenario/rules.hpp"
 #include "core/simulation/simulation.hpp"
@@ -29,8 +30,8 @@ class Writer {
     text += "youngs_modulus_Pa = " + number(log_uniform(1e4, 1e7)) + "\n";
     text += chance(0.9) ? "mass_kg = " + number(log_uniform(0.01, 1.0)) + "\n" : "density_kg_m3 = 1000.0\n";
     text += keys("product.", 0.1);
-    text += "[gripper]\n" + keys("gripper.", 0.08) + "[cell]\n" + keys("cell.", 0.1) + "[strategy]\n" +
-            keys("strategy.", 0.08) + "[limits]\n" + keys("limits.", 0.2) + "[simulation]\n" +
+    text += "[gripper]\n" + keys("gripper.", 0.12) + "[cell]\n" + keys("cell.", 0.12) + "[strategy]\n" +
+            keys("strategy.", 0.12) + "[limits]\n" + keys("limits.", 0.2) + "[simulation]\n" +
             keys("simulation.", 0.15);
     if (chance(0.3)) text += sensor();
     if (sweep) text += varied();
@@ -96,6 +97,14 @@ class Writer {
     return "[" + items + "]";
   }
 
+  /// Keys that have an effect only beside others are written rarely.
+  bool is_chosen(const KeySpec& spec, double share) {
+    const std::set<Use> conditional = {Use::network,     Use::cylinder,    Use::tracking,
+                                       Use::stop,        Use::range,       Use::guard,
+                                       Use::range_guard, Use::force_guard, Use::not_gripper};
+    return chance(conditional.contains(spec.use) ? 0.15 * share : share);
+  }
+
   /// Some keys of a table.
   std::string keys(const std::string& table, double share) {
     static const std::vector<std::string_view> written = {"product.shape",         "product.size_m",
@@ -106,12 +115,14 @@ class Writer {
     for (const KeySpec& spec : key_table()) {
       if (!spec.path.starts_with(table) || spec.field == nullptr || spec.path.find("[]") != std::string_view::npos)
         continue;
-      if (std::find(written.begin(), written.end(), spec.path) != written.end() || !chance(share)) continue;
+      if (std::find(written.begin(), written.end(), spec.path) != written.end() || !is_chosen(spec, share))
+        continue;
       std::string value;
       if (spec.type == KeyType::boolean) value = pick({"true", "false"});
       if (spec.type == KeyType::choice)
         value = toml_string(
             spec.choices[static_cast<std::size_t>(integer(0, static_cast<int>(spec.choices.size()) - 1))]);
+      if (spec.type == KeyType::integer) value = std::to_string(integer(0, 9));
       if (value.empty()) value = near_default(spec);
       text += std::string(spec.path.substr(table.size())) + " = " + value + "\n";
     }

@@ -28,7 +28,7 @@ constexpr double kDoublesPerParticle = 300.0;
 /// aside (docs/surfaces.md).
 constexpr double kTurningStep = 1.2, kPlacesStep = 1.4;
 /// Solutions of a step of a product that falls and yields, on average until it rests (configs/drop_attitude.toml).
-constexpr double kFallingRounds = 2.0;
+constexpr double kFallingRounds = 1.5;
 
 /// What a step takes over an upright one of the same product.
 double step_factor(const Scenario& scenario) {

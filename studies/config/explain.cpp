@@ -123,6 +123,8 @@ std::string where_used(Use use) {
       return "palms that track";
     case Use::stop:
       return "cycles that are stopped";
+    case Use::sensor:
+      return "six-axis sensors";
     case Use::range:
       return "grippers with range sensors";
     case Use::guard:

@@ -11,6 +11,12 @@ TEST(Schema, EveryDimensionalKeyEndsInItsUnit) {
   EXPECT_EQ(unit_of("strategy.lift_acceleration_m_s2")->udunits, "m s-2");
   EXPECT_EQ(unit_of("product.spring[].damping_N_s_m")->udunits, "N s m-1");
   EXPECT_EQ(unit_of("product.size_m[0]")->udunits, "m");
+  EXPECT_EQ(unit_of("sensor.inertia_kg_m2[0]")->udunits, "kg m2");
+  // Stiffnesses and torques are written alike.
+  EXPECT_EQ(unit_of("sensor.ring_stiffness_N_m[1]")->udunits, "N m-1");
+  EXPECT_EQ(unit_of("sensor.stiffness_N_m_rad")->udunits, "N m rad-1");
+  EXPECT_EQ(unit_of("sensor.noise_N_m")->udunits, "N m");
+  EXPECT_EQ(unit_of("peak_sensor_torque_N_m")->udunits, "N m");
   EXPECT_EQ(unit_of("limits.bruised_volume_m3")->udunits, "m3");
   EXPECT_EQ(unit_of("gripper.max_speed_m_s")->udunits, "m s-1");
   EXPECT_EQ(unit_of("simulation.theta"), nullptr);

@@ -61,11 +61,20 @@ bool target_moves(const CellParameters& cell) {
   return cell.place_velocity_m_s[0] != 0.0 || cell.place_velocity_m_s[1] != 0.0;
 }
 
-/// Is the way across more than one profile from rest to rest?
+bool goes_with_belt(const Scenario& scenario) {
+  return scenario.strategy.pick == PickKind::tracking && has_belt(scenario.cell);
+}
+
+/// Does the palm come to rest over its first waypoint, from a belt that it went with?
+bool leaves_belt(const Scenario& scenario) {
+  return goes_with_belt(scenario) && !scenario.strategy.waypoint.empty();
+}
+
+/// Is the way from the hold to the target more than one profile from rest to rest?
 bool crosses_in_motion(const Scenario& scenario) {
-  const StrategyParameters& s = scenario.strategy;
-  return s.pick_offset_m != 0.0 || target_moves(scenario.cell) ||
-         (s.pick == PickKind::tracking && has_belt(scenario.cell));
+  const bool rests = leaves_belt(scenario);
+  return target_moves(scenario.cell) ||
+         (!rests && (scenario.strategy.pick_offset_m != 0.0 || goes_with_belt(scenario)));
 }
 
 }  // namespace
@@ -85,6 +94,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double gua
   require(!std::isnan(ramp_start_s), "MotionPlan: the grip is ramped up at no time");
   if (has_gripper(scenario)) {
     const StrategyParameters& s = strategy_;
+    if (leaves_belt(scenario)) leave_.emplace();
     plan_speeds(scenario);
     plan_ways(scenario);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
@@ -113,8 +123,10 @@ void MotionPlan::plan_ways(const Scenario& scenario) {
   lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
   const PalmPath::Limits m{s.speed_m_s, transfer_acceleration_m_s2(s)};
   const PalmPath::Limits rad{s.tilt_speed_rad_s, s.tilt_acceleration_rad_s2};
-  const PalmStop lifted = lifted_stop(scenario), placing = placing_stop(scenario);
+  const PalmStop placing = placing_stop(scenario);
   const std::vector<PalmStop> stops = palm_stops(scenario);
+  PalmStop lifted = lifted_stop(scenario);
+  if (leave_) std::copy_n(stops.front().place_m.begin(), 2, lifted.place_m.begin());
   path_ = PalmPath(lifted, stops, s.profile, m, rad);
   if (!stops.empty()) {
     PalmStop level = stops.back();
@@ -135,15 +147,21 @@ void MotionPlan::schedule(const Scenario& scenario) {
   const StrategyParameters& s = strategy_;
   lift_start_s_ = ramp_start_s_ + s.grip_ramp_s + s.settle_s;
   lift_end_s_ = lift_start_s_ + lift_.duration_s();
-  hold_start_s_ = lift_end_s_ + path_.duration_s();
-  hold_end_s_ = hold_start_s_ + s.hold_s;
-  if (moving_transfer_) {
-    const PalmState picked = planned_palm(hold_end_s_);
-    moving_transfer_ = MovingTransfer::plan(
-        s.profile,
-        {{picked.position_m[0], picked.position_m[1]}, {picked.velocity_m_s[0], picked.velocity_m_s[1]}},
-        {target_m(hold_end_s_), place_velocity_m_s_}, transfer_acceleration_m_s2(s), s.speed_m_s);
+  const auto transfer = [&](double start_s, const MovingPlace& to) {
+    const PalmState from = planned_palm(start_s);
+    return MovingTransfer::plan(
+        s.profile, {{from.position_m[0], from.position_m[1]}, {from.velocity_m_s[0], from.velocity_m_s[1]}}, to,
+        transfer_acceleration_m_s2(s), s.speed_m_s);
+  };
+  leave_end_s_ = lift_end_s_;
+  if (leave_) {
+    const PalmState first = path_.at(0.0);
+    leave_ = transfer(lift_end_s_, {{first.position_m[0], first.position_m[1]}, {}});
+    leave_end_s_ += leave_->duration_s();
   }
+  hold_start_s_ = leave_end_s_ + path_.duration_s();
+  hold_end_s_ = hold_start_s_ + s.hold_s;
+  if (moving_transfer_) moving_transfer_ = transfer(hold_end_s_, {target_m(hold_end_s_), place_velocity_m_s_});
   level_start_s_ = hold_end_s_ + (moving_transfer_ ? moving_transfer_->duration_s() : transfer_.duration_s());
   transfer_end_s_ = level_start_s_ + level_.duration_s();
   lower_end_s_ = transfer_end_s_ + lower_.duration_s();
@@ -199,7 +217,7 @@ PalmState MotionPlan::braking_palm(double time_s) const {
 }
 
 PalmState MotionPlan::planned_palm(double time_s) const {
-  PalmState palm = path_.at(time_s - lift_end_s_);
+  PalmState palm = path_.at(time_s - leave_end_s_);
   if (time_s > level_start_s_) {
     const PalmState level = level_.at(time_s - level_start_s_);
     palm.rotation_rad = level.rotation_rad;
@@ -216,20 +234,26 @@ PalmState MotionPlan::planned_palm(double time_s) const {
 
 void MotionPlan::go_across(double time_s, PalmState& palm) const {
   PalmState flat;
-  if (!moving_transfer_) {
-    flat = horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
-  } else if (time_s > hold_end_s_) {
+  const bool tracks =
+      strategy_.pick == PickKind::tracking && (leave_ ? time_s <= lift_end_s_ : !is_crossing(time_s));
+  bool goes_on =
+      false;  // a transfer between places at rest, from where the stops end; the others know where they are
+  if (leave_ && !tracks && time_s <= leave_end_s_) {
+    flat = at_place(leave_->at(time_s - lift_end_s_));
+  } else if (is_crossing(time_s)) {
     flat = at_place(moving_transfer_->at(time_s - hold_end_s_));
-  } else if (strategy_.pick == PickKind::tracking) {
+  } else if (tracks && (leave_ || moving_transfer_)) {
     MotionProfile::State along = belt_.at(time_s - strategy_.tracking_lag_s);
     along.position_m += strategy_.pick_offset_m;
     flat = horizontal(belt_.direction(), along);
+  } else if (!moving_transfer_) {
+    flat = horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
+    goes_on = true;
   } else {
     return;
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Only a transfer between places at rest goes on from where the stops end; the others know where they are.
-    palm.position_m[axis] = (moving_transfer_ ? 0.0 : palm.position_m[axis]) + flat.position_m[axis];
+    palm.position_m[axis] = (goes_on ? palm.position_m[axis] : 0.0) + flat.position_m[axis];
     palm.velocity_m_s[axis] += flat.velocity_m_s[axis];
     palm.acceleration_m_s2[axis] += flat.acceleration_m_s2[axis];
   }

@@ -82,6 +82,8 @@ class MotionPlan {
   [[nodiscard]] double guarded_speed_m_s(double time_s) const;
   [[nodiscard]] PalmState planned_palm(double time_s) const;
   [[nodiscard]] PalmState braking_palm(double time_s) const;
+  /// Is it on its way from one moving place to another?
+  [[nodiscard]] bool is_crossing(double time_s) const { return moving_transfer_ && time_s > hold_end_s_; }
   /// Gives a palm that goes from stop to stop its horizontal way beside that: with a belt, and of the transfer.
   void go_across(double time_s, PalmState& palm) const;
 
@@ -94,12 +96,15 @@ class MotionPlan {
   Belt belt_;
   bool target_differs_ = false;
   MotionProfile lift_, transfer_, lower_;
-  PalmPath path_;   ///< from the end of the lift to the hold
+  PalmPath path_;   ///< from the end of the lift, or where a palm that tracked has come to rest, to the hold
   PalmPath level_;  ///< back to upright, after a tilt
   Horizontal transfer_direction_{};
+  /// From a belt to rest over the first waypoint.
+  std::optional<MovingTransfer> leave_;
   /// Instead of transfer_ where palm or target move during the pick or the placing.
   std::optional<MovingTransfer> moving_transfer_;
   double ramp_start_s_ = kNever, lift_start_s_ = kNever, lift_end_s_ = kNever;
+  double leave_end_s_ = kNever;  ///< the path from stop to stop begins
   double hold_start_s_ = kNever, hold_end_s_ = kNever, level_start_s_ = kNever;
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;

@@ -298,7 +298,8 @@ struct StrategyParameters {
   /// >= 0; an emergency stop ends the cycle there: the palm brakes along its path and the fingers hold what they
   /// have. None, or after the release has begun: no stop.
   std::optional<double> stop_time_s{};
-  /// At most 16, and not with a tilt or a palm that tracks. The product is put down as it was turned last.
+  /// At most 16, and not with a tilt. A palm that tracks comes to rest over the first before it turns. The product
+  /// is put down as it was turned last.
   std::vector<Waypoint> waypoint;
 };
 

@@ -91,10 +91,12 @@ void no_tilt_with_waypoints(const Scenario& s, Violations& out) {
                  "does not go with [[strategy.waypoint]], which say how the gripper turns; give one of the two"});
 }
 
-void no_tracking_with_waypoints(const Scenario& s, Violations& out) {
+void first_stop_off_the_belt(const Scenario& s, Violations& out) {
   if (!has_gripper(s) || s.strategy.pick == PickKind::still || s.strategy.waypoint.empty()) return;
-  out.push_back({"strategy.pick", "\"tracking\"",
-                 "does not go with [[strategy.waypoint]]: a palm that goes with a belt is at rest nowhere"});
+  if (s.strategy.waypoint.front().place_m) return;
+  out.push_back(
+      {waypoint_key(0, "place_m"), "",
+       "missing: a palm that goes with a belt comes to rest over its first waypoint, and has to know where"});
 }
 
 /// The lowest that the product comes above the plane that it was lifted from or is put down on, whichever is
@@ -164,7 +166,9 @@ std::vector<Rule> turn_rules() {
        "<= pi in length",
        [](const Scenario& s, Violations& out) { by_half_a_turn(s.strategy.tilt_rad, "strategy.tilt_rad", out); }},
       {{"strategy.tilt_rad", "gripper"}, "not with waypoints", no_tilt_with_waypoints},
-      {{"strategy.pick", "gripper"}, "\"tracking\" not with waypoints", no_tracking_with_waypoints},
+      {{kPlace, "strategy.pick", "gripper"},
+       "of the first: required with pick = \"tracking\"",
+       first_stop_off_the_belt},
       {{kPlace}, "at most 16 waypoints", not_too_many_waypoints},
       {{kRotation}, "<= pi in length", turns_by_half_a_turn},
       {{kQuaternion}, "of length 1", quaternions_are_rotations},

@@ -167,6 +167,39 @@ TEST(Waypoints, PutTheProductDownOnAnotherFace) {
   EXPECT_NEAR(last_row(trace, points_of(scenario)).center_motion_m.z(), 0.01, 5e-5);
 }
 
+/// The block is picked from a belt that runs across the grip axis.
+Scenario from_a_belt() {
+  Scenario scenario = through({{kQuarter_rad, 0.0, 0.0}, {2.0 * kQuarter_rad, 0.0, 0.0}});
+  scenario.cell.conveyor.speed_m_s = 0.2;
+  scenario.cell.place_height_m = 0.01;
+  scenario.cell.transfer_m = {0.05, 0.8};
+  scenario.strategy.pick = PickKind::tracking;
+  scenario.strategy.waypoint.front().place_m = Vector{0.0, 0.7, 0.12};
+  scenario.strategy.recover_s = 1.0;
+  return scenario;
+}
+
+TEST(Waypoints, BeginOverTheFirstOfThemAfterAPickFromABelt) {
+  Trace trace;
+  const ScenarioResult result = run(from_a_belt(), &trace);
+  EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
+  EXPECT_LT(result.metrics[Metric::pick_error_m], 1e-4);
+  EXPECT_LT(result.metrics[Metric::place_error_m], 1e-4);
+  EXPECT_LT(result.metrics[Metric::place_attitude_rad], 1e-3);
+  EXPECT_LT(result.metrics[Metric::impulse_balance_error], 1e-9);
+  EXPECT_NEAR(signal(trace, "support_force_N").values.rbegin()[0], kMass_kg * kGravity, 1e-3);
+  // Place and velocity of the palm are continuous from belt to rest, and it turns at rest over the first waypoint.
+  const std::vector<double> y_m = column(trace, "palm_position_m", 1),
+                            turn_rad = column(trace, "palm_rotation_rad", 0);
+  const double most_m_s2 = 2.0 * 2.0;  // of both parts of the way off the belt
+  for (std::size_t i = 2; i < y_m.size(); ++i) {
+    EXPECT_LT(std::abs(y_m[i] - 2.0 * y_m[i - 1] + y_m[i - 2]), 1.1 * most_m_s2 * kStep_s * kStep_s)
+        << trace.time_s[i];
+  }
+  const auto turning = std::find_if(turn_rad.begin(), turn_rad.end(), [](double angle) { return angle > 1e-6; });
+  EXPECT_NEAR(y_m[static_cast<std::size_t>(turning - turn_rad.begin())], 0.7, 1e-9);
+}
+
 TEST(Waypoints, AreTheSameWhateverIsTurnedBesideThem) {
   std::vector<Scenario> all = {through({{0.3, 0.0, 0.0}}), through({{0.0, 0.6, 0.0}, {0.5, 0.0, 0.4}}),
                                through({{0.0, 0.0, 1.0}})};

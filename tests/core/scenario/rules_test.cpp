@@ -244,7 +244,7 @@ std::vector<Breach> handling_breaches() {
          s.strategy.tilt_speed_rad_s = 200.0;
          s.strategy.tilt_acceleration_rad_s2 = 4e4;
        }},
-      {"strategy.pick", "does not go with [[strategy.waypoint]]", usual_grip,
+      {"strategy.waypoint[0].place_m", "missing: a palm that goes with a belt", usual_grip,
        [](S s) {
          s.cell.conveyor.speed_m_s = 0.2;
          s.strategy.pick = PickKind::tracking;

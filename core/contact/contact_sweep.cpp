@@ -198,8 +198,9 @@ struct ContactSweep::TurnedNode {
 struct ContactSweep::FixedSurfaces {
   MountedContacts* none = nullptr;
 
+  void begin(std::size_t) const {}
   void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
-  [[nodiscard]] const Lane& place(std::size_t, std::size_t, const Lane& carrier) const { return carrier; }
+  [[nodiscard]] const Lane& place(std::size_t, const Lane& carrier) const { return carrier; }
   void push(std::size_t, const Lane&) const {}
   void end(std::size_t) const {}
 };
@@ -207,14 +208,16 @@ struct ContactSweep::FixedSurfaces {
 /// How the mounts of surfaces answer while a candidate is updated.
 struct ContactSweep::MountedSurfaces {
   MountedContacts* mounted;
+  LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
   LaneVector change{};  ///< of the force on the product so far
 
+  [[gnu::always_inline]] void begin(std::size_t c) { moved = mounted->motion(c, mounted->twist()); }
   [[gnu::always_inline]] void give_way(std::size_t c, std::size_t axis, Lane& compliance, Lane& place_m) const {
     compliance += mounted->own_compliance(c, axis);
-    place_m += mounted->along(c, axis);
+    place_m += moved[axis];
   }
-  [[nodiscard, gnu::always_inline]] Lane place(std::size_t c, std::size_t axis, const Lane& carrier) const {
-    return carrier + mounted->along(c, axis);
+  [[nodiscard, gnu::always_inline]] Lane place(std::size_t axis, const Lane& carrier) const {
+    return carrier + moved[axis];
   }
   [[gnu::always_inline]] void push(std::size_t axis, const Lane& by) { change[axis] = by; }
   [[gnu::always_inline]] void end(std::size_t c) const { mounted->push(c, change); }
@@ -274,8 +277,8 @@ template <class Mounting, class AnyNode>
   const auto& carrier = carrier_of(surface, *theta_);
   const Lane shear = shear_.get(c);
   const Lane inverse = shear_relaxed_.get(c);
-  const Lane r1 = node.d[t1] - mounting.place(c, t1, carrier[t1].place_m);
-  const Lane r2 = node.d[t2] - mounting.place(c, t2, carrier[t2].place_m);
+  const Lane r1 = node.d[t1] - mounting.place(t1, carrier[t1].place_m);
+  const Lane r2 = node.d[t2] - mounting.place(t2, carrier[t2].place_m);
   const Lane old1 = contacts_.tangent_theta[0].get(c);
   const Lane old2 = contacts_.tangent_theta[1].get(c);
   Lane new1 = old1 + (-shear * (r1 - contacts_.anchor[0].get(c)) - old1) * inverse;
@@ -301,6 +304,7 @@ template <class Mounting, class AnyNode>
 [[gnu::always_inline]] inline void ContactSweep::update_forces(std::size_t c, const GripperLanes& gripper,
                                                                const Mask& active, Pass& pass, AnyNode& node) {
   Mounting mounting{mounted_};
+  mounting.begin(c);
   const Lane change = abs(update_normal(c, gripper, active, pass.slope, node, mounting));
   const Lane change_across = update_tangent(c, active, node, mounting);
   mounting.end(c);

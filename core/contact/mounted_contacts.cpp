@@ -23,11 +23,15 @@ void MountedContacts::place(std::size_t candidate, const LaneVector& at_m) {
   const LaneVector arm = at_m - mount_->origin_m();
   put_vector(arm_, candidate, arm);
   const Lane& on = carried(surface_of(candidate));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    LaneVector unit;
-    unit[axis] = on;
-    const LaneSix push{unit, cross(arm, unit)};
-    own_.put(3 * candidate + axis, dot(push, mount_->compliance() * push));
+  const LaneSixBySix& A = mount_->compliance();
+  for (std::size_t i = 0; i < 3; ++i) {
+    // A force of 1 along i turns by arm x e_i: arm_k about j and -arm_j about k.
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Lane &about_j = arm[k], &about_k = arm[j];
+    const Lane turned = about_j * A.block[0][1](i, j) - about_k * A.block[0][1](i, k);
+    const Lane turning = about_j * about_j * A.block[1][1](j, j) + about_k * about_k * A.block[1][1](k, k) -
+                         Lane(2.0) * about_j * about_k * A.block[1][1](j, k);
+    own_.put(3 * candidate + i, on * (A.block[0][0](i, i) + Lane(2.0) * turned + turning));
   }
 }
 

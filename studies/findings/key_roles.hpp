@@ -10,8 +10,10 @@ namespace unbruised::studies {
 
 enum class KeyRole {
   chosen,  ///< strategy.*: typed into the robot; the answer picks a value
-  given,   ///< product.*, cell.*: nature and the cell; the answer holds over all values, or says for which not
-  apart,   ///< gripper.* (hardware that is bought, not set), limits.*, simulation.*: an answer for each value
+  /// product.*, cell.*, the moment of a stop, the noise of instruments: nature and the cell; the answer holds over
+  /// all values, or says for which not
+  given,
+  apart,  ///< gripper.* (hardware that is bought, not set), limits.*, simulation.*: an answer for each value
 };
 
 /// The role of a dotted key, e.g. "product.youngs_modulus_Pa".

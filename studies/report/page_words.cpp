@@ -8,6 +8,7 @@
 
 #include "core/outcome/damage_limits.hpp"
 #include "studies/config/sources.hpp"
+#include "studies/text/joined.hpp"
 #include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
@@ -48,7 +49,7 @@ json page_words() {
   for (const MetricInfo& info : kMetricTable) names[std::string(info.name)] = info.words;
   for (const auto& [key, words] : kKeyWords) names[std::string(key)] = words;
   json suffixes = json::array();
-  for (const Unit& unit : all_units()) suffixes.push_back({unit.suffix, unit.udunits});
+  for (const Unit& unit : all_units()) suffixes.push_back({joined({unit.after, unit.suffix}), unit.udunits});
   return {{"names", std::move(names)}, {"unit_suffixes", std::move(suffixes)}};
 }
 

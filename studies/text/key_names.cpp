@@ -8,14 +8,15 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::array<Unit, 18> kUnits = {{
+constexpr std::array<Unit, 19> kUnits = {{
     {"_N_m_rad", "N m/rad", "N m rad-1"},
     {"_rad_s2", "rad/s2", "rad s-2"},
     {"_N_s_m", "N s/m", "N s m-1"},
     {"_m_s2", "m/s2", "m s-2"},
     {"_kg_m3", "kg/m3", "kg m-3"},
     {"_kg_m2", "kg m2", "kg m2"},
-    {"_N_m", "N/m", "N m-1"},
+    {"_N_m", "N/m", "N m-1", "stiffness"},
+    {"_N_m", "N m", "N m"},
     {"_rad_s", "rad/s", "rad s-1"},
     {"_m_s", "m/s", "m s-1"},
     {"_rad", "rad", "rad"},
@@ -28,9 +29,6 @@ constexpr std::array<Unit, 18> kUnits = {{
     {"_s", "s", "s"},
     {"_m", "m", "m"},  // last: others end in it
 }};
-
-/// Names write a stiffness and a torque alike: what is not called a stiffness is a torque.
-constexpr Unit kTorque = {"_N_m", "N m", "N m"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -67,8 +65,7 @@ const Unit* unit_of(std::string_view path) {
   while (path.ends_with("]") && path.find('[') != std::string_view::npos) path = path.substr(0, path.rfind('['));
   for (const Unit& unit : kUnits) {
     if (!path.ends_with(unit.suffix)) continue;
-    const bool is_torque = unit.suffix == kTorque.suffix && path.find("stiffness") == std::string_view::npos;
-    return is_torque ? &kTorque : &unit;
+    if (path.substr(0, path.size() - unit.suffix.size()).ends_with(unit.after)) return &unit;
   }
   return nullptr;
 }

@@ -19,6 +19,7 @@ struct Unit {
   std::string_view suffix;   ///< of the key
   std::string_view display;  ///< "m/s2"
   std::string_view udunits;  ///< "m s-2"
+  std::string_view after{};  ///< how what stands before it has to end: a stiffness and a torque are written alike
 };
 /// All of them, longer endings before those they end in.
 std::span<const Unit> all_units();

@@ -103,6 +103,9 @@ TEST(KeyRole, OnlyTheStrategyIsChosen) {
   EXPECT_EQ(key_role("strategy.approach_speed_m_s"), KeyRole::chosen);
   EXPECT_EQ(key_role("product.youngs_modulus_Pa"), KeyRole::given);
   EXPECT_EQ(key_role("product.use"), KeyRole::given);
+  EXPECT_EQ(key_role("strategy.stop_time_s"), KeyRole::given);
+  EXPECT_EQ(key_role("sensor.noise_seed"), KeyRole::given);
+  EXPECT_EQ(key_role("gripper.range.noise_seed"), KeyRole::given);
   EXPECT_EQ(key_role("cell.support_friction"), KeyRole::given);
   EXPECT_EQ(key_role("gripper.use"), KeyRole::apart);
   EXPECT_EQ(key_role("limits.slip_m"), KeyRole::apart);

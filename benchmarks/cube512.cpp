@@ -1,6 +1,7 @@
 /// @file
 /// The whole pipeline on the fixed scene cube512: what comes out for five time steps, what each part of a step
-/// costs, how many scenarios a core finishes per second, and what a second thread adds.
+/// costs, what instruments add to it, how many scenarios a core finishes per second, and what a second thread
+/// adds.
 
 #include <algorithm>
 #include <barrier>
@@ -168,6 +169,47 @@ void print_costs(const std::vector<Row>& rows) {
   }
 }
 
+/// cube512 with fingers that a wrist sensor can carry, without and with instruments.
+std::vector<std::pair<const char*, Scenario>> instrument_scenes() {
+  Scenario plain = cube512_scene(kUsualTimeStep_s);
+  jaw_of(plain).coupling = FingerCoupling::centric;
+  Scenario wrist = plain;
+  wrist.sensor.at = SensorMount::wrist;
+  wrist.sensor.position_m = {0.0, 0.0, 0.1};
+  wrist.sensor.mass_kg = 1.0;
+  wrist.sensor.rate_Hz = 500.0;
+  wrist.sensor.bandwidth_Hz = 100.0;
+  wrist.sensor.noise_N = 0.01;
+  Scenario ranges = wrist;
+  jaw_of(ranges).range.maximum_m = 0.1;
+  jaw_of(ranges).range.rate_Hz = 500.0;
+  return {{"none", plain}, {"wrist sensor", wrist}, {"and two ranges", ranges}};
+}
+
+/// Microseconds per lane and step of each scene, by turns: the machine's moods meet all of them.
+void compare_instruments(const std::shared_ptr<const Model>& model) {
+  constexpr int kTurns = 8;
+  const auto scenes = instrument_scenes();
+  std::vector<double> sum_us(scenes.size()), least_us(scenes.size(), HUGE_VAL);
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::vector<Scenario> lanes(static_cast<std::size_t>(lane_count()), scenes[i].second);
+      const BatchRun run = run_batch(model, lanes);
+      const double us = 1e6 * run.step_s / static_cast<double>(run.part.lane_steps);
+      sum_us[i] += us / kTurns;
+      least_us[i] = std::min(least_us[i], us);
+    }
+  }
+  std::printf(
+      "\nWhat instruments add (dt %.1f ms, centric fingers; %d runs by turns, microseconds per lane and step)\n",
+      1e3 * kUsualTimeStep_s, kTurns);
+  std::printf("%16s %8s %8s %8s %8s\n", "instruments", "mean", "ratio", "least", "ratio");
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::printf("%16s %8.2f %8.3f %8.2f %8.3f\n", scenes[i].first, sum_us[i], sum_us[i] / sum_us[0], least_us[i],
+                least_us[i] / least_us[0]);
+  }
+}
+
 /// `thread_count` threads with a batch each on one model.
 struct ThreadedRun {
   double wall_s = 0;
@@ -254,6 +296,7 @@ int run() {
   std::fflush(stdout);
   const auto usual =
       std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.time_step_s == kUsualTimeStep_s; });
+  compare_instruments(usual->model);
   bool sound = compare_threads(*usual);
   for (const Row& row : rows) sound = is_sound(row) && sound;
   return sound ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -8,15 +8,14 @@ usage: scripts/draw_instruments.py SCENARIO.h5 [PICTURE]     docs/images/instrum
 import sys
 
 import h5py
-import matplotlib
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-INK, SOFT = "#22303c", "#8695a3"
+from draw_pictures import INK, SOFT  # which sets the looks of the pictures
+
 STORED = (("kinetic_energy_J", "motion of the product", "#5d83a8"), ("elastic_energy_J", "product, elastic", "#1f4e79"),
           ("contact_energy_J", "layers", "#7fa37a"), ("finger_energy_J", "fingers", "#c9a227"))
-LOST = ("#1f4e79", "#b3461f", "#7fa37a", "#6a4c93", "#c9a227", "#8695a3")
+LOST = ("#1f4e79", "#b3461f", "#7fa37a", "#6a4c93", "#c9a227", "#8695a3", "#22303c")
 SURFACES = ("#b3461f", "#5d83a8", "#22303c")
 KINDS = (("make", "^"), ("break", "v"), ("slip", "x"), ("stick", "s"))
 

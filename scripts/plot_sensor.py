@@ -11,10 +11,12 @@ import argparse
 import sys
 from pathlib import Path
 
+import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
+from window_tables import Unsuitable
 
 GRAVITY = 9.80665
 READ = "#1b9e77"
@@ -23,25 +25,26 @@ BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "frameon": False}
 
 def trace_of(path):
     """Time, the reading and the compensated reading of /trace, or of the scenario's own file."""
-    import h5py
-
-    with h5py.File(path, "r") as results:
-        trace = results.get("trace")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
+    with file:
+        trace = file.get("trace")
         if trace is None or "sensor_wrench" not in trace:
-            raise SystemExit(f"plot_sensor: {path} holds no /trace/sensor_wrench: a study of kind = \"simulate\" with a "
-                             "[sensor], or `run --scenario ID`, writes it")
+            raise Unsuitable(f"{path} holds no /trace/sensor_wrench: a study of kind = \"simulate\" with a [sensor], or "
+                             "`run --scenario ID`, writes it")
         return trace["time_s"][:], trace["sensor_wrench"][:], trace["sensor_wrench_compensated"][:]
 
 
 def bounces(time, force, least_s=1e-3):
-    """Touch, release and peak of every contact; a gap shorter than `least_s` does not end one."""
+    """Touch and release of every contact; a gap shorter than `least_s` does not end one."""
     pressed = np.flatnonzero(force > 1e-6 * force.max())
     if pressed.size == 0:
-        return np.empty((0, 3))
+        return np.empty((0, 2))
     apart = np.flatnonzero(np.diff(time[pressed]) > least_s)
     first, last = np.append(0, apart + 1), np.append(apart, pressed.size - 1)
-    return np.array([[time[pressed[i]], time[pressed[k]], force[pressed[i]:pressed[k] + 1].max()]
-                     for i, k in zip(first, last)])
+    return np.column_stack([time[pressed[first]], time[pressed[last]]])
 
 
 def table(rows, force, time, file=sys.stdout):
@@ -49,7 +52,7 @@ def table(rows, force, time, file=sys.stdout):
     print("bounce  touch_s  contact_ms  flight_s  peak_N  restitution  height_mm", file=file)
     flight = np.append(rows[1:, 0] - rows[:-1, 1], np.nan)
     before = 2.0 * rows[0, 0]  # let go at the top of a flight
-    for i, (touch, release, _) in enumerate(rows):
+    for i, (touch, release) in enumerate(rows):
         peak = force[(time >= touch) & (time <= release)].max()
         flies = np.isfinite(flight[i])
         left = f"{flight[i]:8.4f}" if flies else "   rests"
@@ -62,7 +65,7 @@ def draw(time, wrench, compensated):
     """Force over time; torques below where there are any."""
     force = wrench[:, :3]
     torque = wrench[:, 3:]
-    has_torque = np.abs(torque).max() > 1e-3 * np.abs(force).max() * 0.01
+    has_torque = np.abs(torque).max() > 1e-5 * np.abs(force).max()
     figure, axes = plt.subplots(2 if has_torque else 1, 1, figsize=(7.2, 4.8 if has_torque else 3.4), sharex=True,
                                 squeeze=False)
     upper = axes[0, 0]
@@ -91,12 +94,17 @@ def main():
     parser.add_argument("results", type=Path)
     parser.add_argument("-o", "--output", type=Path)
     arguments = parser.parse_args()
-    time, wrench, compensated = trace_of(arguments.results)
+    try:
+        time, wrench, compensated = trace_of(arguments.results)
+    except Unsuitable as error:
+        print(f"plot_sensor: {error}", file=sys.stderr)
+        return 2
     output = arguments.output or arguments.results.parent / "sensor_force.png"
     save(draw(time, wrench, compensated), output)
     rows = bounces(time, compensated[:, 2])  # without the plate's own swing
     if len(rows) > 2 and rows[0, 0] > time[0]:
         table(rows, wrench[:, 2], time)
+    return 0
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "core/contact/contact_lanes.hpp"
 
 #include "core/door/require.hpp"
+#include "core/scenario/vectors.hpp"
 
 namespace unbruised {
 namespace {
@@ -40,6 +41,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
   over_ = MaskArray(model.candidate.size());
   lowest_arm_m_ = LaneArray(place_group_.size());
   for (LaneArray& rows : place_theta_) rows = LaneArray(model.candidate.size());
+  for (const PlaceArm& place : model.place) reach_m_ = std::max(reach_m_, length(place.from_mass_m));
 }
 
 void ContactLanes::load(int lane, const Scenario& scenario) {

@@ -296,6 +296,7 @@ class ContactLanes {
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
   MountedContacts mounted_;
+  double reach_m_ = 0.0;      ///< of the farthest place from the centre of mass
   Lane sway_m_{0.0};          ///< of the support on its mount, in the present step
   bool mounted_now_ = false;  ///< is any surface of any lane on a mount, in the present step?
   ContactSweep sweep_;

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/contact/contact_lanes.hpp"
 
 namespace unbruised {
@@ -30,13 +27,9 @@ void ContactLanes::go_with_mount(std::size_t c, const LaneVector& at_m, const Mo
 /// The support moves by no more than this along its normal under any place of the product, as its mount moves
 /// within the step without contact forces.
 Lane ContactLanes::sway_m(const MountLanes& mount) const {
-  double reach_m = 0.0;
-  for (const PlaceArm& place : model_.place) {
-    reach_m = std::max(reach_m, std::hypot(place.from_mass_m[0], place.from_mass_m[1], place.from_mass_m[2]));
-  }
   const LaneVector arm = places_->center(kSupport) - mount.origin_m();
   const LaneSix& free = mount.free();
-  const Lane across = abs(arm[0]) + abs(arm[1]) + Lane(reach_m);
+  const Lane across = abs(arm[0]) + abs(arm[1]) + Lane(reach_m_);
   return mount.carries_support() * (abs(free.linear[2]) + (abs(free.angular[0]) + abs(free.angular[1])) * across);
 }
 

@@ -88,6 +88,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double gua
       transfer_m_(scenario.cell.transfer_m),
       place_velocity_m_s_(scenario.cell.place_velocity_m_s),
       belt_(scenario.cell.conveyor),
+      tracks_(goes_with_belt(scenario)),
       target_differs_(place_height_m_ != 0.0 || has_belt(scenario.cell) || target_moves(scenario.cell) ||
                       !scenario.cell.target_plane),
       ramp_start_s_(ramp_start_s) {
@@ -234,26 +235,21 @@ PalmState MotionPlan::planned_palm(double time_s) const {
 
 void MotionPlan::go_across(double time_s, PalmState& palm) const {
   PalmState flat;
-  const bool tracks =
-      strategy_.pick == PickKind::tracking && (leave_ ? time_s <= lift_end_s_ : !is_crossing(time_s));
-  bool goes_on =
-      false;  // a transfer between places at rest, from where the stops end; the others know where they are
-  if (leave_ && !tracks && time_s <= leave_end_s_) {
-    flat = at_place(leave_->at(time_s - lift_end_s_));
-  } else if (is_crossing(time_s)) {
-    flat = at_place(moving_transfer_->at(time_s - hold_end_s_));
-  } else if (tracks && (leave_ || moving_transfer_)) {
+  bool knows_its_place = true;  // else it goes on from where the stops are
+  if (tracks_ && time_s <= (leave_ ? lift_end_s_ : hold_end_s_)) {
     MotionProfile::State along = belt_.at(time_s - strategy_.tracking_lag_s);
     along.position_m += strategy_.pick_offset_m;
     flat = horizontal(belt_.direction(), along);
-  } else if (!moving_transfer_) {
-    flat = horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
-    goes_on = true;
+  } else if (leave_ && time_s <= leave_end_s_) {
+    flat = at_place(leave_->at(time_s - lift_end_s_));
+  } else if (moving_transfer_ && time_s > hold_end_s_) {
+    flat = at_place(moving_transfer_->at(time_s - hold_end_s_));
   } else {
-    return;
+    if (!moving_transfer_) flat = horizontal(transfer_direction_, transfer_.at(time_s - hold_end_s_));
+    knows_its_place = false;
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    palm.position_m[axis] = (goes_on ? palm.position_m[axis] : 0.0) + flat.position_m[axis];
+    palm.position_m[axis] = (knows_its_place ? 0.0 : palm.position_m[axis]) + flat.position_m[axis];
     palm.velocity_m_s[axis] += flat.velocity_m_s[axis];
     palm.acceleration_m_s2[axis] += flat.acceleration_m_s2[axis];
   }

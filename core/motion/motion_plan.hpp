@@ -82,8 +82,6 @@ class MotionPlan {
   [[nodiscard]] double guarded_speed_m_s(double time_s) const;
   [[nodiscard]] PalmState planned_palm(double time_s) const;
   [[nodiscard]] PalmState braking_palm(double time_s) const;
-  /// Is it on its way from one moving place to another?
-  [[nodiscard]] bool is_crossing(double time_s) const { return moving_transfer_ && time_s > hold_end_s_; }
   /// Gives a palm that goes from stop to stop its horizontal way beside that: with a belt, and of the transfer.
   void go_across(double time_s, PalmState& palm) const;
 
@@ -94,6 +92,7 @@ class MotionPlan {
   double place_height_m_ = 0.0;
   Horizontal transfer_m_{}, place_velocity_m_s_{};
   Belt belt_;
+  bool tracks_ = false;  ///< the palm goes with it
   bool target_differs_ = false;
   MotionProfile lift_, transfer_, lower_;
   PalmPath path_;   ///< from the end of the lift, or where a palm that tracked has come to rest, to the hold

@@ -26,23 +26,22 @@ Six between(const Six& from, const Six& to, double share) {
 
 }  // namespace
 
-SixAxisInstrument::SixAxisInstrument(const SixAxisSensorParameters& sensor, const Mount& mount,
+SixAxisInstrument::SixAxisInstrument(const SixAxisSensorParameters& sensor, const SixBySix& stiffness,
                                      const MountState& start)
-    : sensor_(sensor), mount_(mount), last_(start) {
+    : sensor_(sensor), stiffness_(stiffness), last_(start) {
   const Signal now = signal(start.twist, start.own_wrench, start.contact_wrench);
   filtered_ = filtered_from_ = now;
   if (sensor.tare == SensorTare::own_weight) tare_ = moved(add({}, -1.0, start.own_wrench), sensor.report_at_m);
   if (sensor.tare == SensorTare::start) tare_ = now.held;
   if (sensor.range_N || sensor.range_N_m) overload_ = 0.0;
-  read(0.0);
+  read(0);
   note_peaks(0.0);
-  next_sample_ = 1;
 }
 
 SixAxisInstrument::Signal SixAxisInstrument::signal(const Six& twist, const Six& own_wrench,
                                                     const Six& contact_wrench) const {
   const Six quasi_static = add(add({}, -1.0, contact_wrench), -1.0, own_wrench);
-  const Six held = sensor_.motion_prediction ? add({}, -1.0, multiply(mount_.stiffness, twist)) : quasi_static;
+  const Six held = sensor_.motion_prediction ? add({}, -1.0, multiply(stiffness_, twist)) : quasi_static;
   const Six correction = add(add({}, -1.0, contact_wrench), -1.0, held);
   return {moved(held, sensor_.report_at_m), moved(correction, sensor_.report_at_m)};
 }
@@ -66,11 +65,11 @@ void SixAxisInstrument::observe(double start_s, double end_s, const MountState& 
   };
   if (sensor_.rate_Hz) {
     const SampleClock clock(*sensor_.rate_Hz);
-    for (; clock.time_s(next_sample_) <= end_s; ++next_sample_) {
-      const double time_s = clock.time_s(next_sample_);
-      if (time_s > start_s) look(time_s);
-      read(time_s);
-      note_peaks(time_s);
+    const std::int64_t last = clock.last(end_s);
+    for (std::int64_t k = clock.last(start_s) + 1; k <= last; ++k) {
+      look(clock.time_s(k));
+      read(k);
+      note_peaks(clock.time_s(k));
     }
     look(end_s);
   } else {
@@ -78,7 +77,7 @@ void SixAxisInstrument::observe(double start_s, double end_s, const MountState& 
     for (int i = 1; i <= looks; ++i) {
       const double time_s = i == looks ? end_s : start_s + step_s * i / looks;
       look(time_s);
-      read(time_s);
+      read(0);
       note_peaks(time_s);
     }
   }
@@ -107,16 +106,13 @@ void SixAxisInstrument::filter(double time_s, const Signal& to) {
   filtered_from_ = to;
 }
 
-void SixAxisInstrument::read(double time_s) {
+void SixAxisInstrument::read(std::int64_t sample) {
   Six wrench = add(filtered_.held, -1.0, tare_);
-  if (sensor_.rate_Hz) {
-    const std::int64_t sample = SampleClock(*sensor_.rate_Hz).last(time_s);
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double deviation = i < 3 ? sensor_.noise_N : sensor_.noise_N_m;
-      if (!(deviation > 0.0)) continue;
-      wrench[i] += deviation * standard_normal(static_cast<std::uint64_t>(sensor_.noise_seed), kFirstStream + i,
-                                               static_cast<std::uint64_t>(sample));
-    }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double deviation = i < 3 ? sensor_.noise_N : sensor_.noise_N_m;
+    if (!(deviation > 0.0)) continue;
+    wrench[i] += deviation * standard_normal(static_cast<std::uint64_t>(sensor_.noise_seed), kFirstStream + i,
+                                             static_cast<std::uint64_t>(sample));
   }
   reading_ = as_shown(wrench);
   compensated_ = add(add(reading_, 1.0, tare_), 1.0, filtered_.correction);

@@ -6,6 +6,7 @@
 /// reading is the wrench with which the sensor holds what it carries: the weight of a gripper or of a product on
 /// its plate reads as a force upwards.
 
+#include <cstdint>
 #include <optional>
 
 #include "core/body/mount.hpp"
@@ -22,8 +23,8 @@ struct MountState {
 
 class SixAxisInstrument {
  public:
-  /// Begins to read at t = 0.
-  SixAxisInstrument(const SixAxisSensorParameters& sensor, const Mount& mount, const MountState& start);
+  /// Begins to read at t = 0. @param stiffness of its spring
+  SixAxisInstrument(const SixAxisSensorParameters& sensor, const SixBySix& stiffness, const MountState& start);
 
   /// Takes in a step.
   void observe(double start_s, double end_s, const MountState& end);
@@ -51,17 +52,17 @@ class SixAxisInstrument {
   [[nodiscard]] Signal signal(const Six& twist, const Six& own_wrench, const Six& contact_wrench) const;
   [[nodiscard]] Signal signal_at(double since_s, double step_s, const MountState& end) const;
   void filter(double time_s, const Signal& to);
-  void read(double time_s);
+  /// @param sample its number, where there is a rate
+  void read(std::int64_t sample);
   [[nodiscard]] Six as_shown(Six wrench);
   void note_peaks(double time_s);
 
   SixAxisSensorParameters sensor_;
-  Mount mount_;
+  SixBySix stiffness_;
   MountState last_;  ///< at the start of the present step
   Six tare_{};
   double filtered_at_s_ = 0;
   Signal filtered_, filtered_from_;  ///< behind the low pass, and before it, at that time
-  std::int64_t next_sample_ = 0;
   Six reading_{}, compensated_{};
   std::array<ForceSample, 2> before_{};  ///< the last two readings
   double peak_force_N_ = 0, peak_force_time_s_ = 0, peak_torque_N_m_ = 0;

@@ -196,26 +196,21 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
         impulse_mismatch(lane, view) / (product.total_mass_kg * std::sqrt(gravity_size) * time_s);
   }
   if (view.body.frame() != nullptr) measure_angular_impulse(lane, view, metrics);
-  const bool driven = has_gripper(scenario);
-  const double dissipated = view.body.damped_J(lane)                                                         //
-                            + view.contact.dissipated()[lane]                                                //
-                            + (view.material.plastic_work()[lane] - view.material.hardening_energy()[lane])  //
-                            + view.mounts.dissipated()[lane]                                                 //
-                            + (driven ? view.gripper.dissipated()[lane] : 0.0);
-  const double work = gravity_work_[lane]         //
-                      + palm_work_[lane]          //
-                      + belt_work_[lane]          //
-                      + view.mounts.work()[lane]  //
-                      + (driven ? view.gripper.work()[lane] : 0.0);
+  const Dissipated lost = dissipated(lane, view, scenario);
+  const WorkDone done = work_done(lane, view, scenario);
+  // The layers' loss is one sum here: its causes are rounded by themselves.
+  const double lost_J =
+      lost.damping + view.contact.dissipated()[lane] + lost.plastic_flow + lost.mount + lost.gripper;
+  const double work_J = done.gravity + done.palm + done.surfaces + done.mount + done.drives;
   const double put_in = positive_work_[lane] + view.mounts.positive_work()[lane] +
-                        (driven ? view.gripper.positive_work()[lane] : 0.0);
+                        (has_gripper(scenario) ? view.gripper.positive_work()[lane] : 0.0);
   metrics[Metric::energy_input_J] = put_in;
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);
   if (!(put_in > kLeastInputShare * weight_N * product.smallest_extent_m()) || has_loads(scenario.product)) return;
   const double stored =
       view.stored_energy(lane, scenario).total - initial_energy_J_[static_cast<std::size_t>(lane)];
-  metrics[Metric::energy_balance_error] = (stored + dissipated - work) / put_in;
+  metrics[Metric::energy_balance_error] = (stored + lost_J - work_J) / put_in;
 }
 
 }  // namespace unbruised

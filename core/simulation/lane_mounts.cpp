@@ -52,8 +52,7 @@ Six standing_wrench(const Model::Parts& model, const StaticRest& rest, const Vec
   return sum;
 }
 
-}  // namespace
-
+/// The mount of a scenario; nothing where it has no sensor.
 std::optional<Mount> mount_of(const Scenario& scenario, const BodyModel& body) {
   if (!has_sensor(scenario)) return std::nullopt;
   const Vector center_m = body.center_m();
@@ -61,6 +60,8 @@ std::optional<Mount> mount_of(const Scenario& scenario, const BodyModel& body) {
   return sensor_mount(scenario, {center_m[0], center_m[1] + cell.grip_offset_m, center_m[2] + cell.grip_height_m},
                       {center_m[0], center_m[1], 0.0});
 }
+
+}  // namespace
 
 void load_mount(int lane, const Scenario& scenario, const Model::Parts& model, const StaticRest* rest,
                 const CarrierMotion& now, MountLanes& mounts) {
@@ -74,7 +75,7 @@ void load_mount(int lane, const Scenario& scenario, const Model::Parts& model, c
 
 void command_mount(int lane, const Scenario& scenario, const CarrierMotion& theta, const CarrierMotion& next,
                    MountLanes& mounts) {
-  if (!has_sensor(scenario)) return;
+  if (scenario.sensor.at != SensorMount::wrist) return;
   mounts.set_own_wrench(lane, own_wrench(lane, scenario, theta), own_wrench(lane, scenario, next));
 }
 

@@ -11,14 +11,11 @@
 
 namespace unbruised {
 
-/// The mount of a scenario; nothing where it has no sensor.
-std::optional<Mount> mount_of(const Scenario& scenario, const BodyModel& body);
-
 /// Puts it into a lane at rest. @param rest how the product stands on its support; null: it does not
 void load_mount(int lane, const Scenario& scenario, const Model::Parts& model, const StaticRest* rest,
                 const CarrierMotion& now, MountLanes& mounts);
 
-/// Tells the mount of a lane how its carrier moves.
+/// Tells the mount of a lane how its carrier moves, where it does.
 void command_mount(int lane, const Scenario& scenario, const CarrierMotion& theta, const CarrierMotion& next,
                    MountLanes& mounts);
 

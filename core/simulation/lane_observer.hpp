@@ -9,6 +9,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/lane_view.hpp"
 
 namespace unbruised {
@@ -21,9 +22,10 @@ struct LaneStep {
   double time_s = 0;                              ///< at its end
   double contact_sweeps = 0, plastic_rounds = 0;  ///< that the step took
   const Scenario& scenario;
-  const HandlingCycle& cycle;   ///< has taken in the step
-  const StepObservation& seen;  ///< at the end of the step
-  const LaneView& view;         ///< at the end of the step
+  const HandlingCycle& cycle;                   ///< has taken in the step
+  const StepObservation& seen;                  ///< at the end of the step
+  const LaneView& view;                         ///< at the end of the step
+  const SixAxisInstrument* six_axis = nullptr;  ///< null: there is none
 };
 
 class LaneObserver {

@@ -12,6 +12,7 @@
 #include "core/motion/handling_cycle.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/sensor/finger_instruments.hpp"
+#include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/outcome_observer.hpp"
 
 namespace unbruised {
@@ -21,6 +22,7 @@ struct LaneRun {
   Scenario scenario;
   HandlingCycle cycle;
   std::optional<FingerInstruments> instruments;          ///< where there is something to read
+  std::optional<SixAxisInstrument> six_axis;             ///< likewise
   std::int64_t step = 0;                                 ///< steps taken
   SupportPlane plane = SupportPlane::start;              ///< under the product
   OutcomeObserver* outcome = nullptr;                    ///< one of the observers

@@ -44,6 +44,10 @@ struct LaneSimulation::Impl {
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   void observe_lane(int lane);
   void finish(const LaneStep& last);
+  /// Null: a lane has none.
+  [[nodiscard]] static const SixAxisInstrument* six_axis(const LaneRun& run) {
+    return run.six_axis ? &*run.six_axis : nullptr;
+  }
   /// Null: no surface of any lane is on a mount.
   [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
   [[nodiscard]] LaneRun& run_of(int lane) {
@@ -65,7 +69,6 @@ struct LaneSimulation::Impl {
   ContactLanes contact;
   GripperLanes gripper;
   MountLanes mounts;
-  Sensors sensors;
   CarrierMotion now, theta, next;
   DriveCommand command;
   Balances balances;
@@ -89,7 +92,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       body(parts.body, w, parts.frame),
       material(make_material(parts.body, parts.frame)),
       contact(parts.contact, parts.body, w, parts.frame),
-      view{parts, body, *material, contact, gripper, mounts, sensors, now, yield_ratio},
+      view{parts, body, *material, contact, gripper, mounts, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
   const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
@@ -118,10 +121,8 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
   contact.set_anchors(lane, body.u(), now, body.frame());
   load_mount(lane, scenario, parts, state.rest, now, mounts);
-  std::optional<SixAxisInstrument>& sensor = sensors[static_cast<std::size_t>(lane)];
-  sensor.reset();
   if (mounts.has(lane))
-    sensor.emplace(scenario.sensor, *mount_of(scenario, parts.body), mount_state(lane, mounts));
+    r.six_axis.emplace(scenario.sensor, sensor_stiffness(scenario.sensor), mount_state(lane, mounts));
   for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
   if (FingerInstruments instruments(scenario); !instruments.idle()) {
@@ -138,7 +139,12 @@ void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observe
   LaneRun& r = run_of(lane);
   require(r.busy && r.step == 0, "LaneSimulation::watch: not right after load");
   const StepObservation seen = see(lane, 0.0);
-  observer->start({.lane = lane, .scenario = r.scenario, .cycle = r.cycle, .seen = seen, .view = view});
+  observer->start({.lane = lane,
+                   .scenario = r.scenario,
+                   .cycle = r.cycle,
+                   .seen = seen,
+                   .view = view,
+                   .six_axis = six_axis(r)});
   r.observers.push_back(std::move(observer));
 }
 
@@ -297,8 +303,6 @@ void LaneSimulation::Impl::observe_lane(int lane) {
   const double time = r.time_s(w);
   read_instruments(lane, start, time);
   tell_cycle(lane, start, time);
-  if (auto& sensor = sensors[static_cast<std::size_t>(lane)])
-    sensor->observe(start, time, mount_state(lane, mounts));
   const StepObservation seen = see(lane, time);
   balances.book_impulse(lane, view);
   const LaneStep step{.lane = lane,
@@ -310,7 +314,8 @@ void LaneSimulation::Impl::observe_lane(int lane) {
                       .scenario = r.scenario,
                       .cycle = r.cycle,
                       .seen = seen,
-                      .view = view};
+                      .view = view,
+                      .six_axis = six_axis(r)};
   bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * w.dt;
   for (const auto& observer : r.observers) goes_on = observer->observe(step) && goes_on;
   if (!goes_on) finish(step);
@@ -327,6 +332,7 @@ void LaneSimulation::Impl::tell_cycle(int lane, double start_s, double time_s) {
 
 void LaneSimulation::Impl::read_instruments(int lane, double start_s, double time_s) {
   LaneRun& r = run_of(lane);
+  if (r.six_axis) r.six_axis->observe(start_s, time_s, mount_state(lane, mounts));
   if (!r.instruments) return;
   r.instruments->observe(start_s, time_s, view.finger_signs(lane, r.scenario, r.instruments->has_range()));
 }

@@ -187,9 +187,6 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
     row.attitude = frame->attitude().of_lane(lane);
     row.spin_rad_s = of_lane(frame->to_world(frame->spin_rad_s()), lane);
   }
-  if (const auto& sensor = sensors[static_cast<std::size_t>(lane)]) {
-    row.sensor = SensorRow{sensor->reading(), sensor->compensated()};
-  }
   return row;
 }
 

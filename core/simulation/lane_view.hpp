@@ -10,15 +10,11 @@
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/sensor/finger_instruments.hpp"
-#include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "core/simulation/trace_row.hpp"
 #include "core/surface/carrier_motion.hpp"
 
 namespace unbruised {
-
-/// The six-axis sensor of each lane; nothing where there is none.
-using Sensors = std::array<std::optional<SixAxisInstrument>, kLanes>;
 
 struct LaneView {
   const Model::Parts& model;
@@ -27,7 +23,6 @@ struct LaneView {
   const ContactLanes& contact;
   const GripperLanes& gripper;
   const MountLanes& mounts;
-  const Sensors& sensors;
   const CarrierMotion& carriers;  ///< at the present time
   /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;

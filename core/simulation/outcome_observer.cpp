@@ -97,7 +97,7 @@ void OutcomeObserver::end(const LaneStep& last) {
   metrics[Metric::step_count] = static_cast<double>(last.count);
   metrics[Metric::contact_iterations] = contact_sweeps_;
   metrics[Metric::plasticity_iterations] = plastic_rounds_;
-  if (const auto& sensor = last.view.sensors[static_cast<std::size_t>(last.lane)]) {
+  if (const SixAxisInstrument* sensor = last.six_axis) {
     metrics[Metric::peak_sensor_force_N] = sensor->peak_force_N();
     metrics[Metric::peak_sensor_torque_N_m] = sensor->peak_torque_N_m();
     metrics[Metric::peak_sensor_force_time_s] = sensor->peak_force_time_s();

@@ -42,6 +42,7 @@ void TraceRecorder::record(const LaneStep& step) {
     row.slip_rad[f] = finger.slip_rad;
     row.friction_margin[f] = friction_margin(finger, friction, step.scenario.limits).value_or(std::nan(""));
   }
+  if (step.six_axis != nullptr) row.sensor = SensorRow{step.six_axis->reading(), step.six_axis->compensated()};
   row.phase = step.cycle.phase(row.time_s);
   row.support_yield_ratio = step.seen.support_yield_ratio;
   row.patch_pressure_Pa = step.seen.patch_pressure_Pa;

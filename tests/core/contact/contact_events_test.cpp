@@ -134,24 +134,12 @@ TEST(ContactEvents, SlipAndStickComeAtTheTimesOfTheClosedForm) {
 }
 
 /// A box whose sides face the pads and the support, that turns as it falls, that rolls.
-Scenario gripped() {
-  Scenario scenario = small_box();
-  scenario.strategy.grip_force_N = 0.12;  // slides in the pads
-  return scenario;
-}
 Scenario gripped_in_frame() {
   Scenario scenario = small_box();
   scenario.simulation.contact_set = ContactSet::whole_surface;
   return scenario;
 }
-Scenario thrown() {
-  Scenario scenario = turned_box({0.06, 0.04, 0.03}, {0.3, 0.4, 0.1});
-  lattice_of(scenario).initial_height_m = 0.01;
-  scenario.simulation.contact_set = ContactSet::whole_surface;
-  scenario.simulation.duration_s = 0.3;
-  scenario.simulation.time_step_s = 5e-4;
-  return scenario;
-}
+Scenario thrown() { return thrown_box(5e-4, 0.3); }
 Scenario rolling() {
   Scenario scenario = roller(Shape::sphere, 0.2);
   scenario.simulation.duration_s = 0.2;
@@ -216,7 +204,7 @@ TEST_P(Register, EventsDoNotDependOnNeighbours) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Register,
-                         ::testing::Values(Recounted{"gripped", gripped},
+                         ::testing::Values(Recounted{"gripped", slipping_box},
                                            Recounted{"gripped_in_frame", gripped_in_frame},
                                            Recounted{"thrown", thrown}, Recounted{"rolling", rolling}),
                          [](const auto& tested) { return std::string(tested.param.name); });

@@ -51,6 +51,16 @@ inline Scenario turned_box(const std::array<double, 3>& size_m, const std::array
   return scenario;
 }
 
+/// A box that falls leaning, by a centimetre, and tumbles.
+inline Scenario thrown_box(double step_s, double duration_s) {
+  Scenario scenario = turned_box({0.06, 0.04, 0.03}, {0.3, 0.4, 0.1});
+  std::get<LatticeParameters>(scenario.product).initial_height_m = 0.01;
+  scenario.simulation.contact_set = ContactSet::whole_surface;
+  scenario.simulation.duration_s = duration_s;
+  scenario.simulation.time_step_s = step_s;
+  return scenario;
+}
+
 /// Motion of the centre of mass at the end of a trace.
 struct Center {
   Eigen::Vector3d motion_m, velocity_m_s;

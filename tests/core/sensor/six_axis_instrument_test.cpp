@@ -33,7 +33,7 @@ MountState at_rest(const Mount& mount, const Six& contact, const Six& own = {}) 
 /// Reads it at rest.
 Six read_at_rest(const SixAxisSensorParameters& sensor, const Six& contact, const Six& own = {}) {
   const Mount mount = mount_of(sensor);
-  SixAxisInstrument instrument(sensor, mount, at_rest(mount, {}, own));
+  SixAxisInstrument instrument(sensor, mount.stiffness, at_rest(mount, {}, own));
   instrument.observe(0.0, 1.0, at_rest(mount, contact, own));
   return instrument.reading();
 }
@@ -69,7 +69,7 @@ TEST(SixAxisInstrument, ReadsUnitWrenchesInSinglePrecision) {
     contact[axis] = -1.0;
     Mount single = mount;
     for (double& value : single.stiffness) value = static_cast<float>(value);
-    SixAxisInstrument instrument(sensor, single, {});
+    SixAxisInstrument instrument(sensor, single.stiffness, {});
     instrument.observe(0.0, 1.0, {.twist = rounded(at_rest(mount, contact).twist)});
     const Six reading = rounded(instrument.reading());
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(reading[i], i == axis ? 1.0 : 0.0, 1e-4) << axis << i;
@@ -99,7 +99,7 @@ TEST(SixAxisInstrument, TaresWhatItIsTold) {
   EXPECT_NEAR(read_at_rest(sensor, contact, own)[3], -0.1, 1e-12);
   sensor.tare = SensorTare::start;
   const Mount mount = mount_of(sensor);
-  SixAxisInstrument instrument(sensor, mount, at_rest(mount, contact, own));
+  SixAxisInstrument instrument(sensor, mount.stiffness, at_rest(mount, contact, own));
   EXPECT_NEAR(instrument.reading()[2], 0.0, 1e-10);
   EXPECT_NEAR(instrument.compensated()[2], 2.0, 1e-10);
 }
@@ -107,7 +107,7 @@ TEST(SixAxisInstrument, TaresWhatItIsTold) {
 /// A ramp of 1 N/ms along z in steps of 1 ms.
 SixAxisInstrument after_ramp(const SixAxisSensorParameters& sensor, int steps) {
   const Mount mount = mount_of(sensor);
-  SixAxisInstrument instrument(sensor, mount, {});
+  SixAxisInstrument instrument(sensor, mount.stiffness, {});
   for (int i = 1; i <= steps; ++i) {
     const double z = -1e-3 * i * 1000.0 / 4e6;
     instrument.observe(1e-3 * (i - 1), 1e-3 * i, {.twist = {0.0, 0.0, z}, .velocity = {0.0, 0.0, -1000.0 / 4e6}});
@@ -150,9 +150,9 @@ TEST(SixAxisInstrument, HasTheNoiseOfItsSeed) {
   sensor.noise_N = 0.5;
   sensor.noise_N_m = 0.01;
   const Mount mount = mount_of(sensor);
-  SixAxisInstrument one(sensor, mount, {}), again(sensor, mount, {});
+  SixAxisInstrument one(sensor, mount.stiffness, {}), again(sensor, mount.stiffness, {});
   sensor.noise_seed = 2;
-  SixAxisInstrument other(sensor, mount, {});
+  SixAxisInstrument other(sensor, mount.stiffness, {});
   double squares_N = 0.0, squares_N_m = 0.0, across = 0.0;
   constexpr int kSamples = 20000;
   for (int i = 1; i <= kSamples; ++i) {

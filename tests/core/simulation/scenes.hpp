@@ -139,6 +139,13 @@ inline Scenario small_box() {
   return scenario;
 }
 
+/// The same, gripped so that it slides in the pads.
+inline Scenario slipping_box() {
+  Scenario scenario = small_box();
+  scenario.strategy.grip_force_N = 0.12;
+  return scenario;
+}
+
 inline LatticeParameters& lattice_of(Scenario& scenario) { return std::get<LatticeParameters>(scenario.product); }
 
 /// Makes the product a solid of this size, cell, mass and stiffness.

@@ -23,11 +23,6 @@ Scenario marked_box() {
   jaw_of(scenario).drive_viscous_N_s_m = 5.0;
   return scenario;
 }
-Scenario slipping_box() {
-  Scenario scenario = small_box();
-  scenario.strategy.grip_force_N = 0.12;
-  return scenario;
-}
 Scenario sliding_block() {
   Scenario scenario = small_box();
   scenario.gripper = NoGripper{};
@@ -35,14 +30,7 @@ Scenario sliding_block() {
   scenario.simulation.duration_s = 0.2;
   return scenario;
 }
-Scenario tumbling_box() {
-  Scenario scenario = turned_box({0.06, 0.04, 0.03}, {0.3, 0.4, 0.1});
-  lattice_of(scenario).initial_height_m = 0.01;
-  scenario.simulation.contact_set = ContactSet::whole_surface;
-  scenario.simulation.duration_s = 0.2;
-  scenario.simulation.time_step_s = 2.5e-4;
-  return scenario;
-}
+Scenario tumbling_box() { return thrown_box(2.5e-4, 0.2); }
 
 struct Scene {
   const char* name;

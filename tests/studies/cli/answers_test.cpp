@@ -11,27 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Four scenarios of a coarse block: the numbers mean nothing, their form does.
-constexpr const char* kStudy = R"([study]
-name = "four"
-kind = "sweep"
-[product]
-shape = "box"
-size_m = [0.04, 0.04, 0.04]
-cell_size_m = 0.02
-mass_kg = 0.1
-youngs_modulus_Pa = 1e6
-yield_stress_Pa = 1e5
-tangent_modulus_Pa = 1e5
-relaxation_time_s = 1e-3
-friction = 0.5
-[limits]
-contact_yield_ratio = 1.0
-[gripper]
-use = "grippers/parallel_jaw.toml"
-[simulation]
-time_step_s = 2e-3
-[[vary]]
+/// Four scenarios.
+const std::string kStudy = testing::coarse_block("four") + R"([[vary]]
 key = "strategy.grip_force_N"
 values = [0.5, 4.0]
 [[vary]]

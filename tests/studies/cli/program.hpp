@@ -16,6 +16,29 @@ namespace unbruised::studies::testing {
 
 namespace fs = std::filesystem;
 
+/// The start of a sweep of a coarse block: the numbers mean nothing, their form does.
+inline std::string coarse_block(const std::string& name) {
+  return "[study]\nname = \"" + name + R"("
+kind = "sweep"
+[product]
+shape = "box"
+size_m = [0.04, 0.04, 0.04]
+cell_size_m = 0.02
+mass_kg = 0.1
+youngs_modulus_Pa = 1e6
+yield_stress_Pa = 1e5
+tangent_modulus_Pa = 1e5
+relaxation_time_s = 1e-3
+friction = 0.5
+[limits]
+contact_yield_ratio = 1.0
+[gripper]
+use = "grippers/parallel_jaw.toml"
+[simulation]
+time_step_s = 2e-3
+)";
+}
+
 /// A folder of its own for each test, removed at its end.
 class ProgramTest : public ::testing::Test {
  protected:

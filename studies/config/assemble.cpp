@@ -164,6 +164,7 @@ struct Assembler {
       case Use::gripper:
       case Use::range:
       case Use::force_guard:
+      case Use::position_hold:
         return input.has_gripper || !spec.path.starts_with("gripper.");
       default:
         return true;

@@ -134,6 +134,8 @@ std::string where_used(Use use) {
       return "guards by range";
     case Use::force_guard:
       return "guards by force";
+    case Use::position_hold:
+      return "fingers that a lock holds";
     default:
       return listed(kinds_that_use(use), "and") + " studies";
   }

@@ -12,14 +12,15 @@ Table holding_keys() {
       {.path = "gripper.hold",
        .type = choice,
        .meaning =
-           "What keeps the fingers pressed after the ramp: their drives, or a lock that holds their places.",
+           "What keeps the fingers pressed once the force has risen: their drives, or a lock that holds their "
+           "places from the end of settle_s, when the lift begins, to the release.",
        .choices = {"force", "position"},
        .use = use,
        .field = parallel_jaw<&G::hold>},
       {.path = "gripper.lock_stiffness_N_m",
        .type = optional_number,
-       .meaning = "Stiffness with which a lock holds each finger.",
-       .use = use,
+       .meaning = "Stiffness with which a lock holds each finger to its place.",
+       .use = Use::position_hold,
        .note = "absent: a lock does not give way",
        .field = parallel_jaw<&G::lock_stiffness_N_m>},
       {.path = "gripper.curve_speed_m_s",
@@ -30,7 +31,7 @@ Table holding_keys() {
        .field = parallel_jaw<&G::curve_speed_m_s>},
       {.path = "gripper.curve_force_N",
        .type = series,
-       .meaning = "Largest force of the drive at these speeds; linear between them.",
+       .meaning = "Largest force of the drive at these speeds; linear between them, the last beyond.",
        .use = use,
        .field = parallel_jaw<&G::curve_force_N>},
   };

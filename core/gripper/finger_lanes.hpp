@@ -8,11 +8,14 @@
 /// +-limit), S the sum of its contacts' normal forces and E that of the end stop. It is integrated by the same
 /// Wilson-theta as the product, coupled through S. The stop at the end of the stroke is a layer of steel on the
 /// jaw's housing, E = k (d + clamp(tau d', -d, d)) at an indentation d, damped so that a finger comes to rest
-/// against it.
+/// against it. A drive with a force-speed curve gives no more than the curve at the finger's present speed; of a
+/// gripper that holds by position a lock (finger_lock.hpp) takes the place of the drive while it is closed.
 
 #include <array>
 
 #include "core/gripper/drive_command.hpp"
+#include "core/gripper/finger_lock.hpp"
+#include "core/gripper/force_curve_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/scenario/scenario.hpp"
@@ -51,18 +54,21 @@ class FingerLanes {
   /// Has a finger come to the end of its stroke?
   [[nodiscard]] Mask at_end_of_stroke() const { return furthest_way() >= stroke_; }
 
-  /// Energy of motion relative to the palm, and of the end stop, [J].
+  /// Energy of motion relative to the palm, of the end stop and of the locks, [J].
   [[nodiscard]] Lane energy() const;
   /// Work of the drives and of the palm's acceleration since load, and the positive part of each step's, [J].
   [[nodiscard]] const Lane& work() const { return work_; }
   [[nodiscard]] const Lane& positive_work() const { return positive_work_; }
-  /// Dissipated in the guides and the end stop since load, [J].
+  /// Dissipated in the guides, the end stop and the locks since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
 
  private:
   struct State {
     Lane way{0.0}, speed{0.0}, acceleration{0.0};
-    Lane drive{0.0};       ///< drive and inertial force at the end of the last step
+    Lane drive{0.0};    ///< drive and inertial force at the end of the last step
+    Lane pressed{0.0};  ///< drive force alone there
+    Lane lock{0.0};     ///< force of a lock's spring and damper there
+    Lane lock_energy{0.0};
     Lane stop{0.0};        ///< force of the end stop there, against the closing way
     Lane depth{0.0};       ///< how far the stop is pressed in there, as linear as its force
     Lane free_force{0.0};  ///< right-hand side of the saturated equation without drive and contact
@@ -76,10 +82,19 @@ class FingerLanes {
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
   /// The same once the way is known.
   [[nodiscard]] Lane drive_at_way(int finger, const Lane& way_theta) const;
-  /// The way at t + theta dt as if there were no end stop.
+  /// The way at t + theta dt as if there were neither end stop nor lock.
   [[nodiscard]] Lane free_way_at_theta(int finger, const Lane& contact) const;
   /// The same against the end stop.
   [[nodiscard]] Lane stopped_way_at_theta(int finger, const Lane& contact) const;
+  /// The same of drives with a force-speed curve.
+  [[nodiscard]] Lane curved_way_at_theta(int finger, const Lane& contact) const;
+  /// The way at t + theta dt without locks, and where a lock is closed.
+  [[nodiscard]] Lane driven_way_at_theta(int finger, const Lane& contact) const;
+  [[nodiscard]] Lane locked_way_at_theta(int finger, const Lane& contact) const;
+  /// Where w is with `stiffness` w + E(w) = `force`, E that of the end stop.
+  [[nodiscard]] Lane way_against_stop(int finger, const Lane& stiffness, const Lane& force) const;
+  struct Push;
+  [[nodiscard]] Push push_at_theta(int finger, const std::array<Lane, kFingerCount>& force_theta) const;
 
   std::array<State, kFingerCount> state_;
   Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0}, opened_{0.0};
@@ -90,6 +105,8 @@ class FingerLanes {
   Lane inverse_driven_{1.0};  ///< 1 / (a0 m + a1 c + a1 gain)
   Lane compliance_{1.0};
   Lane a1_{0.0};
+  ForceCurveLanes curve_;
+  FingerLock lock_;
   DriveCommand command_;
   Lane work_{0.0}, positive_work_{0.0}, dissipated_{0.0};
 };

@@ -274,6 +274,12 @@ double MotionPlan::told(double time_s) const {
   return std::clamp((time_s - command_lag_s_ - guard_s_) / command_step_s_, 0.0, 1.0);
 }
 
+double MotionPlan::locked(double time_s) const {
+  if (time_s >= release_start_s_) return 0.0;
+  const double end_s = time_s - command_lag_s_ + command_step_s_;
+  return std::clamp((end_s - lift_start_s_) / command_step_s_, 0.0, 1.0);
+}
+
 double MotionPlan::guarded_speed_m_s(double time_s) const {
   if (time_s < guard_s_) return strategy_.approach_speed_m_s;
   const double slow = strategy_.guard_speed_m_s;

@@ -51,6 +51,9 @@ class MotionPlan {
   [[nodiscard]] double force_limit_N(double time_s) const;
   /// For how much of the step with this time, t + theta dt, the drives know what they aim at.
   [[nodiscard]] double told(double time_s) const;
+  /// In how much of the step with this time, t + theta dt, a lock holds the fingers: from the start of the lift to
+  /// that of the release.
+  [[nodiscard]] double locked(double time_s) const;
   /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
   [[nodiscard]] double set_speed_m_s(double time_s) const;
   /// The plane under a product that follows the plan.

@@ -110,12 +110,14 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<NoGripper> T, class Visit>
 void visit_fields(T&, Visit&&) {}
 
-/// The range sensors have fields of their own.
+/// Pads, range sensors and listed fingers have fields of their own.
 template <FieldsOf<ParallelJawParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [finger_mass_kg, stroke_m, pad_size_m, pad_thickness_m, pad_modulus_Pa, pad_poisson_ratio, pad_bulge,
          pad_edge_radius_m, pad_relaxation_time_s, drive_gain_N_s_m, drive_viscous_N_s_m, max_force_N,
-         max_speed_m_s, coupling, min_force_N, force_accuracy, force_step_N, opening_m, force_rate_Hz, range] = p;
+         max_speed_m_s, coupling, min_force_N, force_accuracy, force_step_N, opening_m, force_rate_Hz, hold,
+         lock_stiffness_N_m, curve_speed_m_s, curve_force_N, payload_kg, jaw_moment_N_m, finger_length_m,
+         safety_factor, pad, range, finger] = p;
   visit({"finger_mass_kg", Decides::run, kPositive}, finger_mass_kg);
   visit({"stroke_m", Decides::run, kPositive}, stroke_m);
   visit({"pad_size_m", Decides::run, kPositive}, pad_size_m);
@@ -135,6 +137,40 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"force_step_N", Decides::run, kNotNegative}, force_step_N);
   visit({"opening_m", Decides::run, kPositive}, opening_m);
   visit({"force_rate_Hz", Decides::run, kPositive}, force_rate_Hz);
+  visit({"hold", Decides::run}, hold);
+  visit({"lock_stiffness_N_m", Decides::run, kPositive}, lock_stiffness_N_m);
+  visit({"curve_speed_m_s", Decides::run, kNotNegative}, curve_speed_m_s);
+  visit({"curve_force_N", Decides::run, kNotNegative}, curve_force_N);
+  visit({"payload_kg", Decides::run, kPositive}, payload_kg);
+  visit({"jaw_moment_N_m", Decides::run, kPositive}, jaw_moment_N_m);
+  visit({"finger_length_m", Decides::run, kPositive}, finger_length_m);
+  visit({"safety_factor", Decides::run, kPositive}, safety_factor);
+}
+
+template <FieldsOf<PadParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [kind, shape, along, radius_m, half_angle_rad, profile_place_m, profile_height_m, law_depth_m, law_force_N,
+         law_coefficients, cell_size_m, density_kg_m3] = p;
+  visit({"kind", Decides::run}, kind);
+  visit({"shape", Decides::run}, shape);
+  visit({"along", Decides::run}, along);
+  visit({"radius_m", Decides::run, kAnyNumber}, radius_m);
+  visit({"half_angle_rad", Decides::run, kPositive}, half_angle_rad);
+  visit({"profile_place_m", Decides::run, kAnyNumber}, profile_place_m);
+  visit({"profile_height_m", Decides::run, kAnyNumber}, profile_height_m);
+  visit({"law_depth_m", Decides::run, kNotNegative}, law_depth_m);
+  visit({"law_force_N", Decides::run, kNotNegative}, law_force_N);
+  visit({"law_coefficients", Decides::run, kAnyNumber}, law_coefficients);
+  visit({"cell_size_m", Decides::run, kPositive}, cell_size_m);
+  visit({"density_kg_m3", Decides::run, kPositive}, density_kg_m3);
+}
+
+template <FieldsOf<FingerParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [angle_rad, direction, offset_m] = p;
+  visit({"angle_rad", Decides::run, kAnyNumber}, angle_rad);
+  visit({"direction", Decides::run, kAnyNumber}, direction);
+  visit({"offset_m", Decides::run, kAnyNumber}, offset_m);
 }
 
 template <FieldsOf<RangeSensorParameters> T, class Visit>
@@ -327,7 +363,11 @@ void visit_parameters(T& scenario, Visit&& visit) {
     visit("product.", -1, *network);
   }
   std::visit([&visit](auto& kind) { visit("gripper.", -1, kind); }, gripper);
-  if (auto* jaw = std::get_if<ParallelJawParameters>(&gripper)) visit("gripper.range.", -1, jaw->range);
+  if (auto* jaw = std::get_if<ParallelJawParameters>(&gripper)) {
+    visit("gripper.pad.", -1, jaw->pad);
+    visit("gripper.range.", -1, jaw->range);
+    each("gripper.finger[].", jaw->finger);
+  }
   visit("cell.", -1, cell);
   visit("cell.conveyor.", -1, cell.conveyor);
   each("cell.surface[].", cell.surface);

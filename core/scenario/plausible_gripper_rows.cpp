@@ -60,6 +60,18 @@ Rows gripper_rows() {
             "time of flight 1 mm, triangulation 1 um"),
       plain("gripper.range.noise_m", "noise of a range sensor", "m", 0.0, 0.01, kLength,
             "time of flight 1 to 3 mm, triangulation 1 to 50 um"),
+      plain("gripper.lock_stiffness_N_m", "stiffness of a lock", "N/m", 1e3, 1e9, {},
+            "trapped air 1e3 to 1e5, brakes behind gears 1e5 to 1e7 N/m"),
+      plain("gripper.curve_speed_m_s", "speed of a drive's curve", "m/s", 0.0, 3.0, kSpeed,
+            "data sheets of parallel jaws"),
+      plain("gripper.curve_force_N", "force of a drive's curve", "N", 0.0, 5e3, kForce,
+            "data sheets of parallel jaws"),
+      plain("gripper.payload_kg", "payload of a gripper", "kg", 5e-3, 200.0, kMass,
+            "data sheets of parallel jaws"),
+      plain("gripper.jaw_moment_N_m", "moment on a jaw", "N m", 0.05, 2e3, {}, "data sheets of parallel jaws"),
+      plain("gripper.finger_length_m", "length of a finger", "m", 5e-3, 0.5, kLength,
+            "data sheets of parallel jaws"),
+      plain("gripper.safety_factor", "safety factor of a maker", "", 1.0, 10.0, {}, "makers name 1.5 to 4"),
       plain("gripper.force_step_N", "step of the force", "N", 0.0, 50.0, kForce, "data sheets of parallel jaws"),
   };
 }

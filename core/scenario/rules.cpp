@@ -30,7 +30,7 @@ const std::vector<Rule>& scenario_rules() {
   static const std::vector<Rule> table = [] {
     std::vector<Rule> all;
     for (const auto& part : {lattice_rules(), network_rules(), gripper_rules(), motion_rules(), sensor_rules(),
-                             surface_rules(), turn_rules(), guard_rules()}) {
+                             surface_rules(), turn_rules(), guard_rules(), holding_rules()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

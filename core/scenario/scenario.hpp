@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "core/scenario/cell_surface.hpp"
+#include "core/scenario/finger.hpp"
+#include "core/scenario/pad.hpp"
 #include "core/scenario/range_sensor.hpp"
 #include "core/scenario/sensor.hpp"
 
@@ -157,7 +159,23 @@ struct ParallelJawParameters {
   std::optional<double> opening_m;
   /// > 0, <= 1 / time_step_s; how often the force of a finger is measured. None: at all times.
   std::optional<double> force_rate_Hz;
+  HoldMode hold = HoldMode::force;
+  /// > 0; of a lock, each finger; none: it does not give way
+  std::optional<double> lock_stiffness_N_m;
+  /// Speeds of a finger, ascending from 0, and the largest force that the drive gives at each, not rising; linear
+  /// between them, the last beyond. None: max_force_N at every speed.
+  std::vector<double> curve_speed_m_s;
+  std::vector<double> curve_force_N;
+  /// > 0; from a data sheet, for the sizing sheet: the largest mass it may carry by friction, the largest moment
+  /// on a jaw, the distance of the pad's middle from the jaw, the maker's safety factor
+  std::optional<double> payload_kg;
+  std::optional<double> jaw_moment_N_m;
+  std::optional<double> finger_length_m;
+  std::optional<double> safety_factor;
+  PadParameters pad;
   RangeSensorParameters range;
+  /// None: two that face each other along x
+  std::vector<FingerParameters> finger;
 };
 
 /// The kinds of gripper. Each is a struct of parameters with its fields in fields.hpp, and lanes that move it.

@@ -46,6 +46,7 @@ void command_drives(int lane, const MotionPlan& plan, double time_s, const Gripp
   command.centrifugal_1_s2.set(lane, spin[1] * spin[1] + spin[2] * spin[2]);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   command.told.set(lane, plan.told(time_s));
+  command.locked.set(lane, plan.locked(time_s));
   double speed = plan.set_speed_m_s(time_s);
   // Opened is where the fingers started; inwards the stroke ends at a stop.
   if (speed < 0.0 && gripper.furthest_way()[lane] <= 0.0) speed = 0.0;

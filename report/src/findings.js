@@ -93,7 +93,7 @@ export function findings(study) {
   return parts.length ? h("div", {}, parts) : null;
 }
 
-const KNOWN = ["searches", "evaluations", "constraints", "best", "verification", "pareto", "candidates", "comparison", "sensitivity"];
+const KNOWN = ["searches", "evaluations", "constraints", "best", "verification", "pareto", "candidates", "comparison", "sensitivity", "sizing"];
 
 /** Tables this page has no picture for. */
 export function otherTables(study) {

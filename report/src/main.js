@@ -13,6 +13,7 @@ import { pareto } from "./pareto.js";
 import { notices, provenance } from "./provenance.js";
 import { sensitivity } from "./sensitivity.js";
 import { restsOn } from "./rests_on.js";
+import { sizing } from "./sizing.js";
 import { scenarioTable } from "./table.js";
 import { startTheme, themeButton } from "./theme.js";
 import { traceCurves } from "./trace.js";
@@ -26,6 +27,7 @@ const SECTIONS = [
   ["comparison", "Comparison", "Every candidate met the same products, so differences are taken product by product.", comparison],
   ["sensitivity", "What matters", "How strongly each input moves the result.", sensitivity],
   ["windows", "Windows", (study) => `From the least force that holds${judgesDamage(study) ? " to the greatest that leaves no mark" : `; ${damageRemark(study)}`}.`, (study) => (study.kind === "sweep" && study.window?.rows > 400 ? null : windows(study))],
+  ["sizing", "Sizing sheet", "What the rules of gripper makers ask for, beside what was simulated; on one page of paper.", sizing, "Sizing"],
   ["convergence", "The search", "Every strategy that was tried, in order.", convergence],
   ["findings", "Constraints and checks", "What the best strategy has to meet, and whether it still does when looked at more closely.", findings, "Checks"],
   ["map", "Outcomes", "Each mark is a scenario. The pointer shows its numbers, a click copies the command that replays it.", outcomeMap],

@@ -109,7 +109,10 @@ struct Assembler {
     }
     scenario.strategy.waypoint.resize(list_size("strategy.waypoint["));
     scenario.cell.surface.resize(list_size("cell.surface["));
-    if (input.has_gripper) scenario.gripper = ParallelJawParameters{};
+    if (input.has_gripper) {
+      scenario.gripper = ParallelJawParameters{};
+      jaw_of(scenario).finger.resize(list_size("gripper.finger["));
+    }
     give_usual_layer_damping(scenario);
     if (!input.has_gripper) return;
     if (std::holds_alternative<NetworkParameters>(scenario.product)) {
@@ -161,6 +164,7 @@ struct Assembler {
       case Use::gripper:
       case Use::range:
       case Use::force_guard:
+      case Use::position_hold:
         return input.has_gripper || !spec.path.starts_with("gripper.");
       default:
         return true;

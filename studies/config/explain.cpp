@@ -50,6 +50,7 @@ std::string type_words(const KeySpec& spec) {
 Scenario specimen(const KeySpec& spec) {
   Scenario scenario;
   scenario.gripper = ParallelJawParameters{};
+  jaw_of(scenario).finger.resize(1);
   scenario.strategy.waypoint.resize(1);
   scenario.cell.surface.resize(1);
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
@@ -133,6 +134,8 @@ std::string where_used(Use use) {
       return "guards by range";
     case Use::force_guard:
       return "guards by force";
+    case Use::position_hold:
+      return "fingers that a lock holds";
     default:
       return listed(kinds_that_use(use), "and") + " studies";
   }

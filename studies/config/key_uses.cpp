@@ -80,14 +80,19 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return has_gripper(scenario) && (scenario.strategy.guard == GuardKind::range || varied("strategy.guard"));
     case Use::force_guard:
       return has_gripper(scenario) && (scenario.strategy.guard == GuardKind::force || varied("strategy.guard"));
+    case Use::position_hold: {
+      const ParallelJawParameters* jaw = parallel_jaw(scenario);
+      return jaw != nullptr && (jaw->hold == HoldMode::position || varied("gripper.hold"));
+    }
     default:
       return true;
   }
 }
 
 std::string why_unused(Use use, const Scenario& scenario) {
-  constexpr std::array<Use, 7> kGripping = {Use::not_window, Use::tracking,    Use::stop,       Use::range,
-                                            Use::guard,      Use::range_guard, Use::force_guard};
+  constexpr std::array<Use, 8> kGripping = {Use::not_window,  Use::tracking,     Use::stop,
+                                            Use::range,       Use::guard,        Use::range_guard,
+                                            Use::force_guard, Use::position_hold};
   const bool grips = std::find(kGripping.begin(), kGripping.end(), use) != kGripping.end();
   if (grips && !has_gripper(scenario)) use = Use::gripper;
   switch (use) {
@@ -123,6 +128,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only a guard by range (strategy.guard = \"range\") has it";
     case Use::force_guard:
       return "not used: only a guard by force (strategy.guard = \"force\") has it";
+    case Use::position_hold:
+      return "not used: only fingers that a lock holds (gripper.hold = \"position\") have it";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

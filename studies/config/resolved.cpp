@@ -63,11 +63,15 @@ struct Writer {
       list_of("product." + leaf + "[]", name + "." + leaf, scenario);
   }
 
-  /// Of a gripper that has them, under `name`.
-  void range_sensors(const std::string& name, Scenario& scenario) {
-    if (!scenario_uses(Use::range, scenario, varied_keys)) return;
-    header("[" + name + "]");
-    keys("gripper.range", scenario, 0);
+  /// What stands in tables of its own below that of a gripper, which is under `name`.
+  void parts_of_gripper(const std::string& name, Scenario& scenario) {
+    header("[" + name + ".pad]");
+    keys("gripper.pad", scenario, 0);
+    if (scenario_uses(Use::range, scenario, varied_keys)) {
+      header("[" + name + ".range]");
+      keys("gripper.range", scenario, 0);
+    }
+    list_of("gripper.finger[]", name + ".finger", scenario);
   }
 
   void variants(const VaryColumn& column) {
@@ -85,7 +89,7 @@ struct Writer {
         keys("limits", scenario, 0);
       } else {
         keys("gripper", scenario, 0);
-        range_sensors("vary.variant.range", scenario);
+        parts_of_gripper("vary.variant", scenario);
       }
     }
   }
@@ -172,7 +176,7 @@ std::string resolved_text(const StudyData& data) {
   }
   if (has_gripper(base) && !gripper_varies) {
     writer.table("gripper", base);
-    writer.range_sensors("gripper.range", base);
+    writer.parts_of_gripper("gripper", base);
     writer.sources("gripper");
   }
   writer.table("cell", base);

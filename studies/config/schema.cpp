@@ -78,6 +78,10 @@ bool is_number_array(KeyType type) {
 std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path) {
   if (path.starts_with("strategy.waypoint[")) return scenario.strategy.waypoint.size();
   if (path.starts_with("cell.surface[")) return scenario.cell.surface.size();
+  if (path.starts_with("gripper.finger[")) {
+    const ParallelJawParameters* jaw = parallel_jaw(scenario);
+    return jaw == nullptr ? 0 : jaw->finger.size();
+  }
   const auto* network = std::get_if<NetworkParameters>(&scenario.product);
   if (network == nullptr) return std::nullopt;
   if (path.starts_with("product.particle[")) return network->particle.size();
@@ -88,7 +92,7 @@ std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::str
 
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
   if (spec.field == nullptr) return false;
-  if (spec.path.starts_with("gripper.")) return has_gripper(scenario);
+  if (spec.path.starts_with("gripper.") && !has_gripper(scenario)) return false;
   if (const auto size = scenario_list_size(scenario, spec.path)) return static_cast<std::size_t>(index) < *size;
   if (!spec.path.starts_with("product.") || spec.path == "product.friction") return true;
   const bool is_lattice = std::holds_alternative<LatticeParameters>(scenario.product);

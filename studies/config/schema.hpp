@@ -187,6 +187,7 @@ enum class Use {
   guard,     ///< approaches with a guard
   range_guard,
   force_guard,
+  position_hold,  ///< fingers that a lock holds
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

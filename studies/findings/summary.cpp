@@ -11,6 +11,7 @@
 #include "studies/findings/claims.hpp"
 #include "studies/findings/contact_table.hpp"
 #include "studies/findings/found_lines.hpp"
+#include "studies/findings/sizing.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
 #include "studies/results/digest.hpp"
@@ -124,6 +125,7 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   });
   for (std::string& line : found_lines(tables.found, held_words(tables.damage_note)))
     lines.push_back(std::move(line));
+  for (std::string& line : sizing_lines(tables.found)) lines.push_back(std::move(line));
   for (std::string& line : contact_lines(tables.found)) lines.push_back(std::move(line));
   const bool has_answer = std::any_of(tables.found.begin(), tables.found.end(),
                                       [](const ResultTable& table) { return table.name != kContactTable; });

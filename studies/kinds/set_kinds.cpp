@@ -63,7 +63,7 @@ KindAnswer run_sweep(const KindInput& input) {
       const auto found = sweep_window_answer(input, columns, rows, *window, answer.warnings);
       answer.interrupted = !found;
       if (!found) return;
-      answer.found = {set_points_table(*found)};
+      answer.found = {set_points_table(*found), sizing_of(study, *window, *found)};
       answer.strategy = window_strategy(study, *window, *found);
       answer.window = std::move(window->table);
       return;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "studies/findings/balances.hpp"
+#include "studies/findings/sizing.hpp"
 #include "studies/goals/verdict.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/key_names.hpp"
@@ -124,6 +125,10 @@ WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vecto
   };
   add_set_points(window.table, setting);
   return window_answer(window.table, setting, inputs, rows);
+}
+
+ResultTable sizing_of(const Study& study, const StudyWindow& window, const WindowAnswer& answer) {
+  return sizing_table(answer, [&](std::size_t row) { return study.scenario(window.points[row]); });
 }
 
 }  // namespace unbruised::studies

@@ -49,4 +49,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
 WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vector<ColumnInfo>& inputs,
                        const std::vector<ScenarioRow>& rows);
 
+/// The sizing sheet of these strategies.
+ResultTable sizing_of(const Study& study, const StudyWindow& window, const WindowAnswer& answer);
+
 }  // namespace unbruised::studies

@@ -80,7 +80,7 @@ KindAnswer run_window(const KindInput& input) {
   answer.interrupted = !found;
   if (!found) return answer;
   answer.warnings = std::move(found->warnings);
-  answer.found = {set_points_table(found->answer)};
+  answer.found = {set_points_table(found->answer), sizing_of(input.study, found->window, found->answer)};
   answer.strategy = window_strategy(input.study, found->window, found->answer);
   answer.window = std::move(found->window.table);
   return answer;

@@ -74,6 +74,14 @@ template <auto member>
 FieldRef range(Scenario& scenario, int /*index*/) {
   return field_ref(jaw_of(scenario).range.*member);
 }
+template <auto member>
+FieldRef pad(Scenario& scenario, int /*index*/) {
+  return field_ref(jaw_of(scenario).pad.*member);
+}
+template <auto member>
+FieldRef finger(Scenario& scenario, int index) {
+  return field_ref(jaw_of(scenario).finger.at(static_cast<std::size_t>(index)).*member);
+}
 /// Its words are the kinds behind NoGripper, in the order of the variant.
 inline FieldRef gripper_kind(Scenario& scenario, int /*index*/) {
   return ChoiceRef{&scenario.gripper,

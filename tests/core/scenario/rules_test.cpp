@@ -200,11 +200,46 @@ std::vector<Breach> network_breaches() {
   };
 }
 
+/// Drives that press with less the faster they go.
+Scenario curved_grip() {
+  Scenario scenario = usual_grip();
+  jaw_of(scenario).curve_speed_m_s = {0.0, 0.3, 0.5};
+  jaw_of(scenario).curve_force_N = {100.0, 60.0, 0.0};
+  return scenario;
+}
+
 std::vector<Breach> handling_breaches() {
   return {
       {"gripper.stroke_m", "must be > the way", usual_grip, [](S s) { jaw_of(s).stroke_m = 0.005; }},
       {"gripper.min_force_N", "must be <= gripper.max", usual_grip, [](S s) { jaw_of(s).min_force_N = 101.0; }},
       {"gripper.force_step_N", "must be <= gripper.max", usual_grip, [](S s) { jaw_of(s).force_step_N = 101.0; }},
+      {"gripper.hold", "needs gripper.lock_stiffness_N_m for a product as good as rigid", usual_grip,
+       [](S s) {
+         jaw_of(s).hold = HoldMode::position;
+         lattice_in(s).youngs_modulus_Pa = 2e11;
+       }},
+      {"gripper.curve_force_N", "must have as many elements as gripper.curve_speed_m_s, two at least", usual_grip,
+       [](S s) {
+         jaw_of(s).curve_speed_m_s = {0.0, 0.1, 0.2};
+         jaw_of(s).curve_force_N = {100.0, 0.0};
+       }},
+      {"gripper.curve_speed_m_s[0]", "must be 0: a curve starts at rest", curved_grip,
+       [](S s) { jaw_of(s).curve_speed_m_s[0] = 0.01; }},
+      {"gripper.curve_speed_m_s[2]", "must be > the speed before it, 0.3", curved_grip,
+       [](S s) { jaw_of(s).curve_speed_m_s[2] = 0.2; }},
+      {"gripper.curve_force_N[0]", "must be > 0: at rest the drive presses", curved_grip,
+       [](S s) {
+         jaw_of(s).curve_force_N = {0.0, 0.0, 0.0};
+       }},
+      {"gripper.curve_force_N[1]", "must be <= the force before it, 100.0", curved_grip,
+       [](S s) { jaw_of(s).curve_force_N[1] = 110.0; }},
+      {"gripper.max_force_N", "must be <= gripper.curve_force_N[0] = 100.0", curved_grip,
+       [](S s) { jaw_of(s).max_force_N = 120.0; }},
+      {"strategy.approach_speed_m_s", "must be < 0.5, the speed at which gripper.curve_force_N has fallen to 0",
+       curved_grip, [](S s) { s.strategy.approach_speed_m_s = 0.5; }},
+      {"strategy.release_speed_m_s", "must be < 0.5, the speed at which gripper.curve_force_N has fallen to 0",
+       curved_grip, [](S s) { s.strategy.release_speed_m_s = 0.5; }},
+      {"gripper.safety_factor", "must be >= 1", usual_grip, [](S s) { jaw_of(s).safety_factor = 0.5; }},
       {"gripper.opening_m", "must be > product.size_m[0]", usual_grip, [](S s) { jaw_of(s).opening_m = 0.04; }},
       {"cell.approach_gap_m", "contradicts", usual_grip,
        [](S s) {
@@ -410,6 +445,7 @@ TEST(Rules, HoldInUsualScenarios) {
   EXPECT_TRUE(validate(usual_network()).empty());
   EXPECT_TRUE(validate(guarded_grip()).empty());
   EXPECT_TRUE(validate(force_guarded_grip()).empty());
+  EXPECT_TRUE(validate(curved_grip()).empty());
 }
 
 TEST(Rules, AreBrokenByTheScenariosMadeForThem) {
@@ -459,21 +495,14 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape",
-                                            "product.axis",
-                                            "product.kind",
-                                            "product.particle[].fixed",
-                                            "gripper",
-                                            "gripper.coupling",
-                                            "cell.support",
-                                            "strategy.pick",
-                                            "cell.surface",
-                                            "cell.target_plane",
-                                            "simulation.contact_set",
-                                            "strategy.guard",
-                                            "strategy.ramp_from_start",
-                                            "sensor.at",
-                                            "sensor.model"};
+  const std::set<std::string_view> words = {"product.shape",     "product.axis",
+                                            "product.kind",      "product.particle[].fixed",
+                                            "gripper",           "gripper.coupling",
+                                            "gripper.hold",      "cell.support",
+                                            "strategy.pick",     "cell.surface",
+                                            "cell.target_plane", "simulation.contact_set",
+                                            "strategy.guard",    "strategy.ramp_from_start",
+                                            "sensor.at",         "sensor.model"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

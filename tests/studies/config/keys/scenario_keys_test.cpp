@@ -61,6 +61,7 @@ const std::vector<std::string> kByForce = {"strategy.guard=\"force\"", "strategy
 
 std::vector<Arrival> gripper_arrivals() {
   const std::vector<std::string> ranges = {"gripper.range.maximum_m=0.05"};
+  const std::vector<std::string> locked = {"gripper.hold=\"position\""};
   return {
       {"gripper.finger_mass_kg", "0.375", [](S s) { return jaw_of(s).finger_mass_kg == 0.375; }},
       {"gripper.stroke_m", "0.375", [](S s) { return jaw_of(s).stroke_m == 0.375; }},
@@ -78,6 +79,25 @@ std::vector<Arrival> gripper_arrivals() {
       {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return jaw_of(s).drive_viscous_N_s_m == 0.375; }},
       {"gripper.min_force_N", "0.25", [](S s) { return jaw_of(s).min_force_N == 0.25; }},
       {"gripper.force_accuracy", "0.125", [](S s) { return jaw_of(s).force_accuracy == 0.125; }},
+      {"gripper.hold", "\"position\"", [](S s) { return jaw_of(s).hold == HoldMode::position; }},
+      {"gripper.lock_stiffness_N_m", "12345.0", [](S s) { return jaw_of(s).lock_stiffness_N_m == 12345.0; },
+       locked},
+      {"gripper.curve_speed_m_s",
+       "[0.0, 0.25, 0.5]",
+       [](S s) {
+         return jaw_of(s).curve_speed_m_s == std::vector<double>{0.0, 0.25, 0.5};
+       },
+       {"gripper.curve_force_N=[200.0, 100.0, 0.0]"}},
+      {"gripper.curve_force_N",
+       "[200.0, 150.0]",
+       [](S s) {
+         return jaw_of(s).curve_force_N == std::vector<double>{200.0, 150.0};
+       },
+       {"gripper.curve_speed_m_s=[0.0, 1.5]"}},
+      {"gripper.payload_kg", "0.375", [](S s) { return jaw_of(s).payload_kg == 0.375; }},
+      {"gripper.jaw_moment_N_m", "0.375", [](S s) { return jaw_of(s).jaw_moment_N_m == 0.375; }},
+      {"gripper.finger_length_m", "0.375", [](S s) { return jaw_of(s).finger_length_m == 0.375; }},
+      {"gripper.safety_factor", "2.5", [](S s) { return jaw_of(s).safety_factor == 2.5; }},
       {"gripper.force_step_N", "0.125", [](S s) { return jaw_of(s).force_step_N == 0.125; }},
       {"gripper.opening_m", "0.375", [](S s) { return jaw_of(s).opening_m == 0.375; }, {"gripper.stroke_m=0.5"}},
       {"gripper.range.maximum_m", "0.375", [](S s) { return jaw_of(s).range.maximum_m == 0.375; }},

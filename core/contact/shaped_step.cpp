@@ -46,7 +46,7 @@ void ContactLanes::meet_shaped(std::size_t c, const ContactStart& start, const M
     second = second - mounted_.motion(c, start.mount->acceleration());
   }
   const Mask closed = register_.is_closed(c);
-  const Mask may = running & (!closed | register_.sliding.get(c));
+  const Mask may = running & ((!closed) | register_.sliding.get(c));
   look_again(c, here, may);
   const Lane sign(normal_sign(surface));
   const LaneVector x = shaped_->seen(c, here);

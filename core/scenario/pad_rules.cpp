@@ -36,7 +36,7 @@ void belongs(std::string_view field, const std::optional<double>& value, bool to
   if (to_shape && !value) {
     out.push_back({std::string(field), "", "missing; " + with_shape(shape) + " needs it"});
   } else if (!to_shape && value) {
-    out.push_back({std::string(field), spelled(*value), "has no effect with " + with_shape(shape)});
+    out.push_back({std::string(field), spelled(*value), "not used with " + with_shape(shape)});
   }
 }
 
@@ -68,7 +68,7 @@ void profile_is_a_function(const ParallelJawParameters& jaw, Violations& out) {
   const auto& height = pad.profile_height_m;
   if (pad.shape != PadShape::profile) {
     if (!place.empty() || !height.empty()) {
-      out.push_back({"gripper.pad.profile_place_m", "", "has no effect with " + with_shape(pad.shape)});
+      out.push_back({"gripper.pad.profile_place_m", "", "not used with " + with_shape(pad.shape)});
     }
     return;
   }
@@ -144,7 +144,7 @@ void law_is_measured(const ParallelJawParameters& jaw, Violations& out) {
   }
   if (jaw.pad_poisson_ratio != 0.0) {
     out.push_back({"gripper.pad_poisson_ratio", spelled(jaw.pad_poisson_ratio),
-                   "has no effect with a measured law; leave it out"});
+                   "not used with a measured law; leave it out"});
   }
   if (points && (pad.law_depth_m.size() != pad.law_force_N.size() || pad.law_depth_m.size() < 2)) {
     out.push_back({"gripper.pad.law_depth_m", std::to_string(pad.law_depth_m.size()) + " depths",

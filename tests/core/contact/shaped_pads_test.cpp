@@ -25,8 +25,9 @@ void set_shape(Scenario& s, PadShape shape, PadAlong along, double radius_m) {
   pad_of(s).radius_m = radius_m;
 }
 
-/// What two opposite forces on a block of half the thickness `half` do beyond the half-space under one of them: its
-/// middle plane, which rests, would have gone along under a single force; and the block is pressed as a column.
+/// What two opposite forces on a block of half the thickness `half` do beyond the half-space under one of them:
+/// its middle plane, which rests, would have gone along under a single force; and the block is pressed as a
+/// column.
 double finite_block_m(const Scenario& s, double half_m, double area_m2) {
   const auto& product = std::get<LatticeParameters>(s.product);
   const double E = product.youngs_modulus_Pa, nu = product.poisson_ratio, F = s.strategy.grip_force_N;
@@ -68,8 +69,8 @@ TEST(ShapedPads, ACylindricalTipPressesABlockAsHertzSays) {
   // Johnson 1985, 5.6: a compressed cylinder's half, of a block of half thickness d, less what the column is
   // pressed more than the half-plane beyond.
   const double hertz_m = P / (pi * E) * (2.0 * std::log(2.0 * d / b) + 0.0);
-  std::cout << "[ measured ] cylinder on block: approach " << rest.approach_m * 1e3 << " mm, Hertz " << hertz_m * 1e3
-            << " mm, half width " << b * 1e3 << " mm\n";
+  std::cout << "[ measured ] cylinder on block: approach " << rest.approach_m * 1e3 << " mm, Hertz "
+            << hertz_m * 1e3 << " mm, half width " << b * 1e3 << " mm\n";
   EXPECT_NEAR(hertz_m / rest.approach_m, 1.0, 0.2);
   // The peak below a strip of Hertz, 0.56 p0 = 0.71 F / A of a half-space at nu = 0.3; at nu = 0 0.59 p0.
   const double p0 = 2.0 * P / (pi * b);
@@ -89,8 +90,8 @@ double ellipse_approach_m(const std::array<double, 2>& radius_m, double E, doubl
 
 TEST(ShapedPads, CrossedCylindersOfOneRadiusPressEachOtherAsASphereAPlane) {
   // hertz_test presses this sphere: the same approach, of cylinders of which each curves along one tangent.
-  EXPECT_NEAR(ellipse_approach_m({0.03, 0.03}, 1e6, 20.0), std::pow(0.75 * 20.0 / (1e6 * std::sqrt(0.03)), 2.0 / 3.0),
-              1e-6);
+  EXPECT_NEAR(ellipse_approach_m({0.03, 0.03}, 1e6, 20.0),
+              std::pow(0.75 * 20.0 / (1e6 * std::sqrt(0.03)), 2.0 / 3.0), 1e-6);
 }
 
 TEST(ShapedPads, CrossedCylindersPressEachOtherAsHertzSays) {
@@ -132,7 +133,8 @@ TEST(ShapedPads, ACradleOfTheProductsRadiusIsPressedAllAround) {
   // The layer is pressed by delta cos(phi) along its normal: F = k delta R L (phi0 + sin phi0 cos phi0).
   const double phi0 = std::asin(0.015 / R);
   const double closed = 0.3 / (k * R * L * (phi0 + std::sin(phi0) * std::cos(phi0)));
-  std::cout << "[ measured ] cradle: depth " << rest.approach_m * 1e6 << " um, closed form " << closed * 1e6 << " um\n";
+  std::cout << "[ measured ] cradle: depth " << rest.approach_m * 1e6 << " um, closed form " << closed * 1e6
+            << " um\n";
   // Sampled at 12 cells across; the sagitta of a cell's slope is 2 % of the depth.
   EXPECT_NEAR(rest.approach_m, closed, 0.03 * closed);
   // A plane touches b = (3/2 R F / (k L))^(1/3) to each side, and is pressed in by b^2 / (2 R).

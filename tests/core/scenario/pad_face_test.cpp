@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/pad_law.hpp"
 #include "core/scenario/pad_meeting.hpp"
-#include "core/scenario/rules.hpp"
 #include "tests/core/scenario/scenarios.hpp"
 
 namespace unbruised {
@@ -70,9 +70,7 @@ Scenario grip(PadShape shape, double radius_m) {
   product.shape = Shape::cylinder;
   product.axis = Axis::z;
   product.size_m = {0.05, 0.05, 0.06};
-  std::get<ParallelJawParameters>(s.gripper) = jaw_with(shape, radius_m);
-  if (shape != PadShape::v_groove) parallel_jaw(s)->pad.half_angle_rad.reset();
-  if (shape == PadShape::v_groove) parallel_jaw(s)->pad.radius_m.reset();
+  s.gripper = jaw_with(shape, radius_m);
   return s;
 }
 
@@ -97,7 +95,7 @@ TEST(PadMeeting, ANarrowCradleMeetsTheProductWithItsEdges) {
 
 TEST(Opening, OfShapedPadsLeavesWhatTheirFacesLeave) {
   Scenario s = grip(PadShape::v_groove, 0.0);
-  parallel_jaw(s)->opening_m = 0.08;
+  jaw_of(s).opening_m = 0.08;
   const double reach = 0.025 / std::sin(1.2) - 0.025;
   EXPECT_NEAR(approach_gap_m(s), 0.015 - reach, 1e-9);
   EXPECT_NEAR(opened_half_m(s), 0.04, 1e-12);

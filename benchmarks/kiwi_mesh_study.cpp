@@ -108,11 +108,9 @@ void measure_lattice_patch(const Model& model, const Scenario& scenario, const T
       const double depth = penetration - c.relief_m[static_cast<std::size_t>(q)];
       if (depth <= 0.0) continue;
       const double force = normal_stiffness_N_m(c, layer) / kReliefPlaces * depth;
-      const auto offset = relief_offset(q);
-      const double at_y =
-          c.tributary[0].place_m + offset[0] * c.tributary[0].extent_m - contact.patch_form[0].middle_m[0];
-      const double at_z =
-          c.tributary[1].place_m + offset[1] * c.tributary[1].extent_m - contact.patch_form[0].middle_m[1];
+      const auto offset = place_offset_m(c, q);
+      const double at_y = c.tributary[0].place_m + offset[0] - contact.patch_form[0].middle_m[0];
+      const double at_z = c.tributary[1].place_m + offset[1] - contact.patch_form[0].middle_m[1];
       sum += force;
       y += force * at_y;
       z += force * at_z;

@@ -18,6 +18,12 @@ std::vector<WindowPressure> windows_over(const ContactModel& model) {
   return windows;
 }
 
+std::optional<ShapedPads> shaped_pads(const ContactModel& model, const SurfaceLanes& surfaces,
+                                      ContactRegister& contacts) {
+  if (!model.shaped_pads) return std::nullopt;
+  return std::make_optional<ShapedPads>(model, surfaces, contacts);
+}
+
 }  // namespace
 
 ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, const WilsonTheta& wilson,
@@ -27,13 +33,15 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
       w_(wilson),
       near_margin_(kNearShare * body.smallest_extent_m()),
       register_(model),
+      shaped_(shaped_pads(model, surfaces_, register_)),
       mounted_(model),
-      sweep_(model, surfaces_, register_),
+      sweep_(model, surfaces_, register_, shaped_ ? &*shaped_ : nullptr),
       window_(windows_over(model)),
       place_windows_(model.patch_side_m),
       events_(model.candidate.size(), wilson) {
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
+  for (LaneArray& rows : shaped_place_) rows = LaneArray(shaped_ ? model.candidate.size() : 0);
   group_candidates();
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
@@ -61,6 +69,11 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   const double of_pads = pad_layer_N_m3(scenario, pad_layer_[at]);
   surfaces_.load(lane, scenario, {body_.center_m(), model_.pole_m},
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
+  if (shaped_) {
+    shaped_->load(lane);
+    shaped_form_[at] =
+        form_under_pad(scenario, model_.patch_form[static_cast<std::size_t>(normal_axis(kLeftPad))]);
+  }
   if (seen_) load_seen(lane);
   wake_all();
   if (places_) over_.clear_lane(lane);
@@ -121,7 +134,8 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   sweep_.begin_step(w_, start.theta, eyes, mounted_now_ ? &mounted_ : nullptr);
   for (const int side : side_candidate_) {
     const auto c = static_cast<std::size_t>(side);
-    meet_side(c, starts[carrier_number(model_.candidate[c].surface)], running);
+    const ContactStart& from = starts[carrier_number(model_.candidate[c].surface)];
+    model_.is_shaped(c) ? meet_shaped(c, from, running) : meet_side(c, from, running);
   }
   meets_rim_ = Mask(false);
   if (places_) meet_places(given, running);
@@ -161,7 +175,7 @@ void ContactLanes::meet_side(std::size_t c, const ContactStart& start, const Mas
 
 Mask ContactLanes::may_meet(std::size_t c, const Meeting& meeting, const Mask& running) const {
   const ContactCandidate& candidate = model_.candidate[c];
-  const Lane least(candidate.least_relief_m);
+  const Lane least = register_.least_relief(c);
   return running & surfaces_[candidate.surface].present &
          (register_.is_closed(c) | (meeting.gap_free + least < near_margin_));
 }
@@ -169,7 +183,7 @@ Mask ContactLanes::may_meet(std::size_t c, const Meeting& meeting, const Mask& r
 /// Is the candidate near its surface, and what does its layer say? @param meets may be near, and is covered anew
 void ContactLanes::take_in(std::size_t c, const Meeting& meeting, const Mask& meets, const Mask& running) {
   const ContactCandidate& candidate = model_.candidate[c];
-  const Lane least(candidate.least_relief_m);
+  const Lane least = register_.least_relief(c);
   const Mask carrying = register_.is_closed(c);
   const Mask near = meets & (register_.share.get(c) > Lane(0.0));
   register_.near.put(c, near);
@@ -205,7 +219,7 @@ void ContactLanes::cover_again(std::size_t c, const ContactStart& start, const M
 void ContactLanes::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes) {
   const SurfaceLane& surface = surfaces_[model_.candidate[c].surface];
   const LayerEnergy before = register_.stored_energy(c, surface);
-  register_.set_cover(c, piece, lanes);
+  register_.set_cover(c, piece, lanes, model_.is_shaped(c) ? shaped_->wider(c) : Lane(1.0));
   const LayerEnergy after = register_.stored_energy(c, surface);
   const Lane lost = before.pressed - after.pressed + before.sheared - after.sheared;
   dissipated_ += select(lanes, lost, Lane(0.0));
@@ -245,6 +259,10 @@ void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
       const auto axis = static_cast<std::size_t>(tangents[t]);
       Lane place = end.u.get(node + axis) - carrier_of(surface, end.next)[axis].place_m;
       if (end.mount != nullptr) place -= mounted_.along(c, axis, end.mount->displacement());
+      if (model_.is_shaped(c)) {  // its anchor goes with the particle as it meets
+        way[t] = place - shaped_place_[t].get(c);
+        continue;
+      }
       const Lane before = register_.anchor[t].get(c);
       register_.anchor[t].put(c, select(open, place, before));
       way[t] = place - before;
@@ -299,11 +317,14 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, Candida
   const auto tangents = tangent_axes(surface);
   const auto node = 3 * static_cast<std::size_t>(candidate.node);
   const Lane shear = max(register_.layer_stiffness(c, surfaces_[surface]) * Lane(1.0 / 3.0), Lane(1e-300));
+  const bool shaped = model_.is_shaped(c);
+  const LaneVector there = shaped ? shaped_place_theta(c, end) : LaneVector{};
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
     const Lane seen = candidate.place < 0 ? end.u_theta.get(node + along) : place_theta_[t].get(c);
     Lane place = seen - carrier_of(surface, end.theta)[along].place_m;
     if (end.mount != nullptr) place -= mounted_.along(c, along);
+    if (shaped) place = there[1 + t];
     const Lane before = register_.anchor[t].get(c);
     const Lane stretch = register_.tangent_theta[t].get(c) / shear;
     const Lane after = w_.at_end(before, place + stretch);
@@ -336,7 +357,7 @@ void ContactLanes::book_viscous(std::size_t c, const Mask& running, const Candid
   const Lane after = w_.at_end(before, register_.normal_theta.get(c) - elastic);
   register_.viscous.put(c, select(viscous, after, register_.viscous.get(c)));
   // Only the way within the layer counts: beyond it there is no force.
-  const Lane least(candidate.least_relief_m);
+  const Lane least = register_.least_relief(c);
   const Lane way = max0(step.penetration - least) - max0(step.penetration_before - least);
   dissipated_ += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
   losses_.viscous += select(viscous, Lane(0.5) * (before + after) * way, Lane(0.0));
@@ -345,9 +366,10 @@ void ContactLanes::book_viscous(std::size_t c, const Mask& running, const Candid
 void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const CandidateStep& step) {
   SurfaceTally& sums = tally_[model_.candidate[c].surface];
   const Lane closed = select(step.closed, Lane(1.0), Lane(0.0));
-  sums.normal += select(running, step.after[0], Lane(0.0));
-  sums.tangent[0] += select(running, step.after[1], Lane(0.0));
-  sums.tangent[1] += select(running, step.after[2], Lane(0.0));
+  const std::array<Lane, 3> force = of_carrier(c, step.after);
+  sums.normal += select(running, force[0], Lane(0.0));
+  sums.tangent[0] += select(running, force[1], Lane(0.0));
+  sums.tangent[1] += select(running, force[2], Lane(0.0));
   sums.closed += closed;
   sums.sliding += select(step.sliding, Lane(1.0), Lane(0.0));
   if (is_pad(model_.candidate[c].surface)) {
@@ -361,7 +383,7 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
     sums.add_place(step.after[0], place_on_face(model_.candidate[c]), model_.candidate[c].tributary[0].extent_m);
     return;
   }
-  sums.add_moments(model_.candidate[c], step.after[0],
+  sums.add_moments(model_.candidate[c], force[0],
                    {register_.penetration_theta.get(c),
                     register_.cover(c),
                     {register_.mean[0].get(c), register_.mean[1].get(c)},
@@ -380,7 +402,8 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
     arm[i] = Lane(body_.position_m[node][i]) + end.u.get(3 * node + i) - carrier[i].place_m;
   }
   for (std::size_t t = 0; t < 2; ++t) arm[tangents[t]] -= surfaces_[surface].center_m[t];
-  tally_[surface].add_torque(arm, along_axes(surface, step.after[0], step.after[1], step.after[2]), running);
+  const std::array<Lane, 3> force = of_carrier(c, step.after);
+  tally_[surface].add_torque(arm, along_axes(surface, force[0], force[1], force[2]), running);
 }
 
 }  // namespace unbruised

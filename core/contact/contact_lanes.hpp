@@ -27,6 +27,7 @@
 #include "core/contact/place_windows.hpp"
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
+#include "core/contact/shaped_pads.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/contact/window_pressure.hpp"
@@ -213,6 +214,12 @@ class ContactLanes {
   void see_facing(const FrameLanes& frame);
   [[nodiscard]] std::array<Lane, 2> place_on_face(const ContactCandidate& candidate) const;
   void meet_side(std::size_t candidate, const ContactStart& start, const Mask& running);
+  void meet_shaped(std::size_t candidate, const ContactStart& start, const Mask& running);
+  void look_again(std::size_t candidate, const LaneVector& here, const Mask& may);
+  [[nodiscard]] LaneVector shaped_place_theta(std::size_t candidate, const ContactEnd& end) const;
+  [[nodiscard]] std::array<Lane, 3> of_carrier(std::size_t candidate, const std::array<Lane, 3>& force) const;
+  [[nodiscard]] std::array<double, 3> of_carrier(std::size_t candidate, int lane,
+                                                 const std::array<double, 3>& force_N) const;
   void meet_place(std::size_t candidate, const ContactStart& start, const Mask& running);
   void meet_places(const ContactStart& start, const Mask& running);
   void meet_group(PlaceGroup& group, bool all_far, const ContactStart& start, const Mask& running);
@@ -263,6 +270,10 @@ class ContactLanes {
   [[nodiscard]] Lane lowest_seen_place_m(int surface, const LaneArray& u) const;
   /// The axis across which the face of the product lies that a surface meets.
   [[nodiscard]] std::size_t face_axis(int surface, int lane) const;
+  [[nodiscard]] const PatchForm& form_under(int surface, int lane) const {
+    return shaped_ && is_pad(surface) ? shaped_form_[static_cast<std::size_t>(lane)]
+                                      : model_.patch_form[face_axis(surface, lane)];
+  }
   /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
   [[nodiscard]] Lane layer_under_force_N_m3(int surface) const;
 
@@ -274,8 +285,11 @@ class ContactLanes {
   SurfaceLanes surfaces_;
   std::array<FaceLayer, kLanes> pad_layer_, support_layer_;
   ContactRegister register_;
-  std::optional<SeenNodes> seen_;     ///< of a product that turns
-  std::optional<SeenPlaces> places_;  ///< of one that may touch the cell anywhere
+  std::optional<ShapedPads> shaped_;       ///< where the pads are no planes
+  std::array<LaneArray, 2> shaped_place_;  ///< of their candidates along the tangents, at the start of the step
+  std::array<PatchForm, kLanes> shaped_form_;  ///< under the pads of each lane
+  std::optional<SeenNodes> seen_;              ///< of a product that turns
+  std::optional<SeenPlaces> places_;           ///< of one that may touch the cell anywhere
   /// Per candidate: a place that carries nothing, and has been far from its surface in every lane since it was
   /// last looked at closely.
   std::vector<char> asleep_;

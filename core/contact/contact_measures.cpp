@@ -25,9 +25,8 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   // A sliver of a cell under a pad's edge is measured at its particle, which stands beside the pad.
   const Mask measures =
       step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
-  const Lane depth = max0(step.penetration - Lane(candidate.least_relief_m));
-  const Lane of_layer =
-      Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface.stiffness_N_m3));
+  const Lane depth = max0(step.penetration - register_.least_relief(c));
+  const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface));
   layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
 }
 
@@ -40,7 +39,7 @@ void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
   touched_[pad] = min(touched_[pad], select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
   const Mask opened = register_.was_closed.get(c) & !step.closed;
   if (none(opened)) return;
-  const Lane least(model_.candidate[c].least_relief_m);
+  const Lane least = register_.least_relief(c);
   const Lane before = max0(step.penetration_before - least), after = register_.penetration_theta.get(c) - least;
   const Lane way = before - after;
   const Lane left = select(after < Lane(0.0), before / max(way, Lane(1e-300)), Lane(1.0));
@@ -128,7 +127,7 @@ Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   Lane ratio(0.0);
   for (int lane = 0; lane < kLanes; ++lane) {
     const std::size_t axis = face_axis(surface, lane);
-    const PressedFace face{tally_[surface], model_.patch_form[axis], model_.cell_extent_m[axis],
+    const PressedFace face{tally_[surface], form_under(surface, lane), model_.cell_extent_m[axis],
                            surfaces_[surface], !model_.has_places(surface)};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
   }
@@ -143,9 +142,7 @@ std::optional<FacedPlane> ContactLanes::faced_plane(int surface, int lane, const
                     places_->center_height(surface)[lane] - place_m};
 }
 
-const PatchForm& ContactLanes::patch_form(int surface, int lane) const {
-  return model_.patch_form[face_axis(surface, lane)];
-}
+const PatchForm& ContactLanes::patch_form(int surface, int lane) const { return form_under(surface, lane); }
 
 std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
   const LaneVector force{tally_[surface].force(surface)};

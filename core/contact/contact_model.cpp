@@ -13,6 +13,7 @@
 #include "core/contact/tributary_face.hpp"
 #include "core/door/require.hpp"
 #include "core/scenario/contact_set.hpp"
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/true_shape.hpp"
 
@@ -27,13 +28,16 @@ constexpr std::array<std::size_t, kFirstCellSurface> kFacingSide = {0, 1, 4};
 /// pole (docs/validation.md); without it a stiff plate meets 1.4 to 1.7 times that force. It vanishes with the
 /// cell size.
 constexpr double kCellCompliance = 0.4;
+/// Depth of places outside the body.
+constexpr double kBeside_m = 1e3;
 
 double cell_compliance_m_Pa(const LatticeParameters& parameters, double cell_m2) {
   return kCellCompliance * std::sqrt(cell_m2) / plane_strain_modulus_Pa(parameters);
 }
 
 /// Heights of the true surface around the particle; places outside the body never touch.
-void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis,
+/// @param shaped it meets a shaped pad
+void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis, bool shaped,
                  ContactCandidate& c) {
   const auto tangents = tangent_axes(c.surface);
   std::array<double, 3> place{};
@@ -45,15 +49,19 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
   const double here = shape.half_chord_m(axis, place);
   for (int q = 0; q < kReliefPlaces; ++q) {
     std::array<double, 3> there = place;
-    const auto offset = relief_offset(q);
+    const auto offset = place_offset_m(c, q);
+    bool beside = false;
     for (std::size_t t = 0; t < 2; ++t) {
-      there[static_cast<std::size_t>(tangents[t])] += offset[t] * c.tributary[t].extent_m;
+      const auto along = static_cast<std::size_t>(tangents[t]);
+      there[along] += offset[t];
+      beside = beside || (c.tributary[t].sampled && std::abs(there[along]) > 0.5 * parameters.size_m[along]);
     }
     const double chord = shape.half_chord_m(axis, there);
-    c.relief_m[static_cast<std::size_t>(q)] = chord < 0.0 ? 1e3 : here - chord;
+    c.relief_m[static_cast<std::size_t>(q)] = beside || chord < 0.0 ? kBeside_m : here - chord;
   }
   // A face without curvature along both directions, edges included, is flat.
-  c.flat = shape.curvatures(axis) == 0;
+  c.curved_face = shape.curvatures(axis) > 0;
+  c.flat = !c.curved_face && !shaped;
   if (c.flat) {
     c.relief_m.fill(0.0);
   } else {
@@ -162,6 +170,7 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
   const TributaryFace face(shape, lattice, plane, points);
   const double sign = normal_sign(surface);
   const double depth = kDeepestMeeting * parameters.size_m[plane.axis];
+  const bool shaped = contact.shaped_pads && is_pad(surface);
   for (const SurfacePoint& point : points) {
     if (sign * (point.position_m - pole_m) > depth) continue;
     const auto& position_m = lattice.position_m[static_cast<std::size_t>(point.node)];
@@ -172,9 +181,10 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
     candidate.area_m2 = face.area_m2(position_m);
     for (std::size_t t = 0; t < 2; ++t) {
       candidate.tributary[t] = face.piece(position_m, t);
+      candidate.tributary[t].sampled = shaped && !candidate.tributary[t].curved;
       candidate.edge_compliance_m_Pa[t] = candidate.tributary[t].extent_m / plane_strain_modulus_Pa(parameters);
     }
-    fill_relief(parameters, lattice, plane.axis, candidate);
+    fill_relief(parameters, lattice, plane.axis, shaped, candidate);
     contact.candidate.push_back(candidate);
   }
 }
@@ -224,7 +234,7 @@ void add_face_forms(const LatticeParameters& parameters, const Lattice& lattice,
 ContactChoice contact_choice(const Scenario& scenario) {
   const ContactSet set = contact_set(scenario);
   return {set, set == ContactSet::pads_and_support ? kFirstCellSurface : surface_count(scenario),
-          scenario.simulation.pressure_patch_m};
+          scenario.simulation.pressure_patch_m, has_shaped_pads(scenario)};
 }
 
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
@@ -232,6 +242,7 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
   ContactModel contact;
   contact.patch_side_m = choice.pressure_patch_m;
   contact.surface_count = choice.surface_count;
+  contact.shaped_pads = choice.shaped_pads;
   add_face_forms(parameters, lattice, choice.set, contact);
   const bool upright = choice.set == ContactSet::pads_and_support;
   const int with_sides = upright ? kFirstCellSurface : kSupport;  // whose candidates are particles of a side

@@ -38,6 +38,8 @@ struct ContactCandidate {
   double cell_compliance_m_Pa = 0;
   /// Of a unit of softness beside an edge of the surface (tributary.hpp), along the tangents.
   std::array<double, 2> edge_compliance_m_Pa{};
+  /// The true surface is curved; a shaped pad meets flat ones with the same compliance where it is.
+  bool curved_face = false;
   /// Index into ContactModel::place; -1: the particle meets the surface with the side that faces it.
   int place = -1;
 };
@@ -91,6 +93,7 @@ struct ContactModel {
   std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface
   double patch_side_m = 0;                       ///< of the square over which pressure is averaged
   int surface_count = kFirstCellSurface;
+  bool shaped_pads = false;            ///< the pads are no planes: each candidate meets them in axes of its own
   std::vector<double> place_radius_m;  ///< farthest place of a contact node from it; 0 without places
   /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
   std::array<double, 9> turn_per_moment{};
@@ -98,6 +101,8 @@ struct ContactModel {
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
   /// Do places of the true surface meet this surface, and not particles?
   [[nodiscard]] bool has_places(int surface) const { return !place.empty() && !is_pad(surface); }
+  /// Does a candidate meet a shaped pad?
+  [[nodiscard]] bool is_shaped(std::size_t c) const { return shaped_pads && is_pad(candidate[c].surface); }
 };
 
 /// How much of a candidate's area faces a level support while the product stands as at the start.
@@ -106,9 +111,9 @@ inline double upright_share(const ContactModel& contact, const ContactCandidate&
   return std::max(0.0, -contact.place[static_cast<std::size_t>(candidate.place)].outward[2]);
 }
 
-/// In-plane offset of sample place `q` from the particle, as a share of the tributary rectangle's extents.
-constexpr std::array<double, 2> relief_offset(int q) {
-  return {(q % kReliefSide + 0.5) / kReliefSide - 0.5, (q / kReliefSide + 0.5) / kReliefSide - 0.5};
+/// In-plane offset of sample place `q` from the particle [m].
+inline std::array<double, 2> place_offset_m(const ContactCandidate& candidate, int q) {
+  return {candidate.tributary[0].offset_m(q % kReliefSide), candidate.tributary[1].offset_m(q / kReliefSide)};
 }
 
 /// What may touch what.
@@ -116,6 +121,7 @@ struct ContactChoice {
   ContactSet set = ContactSet::pads_and_support;
   int surface_count = kFirstCellSurface;
   double pressure_patch_m = 0.01;
+  bool shaped_pads = false;
 };
 ContactChoice contact_choice(const Scenario& scenario);
 

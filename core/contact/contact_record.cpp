@@ -41,7 +41,7 @@ ContactStep ContactLanes::contact_step(std::size_t c, int lane, const CandidateS
   seen.gap_free_m = register_.gap_free.at(c, lane);
   // The layer pushes with its depth and, where that is less, with what its viscosity leaves of it. A candidate
   // that is not near has lost its surface.
-  const double depth_m = register_.penetration_theta.at(c, lane) - candidate.least_relief_m;
+  const double depth_m = register_.penetration_theta.at(c, lane) - register_.least_relief(c)[lane];
   seen.depth_m = register_.near.at(c, lane) ? depth_m + std::min(0.0, sweep_.viscous_depth(c)[lane])
                                             : -std::numeric_limits<double>::infinity();
   seen.friction = surface.friction[lane];
@@ -102,10 +102,11 @@ void ContactLanes::append_events(int lane, const EventStep& step, std::vector<Co
     }
     const double time_s = step.start_s + change.after_s;
     for (std::size_t i = 0; i < 3; ++i) point.place_m[i] += (time_s - step.end_s) * point.velocity_m_s[i];
+    const std::array<double, 3> by_axes = of_carrier(c, lane, change.force_N);
     std::array<double, 3> force_N{};
-    force_N[static_cast<std::size_t>(normal_axis(surface))] = normal_sign(surface) * change.force_N[0];
+    force_N[static_cast<std::size_t>(normal_axis(surface))] = normal_sign(surface) * by_axes[0];
     for (std::size_t t = 0; t < 2; ++t) {
-      force_N[static_cast<std::size_t>(tangent_axes(surface)[t])] = change.force_N[1 + t];
+      force_N[static_cast<std::size_t>(tangent_axes(surface)[t])] = by_axes[1 + t];
     }
     events.push_back({time_s, candidate.node, surface, change.kind, change.candidate, point.place_m,
                       in_cell(surface, lane, force_N, step.now)});
@@ -120,8 +121,9 @@ std::array<std::array<double, 3>, kSurfaceCount> ContactLanes::surface_torques(i
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     if (!(register_.normal.at(c, lane) > 0.0)) continue;
     const int surface = model_.candidate[c].surface;
-    const LaneVector lanes{
-        along_axes(surface, register_.normal.get(c), register_.tangent[0].get(c), register_.tangent[1].get(c))};
+    const std::array<Lane, 3> by_axes =
+        of_carrier(c, {register_.normal.get(c), register_.tangent[0].get(c), register_.tangent[1].get(c)});
+    const LaneVector lanes{along_axes(surface, by_axes[0], by_axes[1], by_axes[2])};
     const std::array<double, 3> force_N = in_cell(surface, lane, of_lane(lanes, lane), now);
     std::array<double, 3> arm_m = contact_point(c, lane, body).place_m;
     for (std::size_t i = 0; i < 3; ++i) arm_m[i] -= center_m[i];

@@ -20,6 +20,9 @@ ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
   }
   cut.assign(n, 0);
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) *rows = MaskArray(n);
+  if (!model.shaped_pads) return;
+  relief = LaneArray(n * kReliefPlaces);
+  foremost = LaneArray(n);
 }
 
 void ContactRegister::clear(int lane) {
@@ -75,31 +78,39 @@ Lane ContactRegister::normal_stiffness(std::size_t c, const SurfaceLane& surface
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
   return Lane(candidate.area_m2) * share.get(c) /
-         (Lane(1.0) / surface.stiffness_N_m3 + body_compliance(c, surface.stiffness_N_m3));
+         (Lane(1.0) / surface.stiffness_N_m3 + body_compliance(c, surface));
 }
 
 Lane ContactRegister::elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& p) const {
+  if (surface.curve.any()) {
+    const LayerLaw law = curved_layer_law(model_.candidate[c], p, Lane(0.0), Lane(0.0), cover(c), surface.curve);
+    return normal_stiffness(c, surface) * law.force;
+  }
   return normal_stiffness(c, surface) * layer_law(model_.candidate[c], p, Lane(0.0), Lane(0.0), cover(c)).force;
 }
 
 PlaceCover ContactRegister::cover(std::size_t c) const {
-  if (cut[c] == 0) return {};
-  return {place_weight[0].row(c * kReliefSide), place_weight[1].row(c * kReliefSide)};
+  const bool shaped = model_.is_shaped(c);
+  if (cut[c] == 0 && !shaped) return {};
+  return {place_weight[0].row(c * kReliefSide), place_weight[1].row(c * kReliefSide),
+          shaped ? relief.row(c * kReliefPlaces) : nullptr};
 }
 
-void ContactRegister::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes) {
-  share.put(c, select(lanes, piece[0].share * piece[1].share, share.get(c)));
+void ContactRegister::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes,
+                                const Lane& wider) {
+  share.put(c, select(lanes, piece[0].share * piece[1].share * wider, share.get(c)));
   const std::array<double, 2>& unit = model_.candidate[c].edge_compliance_m_Pa;
   const Lane softer = Lane(unit[0]) * piece[0].softness + Lane(unit[1]) * piece[1].softness;
   edge_compliance.put(c, select(lanes, softer, edge_compliance.get(c)));
   bool whole = true;
   for (std::size_t t = 0; t < 2; ++t) {
-    if (!model_.candidate[c].tributary[t].curved) {
+    const Tributary& along = model_.candidate[c].tributary[t];
+    if (!along.curved) {
       mean[t].put(c, select(lanes, piece[t].mean_m, mean[t].get(c)));
       mean_square[t].put(c, select(lanes, piece[t].mean_square_m2, mean_square[t].get(c)));
-      continue;
     }
-    const Lane inverse = Lane(1.0) / max(piece[t].share, Lane(1e-300));
+    if (!along.has_places()) continue;
+    const Lane inverse = along.sampled ? Lane(1.0) : Lane(1.0) / max(piece[t].share, Lane(1e-300));
     for (std::size_t k = 0; k < kReliefSide; ++k) {
       const std::size_t row = c * kReliefSide + k;
       const Lane weight = select(lanes, piece[t].place[k] * inverse, place_weight[t].get(row));
@@ -118,7 +129,8 @@ LayerEnergy ContactRegister::stored_energy(std::size_t c, const SurfaceLane& sur
   if (none(closed | pressed)) return {};
   const Lane press = normal_stiffness(c, surface);
   const Lane s1 = stretch[0].get(c), s2 = stretch[1].get(c);
-  const Lane stored = press * squared_depth(candidate, penetration.get(c), cover(c)) * Lane(0.5);
+  const Lane depth2 = squared_depth(candidate, penetration.get(c), cover(c), surface.curve);
+  const Lane stored = press * depth2 * Lane(0.5);
   const Lane sheared = layer_stiffness(c, surface) * (s1 * s1 + s2 * s2) * Lane(0.5 / 3.0);
   return {select(closed | pressed, stored, Lane(0.0)), select(closed, sheared, Lane(0.0))};
 }

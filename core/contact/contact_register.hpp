@@ -44,15 +44,24 @@ class ContactRegister {
   /// Stiffness along the normal, with the compliance of the body within a cell in series [N/m].
   [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
   /// Of the body within the cell under this layer, per pressure [m/Pa].
-  [[nodiscard]] Lane body_compliance(std::size_t c, const Lane& layer_N_m3) const {
-    return acting_compliance_m_Pa(model_.candidate[c], layer_N_m3) + edge_compliance.get(c);
+  [[nodiscard]] Lane body_compliance(std::size_t c, const SurfaceLane& surface) const {
+    const Lane within = acting_compliance_m_Pa(model_.candidate[c], surface.stiffness_N_m3);
+    // Flat under flat, nothing is left to flatten.
+    const bool flat = model_.is_shaped(c) && !model_.candidate[c].curved_face;
+    return (flat ? surface.bent * within : within) + edge_compliance.get(c);
   }
   /// Force of the layer at rest at this penetration [N].
   [[nodiscard]] Lane elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& penetration) const;
   /// The weights of its places.
   [[nodiscard]] PlaceCover cover(std::size_t c) const;
-  /// Takes in what of a candidate's piece the surface covers, in `lanes`.
-  void set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes);
+  /// How far the foremost of its places lies behind the one at the particle [m].
+  [[nodiscard]] Lane least_relief(std::size_t c) const {
+    return model_.is_shaped(c) ? foremost.get(c) : Lane(model_.candidate[c].least_relief_m);
+  }
+  /// Takes in what of a candidate's piece the surface covers, in `lanes`. @param wider area of the surface over
+  /// that of its piece
+  void set_cover(std::size_t c, const std::array<CoveredPiece, 2>& piece, const Mask& lanes,
+                 const Lane& wider = Lane(1.0));
   /// Stored in one candidate's layer [J].
   [[nodiscard]] LayerEnergy stored_energy(std::size_t c, const SurfaceLane& surface) const;
 
@@ -71,6 +80,9 @@ class ContactRegister {
   std::array<LaneArray, 2> mean, mean_square;  ///< offset from the particle along flat tangents
   std::array<LaneArray, 2> place_weight;       ///< along curved tangents, kReliefSide rows each
   std::vector<char> cut;                       ///< does an edge of the surface cut the places, in any lane?
+  // Of those that meet a shaped pad, along its normal there.
+  LaneArray relief;    ///< kReliefPlaces rows each
+  LaneArray foremost;  ///< the least of them
   MaskArray sliding;
   // Per candidate, of the present step.
   MaskArray near;                     ///< takes part in the solve

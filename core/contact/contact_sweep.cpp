@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algebra/lane_matrix.hpp"
+#include "core/contact/contact_sweep_nodes.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/door/require.hpp"
@@ -23,8 +24,9 @@ constexpr double kLeastForce = 1e-6;
 
 }  // namespace
 
-ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts)
-    : model_(model), surfaces_(surfaces), contacts_(contacts) {
+ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts,
+                           const ShapedPads* shaped)
+    : model_(model), surfaces_(surfaces), contacts_(contacts), shaped_(shaped) {
   require(model.compliance.size() == 9 * model.node_count() * model.node_count(),
           "ContactSweep: the contact model has no compliance yet");
   for (LaneArray* rows : {&viscous_, &layer_, &shear_, &shear_relaxed_}) *rows = LaneArray(model.candidate.size());
@@ -38,7 +40,8 @@ void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, 
   theta_ = &theta;
   eyes_ = eyes;
   mounted_ = mounted;
-  if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
+  if ((eyes_.frame != nullptr || model_.shaped_pads) && own_.rows() == 0)
+    own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < model_.surface_count; ++s) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
   }
@@ -56,7 +59,7 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   layer_.put(c, contacts_.normal_stiffness(c, surface));
   shear_.put(c, shear);
   Lane compliance(std::max(own[4 * tangents[0]], own[4 * tangents[1]]));
-  if (eyes_.frame != nullptr) {
+  if (eyes_.frame != nullptr || model_.is_shaped(c)) {
     prepare_turned(c);
     const std::size_t row = 9 * c;
     compliance = max(own_.get(row + 4 * static_cast<std::size_t>(tangents[0])),
@@ -69,13 +72,14 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * compliance));
 }
 
-/// T W_ii T'.
+/// T W_ii T', T into the axes of its surface's carrier or, before a shaped pad, its own.
 void ContactSweep::prepare_turned(std::size_t c) {
   const ContactCandidate& candidate = model_.candidate[c];
   const double* own = candidate.place < 0
                           ? model_.compliance.data() + 9 * candidate.contact_node * (model_.node_count() + 1)
                           : model_.place[static_cast<std::size_t>(candidate.place)].compliance.data();
-  const LaneMatrix& T = axes_of(candidate).turn;
+  LaneMatrix T = eyes_.frame == nullptr ? identity_lanes() : axes_of(candidate).turn;
+  if (model_.is_shaped(c)) T = shaped_->axes(c) * T;
   LaneMatrix W;
   for (std::size_t i = 0; i < 9; ++i) W.at[i] = Lane(own[i]);
   const LaneMatrix turned = T * W * transposed(T);
@@ -111,8 +115,14 @@ LaneVector ContactSweep::force_in_frame(std::size_t c) const {
 }
 
 LaneVector ContactSweep::force_on_carrier(std::size_t c) const {
-  return {along_axes(model_.candidate[c].surface, contacts_.normal_theta.get(c), contacts_.tangent_theta[0].get(c),
-                     contacts_.tangent_theta[1].get(c))};
+  const LaneVector force{along_axes(model_.candidate[c].surface, contacts_.normal_theta.get(c),
+                                    contacts_.tangent_theta[0].get(c), contacts_.tangent_theta[1].get(c))};
+  return model_.is_shaped(c) ? shaped_->along_carrier(c, force) : force;
+}
+
+Lane ContactSweep::closing_force(std::size_t c) const {
+  if (!model_.is_shaped(c)) return contacts_.normal_theta.get(c);
+  return Lane(normal_sign(model_.candidate[c].surface)) * force_on_carrier(c)[0];
 }
 
 void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
@@ -131,7 +141,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       const ContactCandidate& candidate = model_.candidate[k];
       const LaneVector by_candidate = force_in_frame(k);
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
-      if (is_pad(candidate.surface)) pad_force[candidate.surface] += contacts_.normal_theta.get(k);
+      if (is_pad(candidate.surface)) pad_force[candidate.surface] += closing_force(k);
       if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
       if (eyes_.places == nullptr) continue;
       levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
@@ -147,142 +157,52 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   }
 }
 
-/// The contact node whose candidates are being updated, in the axes of the product.
-struct ContactSweep::Node {
-  LaneArray& force;       ///< of all nodes
-  std::size_t row;        ///< of its x freedom
-  const double* own;      ///< its 3x3 block of the compliance
-  std::array<Lane, 3> d;  ///< its displacement under the present forces
-
-  [[nodiscard, gnu::always_inline]] Lane compliance(std::size_t axis) const { return Lane(own[4 * axis]); }
-  [[gnu::always_inline]] void push(std::size_t axis, const Lane& sign, const Lane& change) {
-    for (std::size_t i = 0; i < 3; ++i) d[i] += Lane(own[3 * i + axis]) * sign * change;
-    force.put(row + axis, force.get(row + axis) + sign * change);
-  }
-  [[gnu::always_inline]] void push(const std::array<std::size_t, 2>& axis, const std::array<Lane, 2>& change) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      d[i] += Lane(own[3 * i + axis[0]]) * change[0] + Lane(own[3 * i + axis[1]]) * change[1];
-    }
-    for (std::size_t t = 0; t < 2; ++t) force.put(row + axis[t], force.get(row + axis[t]) + change[t]);
-  }
-  void push(const LaneVector& change) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) d[i] += Lane(own[3 * i + j]) * change[j];
-      force.put(row + i, force.get(row + i) + change[i]);
-    }
-  }
-};
-
-/// The same node in the axes of a surface's carrier.
-struct ContactSweep::TurnedNode {
-  const double* own;     ///< rows of lanes
-  LaneVector d, change;  ///< `change` of the force so far
-
-  [[nodiscard, gnu::always_inline]] Lane block(std::size_t i, std::size_t j) const {
-    return load(own + static_cast<std::size_t>(kLanes) * (3 * i + j));
-  }
-  [[nodiscard, gnu::always_inline]] Lane compliance(std::size_t axis) const { return block(axis, axis); }
-  [[gnu::always_inline]] void push(std::size_t axis, const Lane& sign, const Lane& by) {
-    for (std::size_t i = 0; i < 3; ++i) d[i] += block(i, axis) * sign * by;
-    change[axis] += sign * by;
-  }
-  [[gnu::always_inline]] void push(const std::array<std::size_t, 2>& axis, const std::array<Lane, 2>& by) {
-    for (std::size_t t = 0; t < 2; ++t) push(axis[t], Lane(1.0), by[t]);
-  }
-  [[nodiscard, gnu::always_inline]] bool has_changed() const {
-    return any(max(abs(change[0]), max(abs(change[1]), abs(change[2]))) > Lane(0.0));
-  }
-};
-
-/// Where no surface is on a mount nothing asks for one.
-struct ContactSweep::FixedSurfaces {
-  MountedContacts* none = nullptr;
-
-  void begin(std::size_t) const {}
-  void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
-  [[nodiscard]] const Lane& place(std::size_t, const Lane& carrier) const { return carrier; }
-  void push(std::size_t, const Lane&) const {}
-  void end(std::size_t) const {}
-};
-
-/// How the mounts of surfaces answer while a candidate is updated.
-struct ContactSweep::MountedSurfaces {
-  MountedContacts* mounted;
-  LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
-  LaneVector change{};  ///< of the force on the product so far
-
-  [[gnu::always_inline]] void begin(std::size_t c) { moved = mounted->motion(c, mounted->twist()); }
-  [[gnu::always_inline]] void give_way(std::size_t c, std::size_t axis, Lane& compliance, Lane& place_m) const {
-    compliance += mounted->own_compliance(c, axis);
-    place_m += moved[axis];
-  }
-  [[nodiscard, gnu::always_inline]] Lane place(std::size_t axis, const Lane& carrier) const {
-    return carrier + moved[axis];
-  }
-  [[gnu::always_inline]] void push(std::size_t axis, const Lane& by) { change[axis] = by; }
-  [[gnu::always_inline]] void end(std::size_t c) const { mounted->push(c, change); }
-};
-
 // The three of a sweep's innermost loop are one piece of code: lane values stay in registers.
 
-/// Normal: N(p) of the layer at the solution, and p falls by (W_nn + finger compliance) per unit of N.
+/// N(p) of the layer at the solution, where p falls by `compliance` per unit of N.
 /// @return change of the force
-template <class Mounting, class AnyNode>
-[[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const GripperLanes& gripper,
-                                                               const Mask& active, Slope slope, AnyNode& node,
-                                                               Mounting& mounting) {
+[[gnu::always_inline]] inline Lane ContactSweep::press(std::size_t c, const Lane& gap, const Lane& compliance,
+                                                       const Mask& active, Slope slope) {
   const ContactCandidate& candidate = model_.candidate[c];
-  const int surface = candidate.surface;
-  const auto axis = static_cast<std::size_t>(normal_axis(surface));
-  const Lane sign(normal_sign(surface));
+  const SurfaceLane& surface = surfaces_[candidate.surface];
   const Lane layer = layer_.get(c);
-  Lane compliance = node.compliance(axis), way(0.0);
-  if (is_pad(surface)) {
-    compliance += gripper.compliance();
-    way = gripper.way_at_theta(surface, pad_force_);
-  }
-  Lane place = surfaces_.place(surface, *theta_, way);
-  mounting.give_way(c, axis, compliance, place);
-  const Lane gap = sign * (Lane(candidate.surface_m) + node.d[axis] - place);
   const Lane penetration = -gap;
   contacts_.penetration_theta.put(c, select(active, penetration, contacts_.penetration_theta.get(c)));
-  const Lane& rate_slope = rate_slope_[surface];
+  const Lane& rate_slope = rate_slope_[candidate.surface];
   const Lane old_normal = contacts_.normal_theta.get(c);
   // Below every place the law is flat and says nothing of where the contact is: look from where it would stand
   // without its force.
-  const Mask below = penetration <= Lane(candidate.least_relief_m);
+  const Mask below = penetration <= contacts_.least_relief(c);
   const Lane from = select(below, Lane(0.0), old_normal);
   const Lane at = select(below, penetration + compliance * old_normal, penetration);
-  const LayerLaw law = layer_law(candidate, at, rate_slope * at - viscous_.get(c), rate_slope, contacts_.cover(c));
-  const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
+  const Lane rate = rate_slope * at - viscous_.get(c);
+  LayerLaw law;
+  Lane down;
+  if (surface.curve.any()) {
+    law = curved_layer_law(candidate, at, rate, rate_slope, contacts_.cover(c), surface.curve);
+    const Lane steepest = surface.curve.steepest(max0(penetration + compliance * old_normal));
+    down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) * steepest : law.slope;
+  } else {
+    law = layer_law(candidate, at, rate, rate_slope, contacts_.cover(c));
+    down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
+  }
   const Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
   const Lane normal = select(active, max0(wanted), old_normal);
-  const Lane change = normal - old_normal;
   contacts_.normal_theta.put(c, normal);
-  if (is_pad(surface)) pad_force_[surface] += change;
-  node.push(axis, sign, change);
-  mounting.push(axis, sign * change);
-  return change;
+  return normal - old_normal;
 }
 
-/// Tangential: a spring to the anchor, held inside the friction cone.
-/// @return the larger of the changes
-template <class Mounting, class AnyNode>
-[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, AnyNode& node,
-                                                                Mounting& mounting) {
+/// A spring to the anchor, held inside the friction cone. @param r from where the particle is at rest @param
+/// relaxed 1 / (1 + shear x compliance)
+/// @return changes of the force
+[[gnu::always_inline]] inline std::array<Lane, 2> ContactSweep::drag(std::size_t c, const std::array<Lane, 2>& r,
+                                                                     const Lane& relaxed, const Mask& active) {
   const int surface = model_.candidate[c].surface;
-  const auto tangents = tangent_axes(surface);
-  const auto t1 = static_cast<std::size_t>(tangents[0]);
-  const auto t2 = static_cast<std::size_t>(tangents[1]);
-  const auto& carrier = carrier_of(surface, *theta_);
   const Lane shear = shear_.get(c);
-  const Lane inverse = shear_relaxed_.get(c);
-  const Lane r1 = node.d[t1] - mounting.place(t1, carrier[t1].place_m);
-  const Lane r2 = node.d[t2] - mounting.place(t2, carrier[t2].place_m);
   const Lane old1 = contacts_.tangent_theta[0].get(c);
   const Lane old2 = contacts_.tangent_theta[1].get(c);
-  Lane new1 = old1 + (-shear * (r1 - contacts_.anchor[0].get(c)) - old1) * inverse;
-  Lane new2 = old2 + (-shear * (r2 - contacts_.anchor[1].get(c)) - old2) * inverse;
+  Lane new1 = old1 + (-shear * (r[0] - contacts_.anchor[0].get(c)) - old1) * relaxed;
+  Lane new2 = old2 + (-shear * (r[1] - contacts_.anchor[1].get(c)) - old2) * relaxed;
   const Lane cone = surfaces_[surface].friction * contacts_.normal_theta.get(c);
   const Lane size2 = new1 * new1 + new2 * new2;
   const Mask sliding = size2 > cone * cone;
@@ -292,12 +212,93 @@ template <class Mounting, class AnyNode>
   contacts_.sliding.put(c, (active & sliding) | ((!active) & contacts_.sliding.get(c)));
   contacts_.tangent_theta[0].put(c, new1);
   contacts_.tangent_theta[1].put(c, new2);
-  const Lane change1 = new1 - old1;
-  const Lane change2 = new2 - old2;
+  return {new1 - old1, new2 - old2};
+}
+
+/// @return change of the normal force
+template <class Mounting, class AnyNode>
+[[gnu::always_inline]] inline Lane ContactSweep::update_normal(std::size_t c, const GripperLanes& gripper,
+                                                               const Mask& active, Slope slope, AnyNode& node,
+                                                               Mounting& mounting) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const int surface = candidate.surface;
+  const auto axis = static_cast<std::size_t>(normal_axis(surface));
+  const Lane sign(normal_sign(surface));
+  Lane compliance = node.compliance(axis), way(0.0);
+  if (is_pad(surface)) {
+    compliance += gripper.compliance();
+    way = gripper.way_at_theta(surface, pad_force_);
+  }
+  Lane place = surfaces_.place(surface, *theta_, way);
+  mounting.give_way(c, axis, compliance, place);
+  const Lane change =
+      press(c, sign * (Lane(candidate.surface_m) + node.d[axis] - place), compliance, active, slope);
+  if (is_pad(surface)) pad_force_[surface] += change;
+  node.push(axis, sign, change);
+  mounting.push(axis, sign * change);
+  return change;
+}
+
+/// @return the larger of the changes along the tangents
+template <class Mounting, class AnyNode>
+[[gnu::always_inline]] inline Lane ContactSweep::update_tangent(std::size_t c, const Mask& active, AnyNode& node,
+                                                                Mounting& mounting) {
+  const int surface = model_.candidate[c].surface;
+  const auto tangents = tangent_axes(surface);
+  const auto t1 = static_cast<std::size_t>(tangents[0]);
+  const auto t2 = static_cast<std::size_t>(tangents[1]);
+  const auto& carrier = carrier_of(surface, *theta_);
+  const Lane r1 = node.d[t1] - mounting.place(t1, carrier[t1].place_m);
+  const Lane r2 = node.d[t2] - mounting.place(t2, carrier[t2].place_m);
+  const auto [change1, change2] = drag(c, {r1, r2}, shear_relaxed_.get(c), active);
   node.push({t1, t2}, {change1, change2});
   mounting.push(t1, change1);
   mounting.push(t2, change2);
   return max(abs(change1), abs(change2));
+}
+
+/// A shaped pad, in the axes of the candidate: the finger goes along the closing direction, which is none of them.
+/// @param node in the axes of the pad's carrier, with the candidate's own compliance in its own axes
+template <class Mounting>
+[[gnu::always_inline]] inline void ContactSweep::update_shaped(std::size_t c, const GripperLanes& gripper,
+                                                               const Mask& active, Pass& pass, TurnedNode& node) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const auto pad = static_cast<std::size_t>(candidate.surface);
+  const Lane sign(normal_sign(candidate.surface));
+  Mounting mounting{mounted_};
+  mounting.begin(c);
+  const LaneVector closing{
+      {sign * shaped_->axis(c, 0, 0), sign * shaped_->axis(c, 1, 0), sign * shaped_->axis(c, 2, 0)}};
+  Lane way = gripper.way_at_theta(candidate.surface, pad_force_);
+  const auto& carrier = carrier_of(candidate.surface, *theta_);
+  LaneVector x = shaped_->seen(
+      c, {{Lane(candidate.surface_m) + node.d[0] -
+               mounting.place(0, surfaces_.place(candidate.surface, *theta_, way)),
+           node.d[1] - mounting.place(1, carrier[1].place_m), node.d[2] - mounting.place(2, carrier[2].place_m)}});
+  const Lane& finger = gripper.compliance();
+  const Lane mount =
+      mounting.compliance_along(c, {{shaped_->axis(c, 0, 0), shaped_->axis(c, 0, 1), shaped_->axis(c, 0, 2)}});
+  const Lane normal = press(c, shaped_->gap_m(c, x), node.block(0, 0) + finger * closing[0] * closing[0] + mount,
+                            active, pass.slope);
+  pad_force_[pad] += sign * closing[0] * normal;
+  const Lane went = gripper.way_at_theta(candidate.surface, pad_force_) - way;
+  for (std::size_t i = 0; i < 3; ++i) x[i] += node.block(i, 0) * sign * normal - closing[i] * went;
+  const Lane across = max(node.block(1, 1) + finger * closing[1] * closing[1],
+                          node.block(2, 2) + finger * closing[2] * closing[2]) +
+                      mounting.compliance_across(c);
+  const auto [change1, change2] = drag(c, {x[1], x[2]}, Lane(1.0) / (Lane(1.0) + shear_.get(c) * across), active);
+  pad_force_[pad] += closing[1] * change1 + closing[2] * change2;
+  node.change = shaped_->along_carrier(c, {{sign * normal, change1, change2}});
+  for (std::size_t i = 0; i < 3; ++i) mounting.push(i, node.change[i]);
+  mounting.end(c);
+  note(c, active, abs(normal), max(abs(change1), abs(change2)), pass);
+}
+
+/// Takes in what an update has changed.
+[[gnu::always_inline]] inline void ContactSweep::note(std::size_t c, const Mask& active, const Lane& change,
+                                                      const Lane& change_across, Pass& pass) const {
+  pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
+  pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
 }
 
 template <class Mounting, class AnyNode>
@@ -308,8 +309,7 @@ template <class Mounting, class AnyNode>
   const Lane change = abs(update_normal(c, gripper, active, pass.slope, node, mounting));
   const Lane change_across = update_tangent(c, active, node, mounting);
   mounting.end(c);
-  pass.largest_change = max(pass.largest_change, select(active, max(change, change_across), Lane(0.0)));
-  pass.largest_force = max(pass.largest_force, select(active, contacts_.normal_theta.get(c), Lane(0.0)));
+  note(c, active, change, change_across, pass);
 }
 
 template <class Mounting>
@@ -317,14 +317,24 @@ template <class Mounting>
                                                                   Pass& pass, Node& node) {
   const Mask active = pass.solving & contacts_.near.get(c);
   if (none(active)) return;
-  if (eyes_.frame == nullptr) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const bool shaped = model_.is_shaped(c);
+  if (eyes_.frame == nullptr && !shaped) {
     update_forces<Mounting>(c, gripper, active, pass, node);
     return;
   }
-  const ContactCandidate& candidate = model_.candidate[c];
-  TurnedNode turned{own_.row(9 * c), seen_displacement(candidate, {node.d}), {}};
-  update_forces<Mounting>(c, gripper, active, pass, turned);
+  const LaneVector d = eyes_.frame == nullptr ? LaneVector{node.d} : seen_displacement(candidate, {node.d});
+  TurnedNode turned{own_.row(9 * c), d, {}};
+  if (shaped) {
+    update_shaped<Mounting>(c, gripper, active, pass, turned);
+  } else {
+    update_forces<Mounting>(c, gripper, active, pass, turned);
+  }
   if (!turned.has_changed()) return;  // near, and open
+  if (eyes_.frame == nullptr) {
+    node.push(turned.change);
+    return;
+  }
   const LaneVector change = transposed(axes_of(candidate).turn) * turned.change;
   node.push(change);
   if (eyes_.places == nullptr) return;
@@ -341,8 +351,13 @@ template <class Mounting>
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
-  return mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
-                             : solve_with<MountedSurfaces>(gripper, lanes);
+  const Lane sweeps = mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
+                                          : solve_with<MountedSurfaces>(gripper, lanes);
+  for (int pad = 0; pad < kFingerCount && shaped_ != nullptr; ++pad) {
+    pad_place_[static_cast<std::size_t>(pad)] =
+        surfaces_.place(pad, *theta_, gripper.way_at_theta(pad, pad_force_));
+  }
+  return sweeps;
 }
 
 template <class Mounting>

@@ -13,6 +13,7 @@
 #include "core/contact/mounted_contacts.hpp"
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
+#include "core/contact/shaped_pads.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 
 namespace unbruised {
@@ -33,7 +34,9 @@ struct Eyes {
 class ContactSweep {
  public:
   /// All have to outlive the sweep.
-  ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts);
+  /// @param shaped null: the pads are planes
+  ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts,
+               const ShapedPads* shaped = nullptr);
 
   /// Starts a step: the layers of this step, without forces.
   /// @param theta where the carriers are at t + theta dt @param mounted null: no surface is on a mount; both have
@@ -70,7 +73,9 @@ class ContactSweep {
   [[nodiscard]] const std::vector<int>& active_nodes() const { return active_node_; }
   /// Candidates that are near or carry force in any lane.
   [[nodiscard]] const std::vector<int>& live_candidates() const { return live_candidate_; }
-  /// Sum of the normal forces of each pad at t + theta dt.
+  /// Where a shaped pad stands along its normal axis at t + theta dt, as of the last `solve`.
+  [[nodiscard]] const Lane& pad_place_m(int pad) const { return pad_place_[static_cast<std::size_t>(pad)]; }
+  /// Sum of the forces against the closing of each pad at t + theta dt.
   [[nodiscard]] const PadForces& pad_force() const { return pad_force_; }
 
  private:
@@ -100,12 +105,22 @@ class ContactSweep {
   template <class Mounting, class AnyNode>
   void update_forces(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
                      AnyNode& node);
+  template <class Mounting>
+  void update_shaped(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
+                     TurnedNode& node);
+  Lane press(std::size_t candidate, const Lane& gap, const Lane& compliance, const Mask& active, Slope slope);
+  std::array<Lane, 2> drag(std::size_t candidate, const std::array<Lane, 2>& r, const Lane& relaxed,
+                           const Mask& active);
+  void note(std::size_t candidate, const Mask& active, const Lane& change, const Lane& change_across,
+            Pass& pass) const;
   template <class Mounting, class AnyNode>
   Lane update_normal(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Slope slope,
                      AnyNode& node, Mounting& mounting);
   template <class Mounting, class AnyNode>
   Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node, Mounting& mounting);
   void prepare_turned(std::size_t candidate);
+  /// What of a candidate's force acts against the closing of its pad.
+  [[nodiscard]] Lane closing_force(std::size_t candidate) const;
   /// Force of a candidate on the product at t + theta dt along the axes of its surface's carrier.
   [[nodiscard]] LaneVector force_on_carrier(std::size_t candidate) const;
   [[nodiscard]] const CarrierAxes& axes_of(const ContactCandidate& candidate) const {
@@ -124,6 +139,7 @@ class ContactSweep {
   const ContactModel& model_;
   const SurfaceLanes& surfaces_;
   ContactRegister& contacts_;
+  const ShapedPads* shaped_;
 
   // Of the present step.
   const CarrierMotion* theta_ = nullptr;
@@ -141,6 +157,7 @@ class ContactSweep {
   Mask has_near_{false};                 ///< some candidate is near
   Mask unsolved_{false};
   PadForces pad_force_ = without_force();
+  PadForces pad_place_ = without_force();  ///< of shaped pads
 };
 
 }  // namespace unbruised

@@ -21,12 +21,14 @@ struct PressedPatch {
   std::array<double, 2> offset_m;   ///< of the pad's middle from that of the face
   std::array<double, 2> half_pad_m;
   double edge_radius_m, layer_N_m3;
+  double covered_m2;  ///< that bounds it, per patch of a shaped pad; 0: nothing does
 };
 
 PressedPatch pressed_patch(const PressedFace& face, int lane) {
   const auto& [t, form, extent_m, surface, ends_within] = face;
   PressedPatch patch{};
   patch.force_N = std::max(t.normal[lane], kLeastForce);
+  patch.covered_m2 = 0.0;
   patch.traction_N = std::sqrt(t.tangent[0][lane] * t.tangent[0][lane] + t.tangent[1][lane] * t.tangent[1][lane]);
   for (std::size_t i = 0; i < 2; ++i) {
     patch.middle_m[i] = t.first[i][lane] / patch.force_N;
@@ -58,6 +60,10 @@ double part_under_pad(const PressedPatch& p, double half_m, std::size_t t) {
 /// Of the face [m].
 double covered_m(const PressedPatch& p, const PatchForm& form, std::size_t t) {
   return 2.0 * form.half_face_m[t] * part_under_pad(p, form.half_face_m[t], t);
+}
+
+double bounded_m2(const PressedPatch& p, double area_m2) {
+  return p.covered_m2 > 0.0 ? std::min(area_m2, p.covered_m2) : area_m2;
 }
 
 /// 0: the pad's edges lie at those of the face or beyond, 1: at least one well within it.
@@ -95,8 +101,8 @@ double strip_stress_Pa(const PressedPatch& p, const PatchForm& form, const std::
   const double length = std::max(std::min(covered_m(p, form, along), even_m), extent_m[along]);
   const double half_width = form.area.half_width_m(p.force_N / length, p.layer_N_m3);
   const double under_pad = part_under_pad(p, half_width, across);
-  const double area =
-      under_pad * 2.0 * half_width * length + (1.0 - under_pad) * lattice_area_m2(p, form, extent_m);
+  const double area = under_pad * bounded_m2(p, 2.0 * half_width * length) +
+                      (1.0 - under_pad) * bounded_m2(p, lattice_area_m2(p, form, extent_m));
   const double within = edges_within(p, form, along);
   const double lambda = p.layer_N_m3 * p.half_pad_m[along] / form.plane_strain_modulus_Pa;
   const double middle =
@@ -115,7 +121,8 @@ double ellipse_stress_Pa(const PressedPatch& p, const PatchForm& form, const std
   double under_pad = 1.0;
   for (std::size_t t = 0; t < 2; ++t)
     under_pad *= part_under_pad(p, form.area.semi_axis[t] * std::sqrt(elastic), t);
-  const double area = under_pad * elastic + (1.0 - under_pad) * lattice_area_m2(p, form, extent_m);
+  const double area =
+      under_pad * bounded_m2(p, elastic) + (1.0 - under_pad) * bounded_m2(p, lattice_area_m2(p, form, extent_m));
   return p.force_N / (area * form.yield_factor);
 }
 
@@ -138,6 +145,10 @@ double yield_ratio(const PressedFace& face, double layer_N_m3, double yield_stre
   PressedPatch patch = pressed_patch(face, lane);
   patch.layer_N_m3 = layer_N_m3;
   const double dragged = face.form.traction.at(patch.traction_N / patch.force_N);
+  if (face.form.bounded) {
+    patch.covered_m2 = covered_m(patch, face.form, 0) * covered_m(patch, face.form, 1) / face.form.patches;
+    patch.force_N *= face.form.share;
+  }
   return dragged * stress_Pa(patch, face.form, face.extent_m) / yield_stress_Pa;
 }
 

@@ -7,6 +7,7 @@
 #include "core/contact/contact_model.hpp"
 #include "core/contact/place_cover.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/surface/layer_curve.hpp"
 
 namespace unbruised {
 
@@ -14,6 +15,7 @@ namespace unbruised {
 /// With depths d_q = p - relief_q and rate = tau p', force = (1/Q) sum_q [d_q > 0] (d_q + clamp(rate, -d_q, d_q)):
 /// the viscous part is never larger than the elastic one, so that the force is continuous where a place touches
 /// and never pulls. @param rate_slope d rate / d p
+/// A layer with a law of its own has e(d) for d and e'(d) rate for the rate.
 struct LayerLaw {
   Lane force{0.0}, slope{0.0};
 
@@ -24,7 +26,34 @@ struct LayerLaw {
     force += d + viscous;
     slope += select(depth > Lane(0.0), Lane(1.0) + viscous_slope, Lane(0.0));
   }
+  void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope, const LayerCurve& curve) {
+    const Lane d = max0(depth), steep = curve.slope(d);
+    LayerLaw bent;
+    bent.add_place(select(depth > Lane(0.0), curve.at(d), depth), steep * rate, rate_slope);
+    force += bent.force;
+    slope += steep * bent.slope;
+  }
 };
+
+/// The same where the surface's layer has a law of its own.
+inline LayerLaw curved_layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate,
+                                 const Lane& rate_slope, const PlaceCover& cover, const LayerCurve& curve) {
+  LayerLaw law;
+  if (candidate.flat) {
+    law.add_place(p, rate, rate_slope, curve);
+    return law;
+  }
+  for (int q = 0; q < kReliefPlaces; ++q) {
+    LayerLaw place;
+    place.add_place(p - cover.relief(candidate.relief_m, q), rate, rate_slope, curve);
+    const Lane weight = cover.is_full() ? Lane(1.0) : cover.weight(q);
+    law.force += weight * place.force;
+    law.slope += weight * place.slope;
+  }
+  law.force *= Lane(1.0 / kReliefPlaces);
+  law.slope *= Lane(1.0 / kReliefPlaces);
+  return law;
+}
 
 /// @param cover of the candidate's places
 inline LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, const Lane& rate,
@@ -39,7 +68,7 @@ inline LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, cons
   } else {
     for (int q = 0; q < kReliefPlaces; ++q) {
       LayerLaw place;
-      place.add_place(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]), rate, rate_slope);
+      place.add_place(p - cover.relief(candidate.relief_m, q), rate, rate_slope);
       law.force += cover.weight(q) * place.force;
       law.slope += cover.weight(q) * place.slope;
     }
@@ -49,13 +78,15 @@ inline LayerLaw layer_law(const ContactCandidate& candidate, const Lane& p, cons
   return law;
 }
 
-/// Mean square of the depths of the tributary places.
-inline Lane squared_depth(const ContactCandidate& candidate, const Lane& p, const PlaceCover& cover) {
-  if (candidate.flat) return max0(p) * max0(p);
+/// Mean square of the depths of the tributary places: twice what they store per stiffness.
+inline Lane squared_depth(const ContactCandidate& candidate, const Lane& p, const PlaceCover& cover,
+                          const LayerCurve& curve) {
+  const auto square = [&curve](const Lane& d) { return curve.any() ? curve.twice_energy(d) : d * d; };
+  if (candidate.flat) return square(max0(p));
   Lane squares(0.0);
   for (int q = 0; q < kReliefPlaces; ++q) {
-    const Lane depth = max0(p - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
-    squares += depth * depth * (cover.is_full() ? Lane(1.0) : cover.weight(q));
+    const Lane depth = max0(p - cover.relief(candidate.relief_m, q));
+    squares += square(depth) * (cover.is_full() ? Lane(1.0) : cover.weight(q));
   }
   return squares * Lane(1.0 / kReliefPlaces);
 }

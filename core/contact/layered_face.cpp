@@ -36,6 +36,9 @@ std::array<double, 2> under_pad_m(const LatticeParameters& product, const Parall
 
 FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameters& jaw,
                     const CellParameters& cell) {
+  if (is_shaped(jaw.pad)) {
+    return {pad_layer(jaw), pad_patch_area(product, PadFace(jaw)), under_pad_m(product, jaw, cell)};
+  }
   return face_layer(pad_layer(jaw), product, 0, under_pad_m(product, jaw, cell));
 }
 FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
@@ -66,12 +69,19 @@ double LayeredFace::stiffness_N_m(double force_N) const {
 LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParameters& gripper,
                         const CellParameters& cell) {
   const std::array<double, 2> covered = under_pad_m(product, gripper, cell);
+  double radius_m = 0.25 * (product.size_m[1] + product.size_m[2]);
+  bool is_flat = TrueShape(product).curvatures(0) == 0;
+  if (is_shaped(gripper.pad)) {
+    const std::array<double, 2> curvature = relative_curvature_1_m(product, PadFace(gripper));
+    is_flat = curvature[0] + curvature[1] == 0.0;
+    if (!is_flat) radius_m = 2.0 / (curvature[0] + curvature[1]);
+  }
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[0],
-          .is_flat = TrueShape(product).curvatures(0) == 0,
+          .is_flat = is_flat,
           .flat_area_m2 = covered[0] * covered[1],
-          .radius_m = 0.25 * (product.size_m[1] + product.size_m[2]),
+          .radius_m = radius_m,
           .largest_patch_m2 = gripper.pad_size_m[0] * gripper.pad_size_m[1],
           .layer = pad_under(product, gripper, cell)};
 }
@@ -117,7 +127,8 @@ FaceLayer layer_at_support(const Scenario& scenario) {
 }
 
 double pad_layer_N_m3(const Scenario& scenario, const FaceLayer& layer) {
-  return layer.stiffness_N_m3(scenario.strategy.grip_force_N);
+  // A measured layer is simulated with its whole law.
+  return layer.layer.law ? layer.layer.springs_N_m3() : layer.stiffness_N_m3(scenario.strategy.grip_force_N);
 }
 
 double support_layer_N_m3(const Scenario& scenario, const FaceLayer& layer) {

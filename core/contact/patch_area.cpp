@@ -61,6 +61,27 @@ PatchArea strip_area(double radius_m, double plane_strain_modulus_Pa, std::size_
   return area;
 }
 
+std::array<double, 2> relative_curvature_1_m(const LatticeParameters& product, const PadFace& pad) {
+  const TrueShape shape(product);
+  std::array<double, 2> curvature = pad.curvature_1_m();
+  for (std::size_t t = 0; t < 2; ++t) {
+    if (shape.is_round(0) && shape.is_round(1 + t)) curvature[t] += 1.0 / shape.pole_radius_m(0, 1 + t);
+    // Both fit each other: the patch ends where the pad does.
+    constexpr double kFlat = 0.02;
+    if (curvature[t] * pad.half_size_m()[t] < kFlat) curvature[t] = 0.0;
+  }
+  return curvature;
+}
+
+PatchArea pad_patch_area(const LatticeParameters& product, const PadFace& pad) {
+  const std::array<double, 2> curvature = relative_curvature_1_m(product, pad);
+  const double modulus = plane_strain_modulus_Pa(product);
+  if (curvature[0] == 0.0 && curvature[1] == 0.0) return {};
+  if (curvature[0] == 0.0) return strip_area(1.0 / curvature[1], modulus, 0);
+  if (curvature[1] == 0.0) return strip_area(1.0 / curvature[0], modulus, 1);
+  return ellipse_area({1.0 / curvature[0], 1.0 / curvature[1]}, modulus);
+}
+
 PatchArea patch_area(const LatticeParameters& product, std::size_t axis,
                      const std::array<std::size_t, 2>& tangent) {
   const TrueShape shape(product);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -36,6 +37,14 @@ double plane_strain_modulus_Pa(const LatticeParameters& product);
 /// Of the face across an axis. @param tangent the other two axes
 PatchArea patch_area(const LatticeParameters& product, std::size_t axis,
                      const std::array<std::size_t, 2>& tangent);
+
+/// Of the face that meets the pads, by the relative curvature of both, 1 / R' + 1 / R'' along each tangent: kind
+/// of a patch, an ellipse where both curve apart, a strip where one does, flat where the face of the pad fits the
+/// product.
+PatchArea pad_patch_area(const LatticeParameters& product, const PadFace& pad);
+/// Relative curvatures along y and z, not negative [1/m]; less than a circle of fifty times the pad counts as
+/// none.
+std::array<double, 2> relative_curvature_1_m(const LatticeParameters& product, const PadFace& pad);
 
 /// Of an elastic ellipsoid of the given principal radii pressed against a plane (Johnson 1985, 4.2).
 /// @param radius_m radii of curvature at the pole along the two tangents

@@ -80,7 +80,7 @@ PatchDamage WorstPatches::together() const {
 PatchLoad patch_load(const PatchForm& form, const FlowLaw& law, double yield_ratio, double normal_N,
                      double traction_N) {
   if (!(yield_ratio > 0.0) || !(normal_N > 0.0)) return {};
-  const double dragged = form.traction.at(traction_N / normal_N) * normal_N;
+  const double dragged = form.traction.at(traction_N / normal_N) * normal_N * form.share;
   return {yield_ratio, dragged / (yield_ratio * form.yield_factor * law.yield.yield_stress_Pa)};
 }
 
@@ -94,9 +94,10 @@ PatchDamage patch_damage(const PatchLoad& load, const PatchForm& form, const Flo
   PatchDamage damage;
   damage.plastic_strain = law.strain_at(ratio);
   damage.set_m = kDeeperDent * root * flow.dent;
-  damage.absorbed_energy_J = kWiderVolume * cube * flow.work;
+  damage.absorbed_energy_J = form.patches * kWiderVolume * cube * flow.work;
   const double bruised_part = law.ratio_at(bruised_strain) / ratio;
-  if (bruised_part < 1.0) damage.bruised_volume_m3 = kWiderVolume * cube * form.field.volume_above(bruised_part);
+  if (bruised_part < 1.0)
+    damage.bruised_volume_m3 = form.patches * kWiderVolume * cube * form.field.volume_above(bruised_part);
   return damage;
 }
 

@@ -43,10 +43,13 @@ double StripPeak::at(double half_width_over_half_thickness) const {
   return BetweenEntries(half_width_over_half_thickness, kStripStep, kSteps).in(peak_);
 }
 
-PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const std::array<std::size_t, 2>& tangent,
-                     const std::array<double, 3>& center_m) {
+namespace {
+
+/// Of a patch of this area.
+PatchForm form_of(const PatchArea& area, const LatticeParameters& product, std::size_t axis,
+                  const std::array<std::size_t, 2>& tangent, const std::array<double, 3>& center_m) {
   PatchForm form;
-  form.area = patch_area(product, axis, tangent);
+  form.area = area;
   form.plane_strain_modulus_Pa = plane_strain_modulus_Pa(product);
   for (std::size_t t = 0; t < 2; ++t) {
     form.middle_m[t] = center_m[tangent[t]];
@@ -73,6 +76,28 @@ PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const s
   form.traction = TractionFactor::of_curved(product.poisson_ratio);
   form.field = PatchField(product.poisson_ratio);
   form.cross_section_m2 = 0.25 * std::numbers::pi * product.size_m[tangent[0]] * product.size_m[tangent[1]];
+  return form;
+}
+
+}  // namespace
+
+PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const std::array<std::size_t, 2>& tangent,
+                     const std::array<double, 3>& center_m) {
+  return form_of(patch_area(product, axis, tangent), product, axis, tangent, center_m);
+}
+
+PatchForm form_under_pad(const Scenario& scenario, const PatchForm& before_plane) {
+  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+  const auto* jaw = parallel_jaw(scenario);
+  if (product == nullptr || jaw == nullptr) return before_plane;
+  const PadFace face(*jaw);
+  PatchForm form = form_of(pad_patch_area(*product, face), *product, 0, {1, 2},
+                           {0.0, before_plane.middle_m[0], before_plane.middle_m[1]});
+  form.bounded = true;
+  if (jaw->pad.shape == PadShape::v_groove) {
+    form.patches = 2.0;
+    form.share = 0.5 / face.groove_cosine();
+  }
   return form;
 }
 

@@ -47,7 +47,14 @@ struct PatchForm {
   /// such pole.
   PatchField field{0.3};
   double cross_section_m2 = 0.0;
+  /// Of a shaped pad: bounded by what lies under it.
+  bool bounded = false;
+  /// Patches that share the force, in a groove two, and how much of it each carries.
+  double patches = 1.0, share = 1.0;
 };
+
+/// Of the face under the pads of a scenario, from that before a plane.
+PatchForm form_under_pad(const Scenario& scenario, const PatchForm& before_plane);
 
 /// Of the face across an axis. @param tangent the other two axes @param center_m of the product's true shape
 PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const std::array<std::size_t, 2>& tangent,

@@ -99,7 +99,9 @@ double whole_pad_factor(const std::array<double, 2>& side_m, double thickness_m,
 }
 
 LayerParameters pad_layer(const ParallelJawParameters& gripper) {
-  return {gripper.pad_modulus_Pa, gripper.pad_thickness_m, gripper.pad_poisson_ratio, gripper.pad_bulge};
+  return {gripper.pad_modulus_Pa,    gripper.pad_thickness_m, gripper.pad_poisson_ratio,
+          gripper.pad_bulge,         pad_law(gripper.pad),    gripper.pad_size_m[0] * gripper.pad_size_m[1],
+          reference_depth_m(gripper)};
 }
 
 LayerParameters support_layer(const CellParameters& cell) {
@@ -127,7 +129,7 @@ const RubberFactor& rubber_factor(PatchKind kind, double poisson_ratio, PadBulge
 FaceLayer::FaceLayer(const LayerParameters& parameters, const PatchArea& patch,
                      const std::array<double, 2>& covered)
     : layer(parameters), area(patch), covered_m(covered) {
-  if (layer.is_springs() || area.kind == PatchKind::flat) return;
+  if (layer.is_springs() || layer.law || area.kind == PatchKind::flat) return;
   rubber = rubber_factor(area.kind, layer.poisson_ratio, layer.bulge);
 }
 
@@ -138,8 +140,28 @@ double FaceLayer::patch_half_width_m(double force_N, double layer_N_m3) const {
   return std::sqrt(area.ellipse_m2(force_N, layer_N_m3) / std::numbers::pi);
 }
 
+/// Of springs that are as deep as the law's layer under the mean pressure of their patch.
+double FaceLayer::law_stiffness_N_m3(double force_N) const {
+  double stiffness = layer.springs_N_m3();
+  if (!(force_N > 0.0)) return stiffness;
+  const double covered_m2 = covered_m[0] * covered_m[1];
+  constexpr int kIterations = 8;
+  for (int i = 0; i < kIterations; ++i) {
+    double touched_m2 = covered_m2;
+    if (area.kind == PatchKind::strip) {
+      touched_m2 = std::min(touched_m2, 2.0 * patch_half_width_m(force_N, stiffness) * covered_m[area.straight]);
+    } else if (area.kind == PatchKind::ellipse) {
+      touched_m2 = std::min(touched_m2, area.ellipse_m2(force_N, stiffness));
+    }
+    const double pressure = force_N / touched_m2;
+    stiffness = pressure / layer.law->depth_m(pressure * layer.law_area_m2);
+  }
+  return stiffness;
+}
+
 double FaceLayer::stiffness_N_m3(double force_N) const {
   const double springs = layer.springs_N_m3();
+  if (layer.law && covered_m[0] > 0.0 && covered_m[1] > 0.0) return law_stiffness_N_m3(force_N);
   if (layer.is_springs() || !(covered_m[0] > 0.0) || !(covered_m[1] > 0.0)) return springs;
   if (area.kind == PatchKind::flat) {
     return springs * whole_pad_factor(covered_m, layer.thickness_m, layer.poisson_ratio, layer.bulge);

@@ -12,8 +12,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "core/contact/patch_area.hpp"
+#include "core/scenario/pad_law.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -50,9 +52,14 @@ struct LayerParameters {
   double modulus_Pa = 0.0, thickness_m = 0.0;
   double poisson_ratio = 0.0;
   PadBulge bulge = PadBulge::free;
+  std::optional<PadLaw> law{};  ///< of a measured pad,
+  double law_area_m2 = 0.0;     ///< and its area
+  double law_depth_m = 0.0;     ///< at which its springs are taken
 
-  [[nodiscard]] bool is_springs() const { return poisson_ratio == 0.0; }
-  [[nodiscard]] double springs_N_m3() const { return modulus_Pa / thickness_m; }
+  [[nodiscard]] bool is_springs() const { return poisson_ratio == 0.0 && !law; }
+  [[nodiscard]] double springs_N_m3() const {
+    return law ? law->force_N(law_depth_m) / (law_depth_m * law_area_m2) : modulus_Pa / thickness_m;
+  }
 };
 LayerParameters pad_layer(const ParallelJawParameters& gripper);
 LayerParameters support_layer(const CellParameters& cell);
@@ -72,6 +79,7 @@ struct FaceLayer {
 
  private:
   [[nodiscard]] double patch_half_width_m(double force_N, double layer_N_m3) const;
+  [[nodiscard]] double law_stiffness_N_m3(double force_N) const;
 };
 
 }  // namespace unbruised

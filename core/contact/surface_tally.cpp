@@ -17,11 +17,10 @@ PlaceMoments place_moments(const ContactCandidate& candidate, const PressedPiece
   Lane sum(0.0), product(0.0);
   std::array<Lane, 2> first{Lane(0.0), Lane(0.0)}, second{Lane(0.0), Lane(0.0)};
   for (int q = 0; q < kReliefPlaces; ++q) {
-    Lane depth = max0(piece.penetration - Lane(candidate.relief_m[static_cast<std::size_t>(q)]));
+    Lane depth = max0(piece.penetration - piece.cover.relief(candidate.relief_m, q));
     if (!piece.cover.is_full()) depth *= piece.cover.weight(q);
-    const auto offset = relief_offset(q);
-    const std::array<Lane, 2> place = {y + Lane(offset[0] * candidate.tributary[0].extent_m),
-                                       z + Lane(offset[1] * candidate.tributary[1].extent_m)};
+    const auto offset = place_offset_m(candidate, q);
+    const std::array<Lane, 2> place = {y + Lane(offset[0]), z + Lane(offset[1])};
     sum += depth;
     product += depth * place[0] * place[1];
     for (std::size_t t = 0; t < 2; ++t) {
@@ -60,10 +59,11 @@ void SurfaceTally::add_moments(const ContactCandidate& candidate, const Lane& no
   for (std::size_t t = 0; t < 2; ++t) {
     const Tributary& along = candidate.tributary[t];
     const Lane place(along.place_m), offset = piece.mean_m[t];
-    mean[t] = along.curved ? places.mean[t] : place + offset;
-    square[t] = along.curved ? places.square[t] : place * (place + Lane(2.0) * offset) + piece.mean_square_m2[t];
+    const bool by_places = along.has_places();
+    mean[t] = by_places ? places.mean[t] : place + offset;
+    square[t] = by_places ? places.square[t] : place * (place + Lane(2.0) * offset) + piece.mean_square_m2[t];
   }
-  const bool joint = candidate.tributary[0].curved && candidate.tributary[1].curved;
+  const bool joint = candidate.tributary[0].has_places() && candidate.tributary[1].has_places();
   const Lane product = joint ? places.product : mean[0] * mean[1];
   for (std::size_t t = 0; t < 2; ++t) {
     first[t] += normal_force * mean[t];

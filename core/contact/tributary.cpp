@@ -77,6 +77,16 @@ CoveredPiece curved_piece(const Stretch& s) {
   return piece;
 }
 
+/// What of the hat function lies over each place, mean 1.
+void weigh_places(const std::array<int, 2>& cells, const Stretch& s, const Lane& whole, CoveredPiece& piece) {
+  const Lane inverse = Lane(kReliefSide) / max(whole, Lane(kLeastWeight));
+  for (int k = 0; k < kReliefSide; ++k) {
+    const Lane from(2.0 * k / kReliefSide - 1.0), to(2.0 * (k + 1) / kReliefSide - 1.0);
+    const Stretch place{clipped(s.low, from, to), clipped(s.high, from, to)};
+    piece.place[static_cast<std::size_t>(k)] = flat_moments(cells, place).of[0] * inverse;
+  }
+}
+
 }  // namespace
 
 Lane Tributary::weight_m(const Stretch& window, const Lane& moved) const {
@@ -100,6 +110,7 @@ CoveredPiece Tributary::covered_by(const Stretch& covered, const Lane& moved) co
   piece.mean_m = m.of[1] * inverse;
   piece.mean_square_m2 = m.of[2] * inverse * Lane(extent_m);
   piece.softness = select(some, softness_beside(cells, s), Lane(0.0));
+  if (sampled) weigh_places(cells, s, m.of[0], piece);
   return piece;
 }
 

@@ -30,7 +30,7 @@ struct CoveredPiece {
   /// Of the body beside an edge of the surface: compliance per pressure x E / (1 - nu^2) / extent of a cell; flat
   /// directions.
   Lane softness{0.0};
-  std::array<Lane, kReliefSide> place;  ///< share of each place of a curved direction
+  std::array<Lane, kReliefSide> place;  ///< share of each place of a curved direction; of a sampled one mean 1
 };
 
 struct Tributary {
@@ -39,6 +39,14 @@ struct Tributary {
   bool curved = false;
   std::array<int, 2> cells{2,
                            2};  ///< of the face beside the particle, below and above; more than two count as two
+  bool sampled = false;         ///< a flat direction under a shaped pad: cut into places as well
+
+  /// Is each of its places as deep as it is?
+  [[nodiscard]] bool has_places() const { return curved || sampled; }
+  /// Of place `k` from the particle [m]; those of a flat direction lie over both cells beside it.
+  [[nodiscard]] double offset_m(int k) const {
+    return ((k + 0.5) / kReliefSide - 0.5) * (sampled ? 2.0 : 1.0) * extent_m;
+  }
 
   /// The weight within a window [m]. @param moved of the particle from its place
   [[nodiscard]] Lane weight_m(const Stretch& window, const Lane& moved) const;

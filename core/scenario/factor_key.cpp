@@ -6,6 +6,7 @@
 
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -66,6 +67,8 @@ std::string factor_key(const Scenario& scenario) {
   key.add(set);
   // Every surface that the cell lists has candidates of its own.
   if (set != ContactSet::pads_and_support) key.add(scenario.cell.surface.size());
+  // Faces of shaped pads are met at places, flat ones by hat functions.
+  if (has_shaped_pads(scenario)) key.add(1.0);
   return key.take();
 }
 

@@ -34,7 +34,7 @@ void gap_follows_opening(const Scenario& s, Violations& out) {
   const auto open = open_gripper(s);
   if (!open || !s.cell.approach_gap_m) return;
   constexpr double kSame_m = 1e-9;  // what decimals of millimetres lose in sums
-  const double left = 0.5 * (open->opening_m - open->width_m);
+  const double left = gap_in_opening_m(open->opening_m, open->width_m, s);
   if (left <= 0.0 || std::abs(left - *s.cell.approach_gap_m) <= kSame_m) return;
   out.push_back({"cell.approach_gap_m", spelled(*s.cell.approach_gap_m),
                  "contradicts gripper.opening_m = " + spelled(open->opening_m) + ", which leaves " +

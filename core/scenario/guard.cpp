@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scenario/opening.hpp"
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/product.hpp"
 
@@ -15,6 +16,7 @@ std::optional<double> way_to_touch_m(const Scenario& scenario) {
   const auto meeting = pad_meeting(scenario);
   const auto extents_m = shape_extents_m(scenario.product);
   if (!meeting || !extents_m) return std::nullopt;
+  if (has_shaped_pads(scenario)) return approach_gap_m(scenario);
   return approach_gap_m(scenario) + meeting->depth_share * (*extents_m)[0];
 }
 

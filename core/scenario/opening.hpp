@@ -12,10 +12,13 @@ inline constexpr double kUsualApproachGap_m = 0.005;
 
 /// From each pad face to the nearest point of the undeformed product at the start [m]: cell.approach_gap_m;
 /// without it what the opening leaves, (gripper.opening_m - product.size_m[0]) / 2; without either
-/// kUsualApproachGap_m. Not positive where the product is wider than the opening, which `validate` refuses.
+/// kUsualApproachGap_m. Of shaped pads the way along which they close until they meet the product. Not positive
+/// where the product is wider than the opening, which `validate` refuses.
 double approach_gap_m(const Scenario& scenario);
+/// What the opening leaves [m].
+double gap_in_opening_m(double opening_m, double width_m, const Scenario& scenario);
 
-/// From each pad face to the middle between them at the start [m].
+/// From the middle of each pad's face to the middle between them at the start [m].
 double opened_half_m(const Scenario& scenario);
 
 }  // namespace unbruised

@@ -3,6 +3,7 @@
 #include "core/door/require.hpp"
 #include "core/scenario/cell_surface.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/product.hpp"
 
 namespace unbruised {
@@ -18,19 +19,29 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   require(is_lane(lane), "SurfaceLanes::load: there is no such lane");
   const CellParameters& cell = scenario.cell;
   const auto* jaw = parallel_jaw(scenario);
+  const double reach_m = pad_reach_m(scenario);
+  face_[static_cast<std::size_t>(lane)] = jaw == nullptr ? PadFace() : PadFace(*jaw);
   for (int pad = 0; pad < kFingerCount; ++pad) {
     SurfaceLane& surface = surface_[pad];
     surface.present.set(lane, jaw != nullptr);
     surface.friction.set(lane, product_friction(scenario.product));
     surface.center_m[0].set(lane, product.center_m[1] + cell.grip_offset_m);
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
+    surface.curve.clear(lane);
     if (jaw == nullptr) continue;
     surface.stiffness_N_m3.set(lane, layer_N_m3[static_cast<std::size_t>(pad)]);
     surface.springs_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    if (const auto law = pad_law(jaw->pad)) {
+      const double area_m2 = jaw->pad_size_m[0] * jaw->pad_size_m[1];
+      surface.springs_N_m3.set(lane, surface.stiffness_N_m3[lane]);
+      surface.curve.set(lane, *law, surface.stiffness_N_m3[lane] * area_m2);
+    }
+    const std::array<double, 2> rises = face(lane).range_m();
+    surface.bent.set(lane, rises[1] > rises[0] ? 1.0 : 0.0);
     surface.edge_radius_m.set(lane, jaw->pad_edge_radius_m);
     surface.thickness_m.set(lane, jaw->pad_thickness_m);
     surface.relaxation_s.set(lane, jaw->pad_relaxation_time_s);
-    surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * approach_gap_m(scenario));
+    surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * (approach_gap_m(scenario) + reach_m));
     for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, jaw->pad_size_m[t]);
   }
   SurfaceLane& support = surface_[kSupport];

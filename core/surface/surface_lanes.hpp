@@ -6,8 +6,10 @@
 #include <array>
 
 #include "core/lanes/lane.hpp"
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/carrier_motion.hpp"
+#include "core/surface/layer_curve.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {
@@ -26,6 +28,8 @@ struct SurfaceLane {
   Lane springs_N_m3{1.0};    ///< E / thickness of the layer; a third of it in shear
   Lane thickness_m{1.0};     ///< of the layer
   Lane edge_radius_m{0.0};   ///< of a pad
+  LayerCurve curve;          ///< of a pad that is measured
+  Lane bent{0.0};            ///< 1: the face of a pad is no plane
   Lane relaxation_s{0.0};    ///< of the layer
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
   std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< along the tangent axes
@@ -53,6 +57,8 @@ class SurfaceLanes {
   void remove(int surface, int lane) { surface_[static_cast<std::size_t>(surface)].present.set(lane, false); }
 
   [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
+  /// The face of the pads of a lane.
+  [[nodiscard]] const PadFace& face(int lane) const { return face_[static_cast<std::size_t>(lane)]; }
 
   /// Place along the normal axis.
   /// @param way that its finger has closed; not looked at where no finger carries it
@@ -68,6 +74,7 @@ class SurfaceLanes {
   static void load_listed(int lane, const CellSurfaceParameters& parameters, SurfaceLane& surface);
 
   std::array<SurfaceLane, kSurfaceCount> surface_;
+  std::array<PadFace, kLanes> face_;
 };
 
 /// How the carrier of a surface moves.

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 constexpr std::size_t kMaxCsvBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxPathBytes = 4096;
+constexpr std::size_t kMaxProfilePlaces = 10'000;
 
 std::optional<std::string> read_bytes(const std::filesystem::path& path, std::size_t most, std::string& why) {
   std::error_code error;
@@ -185,7 +186,75 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
   if (!text) return {};
   const Document document = parse_document(text->content, text->file, text->rank);
   for (const Problem& problem : document.problems) problems.add(problem);
-  return library_entries(document, "", table, problems);
+  std::vector<Entry> entries = library_entries(document, "", table, problems);
+  read_profile(entries, problems);
+  return entries;
+}
+
+void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
+  const auto named = std::find_if(entries.rbegin(), entries.rend(),
+                                  [](const Entry& entry) { return entry.path == kProfileFileKey; });
+  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
+  const auto text = open(Entry(*named), problems);
+  if (!text) return;
+  for (Entry& entry : profile_entries(text->content, text->file, text->rank, problems)) {
+    entries.push_back(std::move(entry));
+  }
+}
+
+std::vector<Entry> profile_entries(std::string_view content, const std::shared_ptr<const std::string>& file,
+                                   int rank, Problems& problems) {
+  constexpr std::array<std::string_view, 2> kColumns = {"place_m", "height_m"};
+  std::array<Entry, 2> list;
+  for (std::size_t i = 0; i < 2; ++i) {
+    list[i] = {"gripper.pad.profile_" + std::string(kColumns[i]), {}, {file, rank, 1}};
+    list[i].value.kind = Value::Kind::array;
+  }
+  std::string_view rest = without_byte_order_mark(content);
+  bool has_header = false;
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view current = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    const Origin origin{file, rank, line};
+    if (trimmed(current).empty() || current.front() == '#') continue;
+    const std::vector<std::string> cells = cells_of(current);
+    if (!has_header) {
+      has_header = cells.size() == 2 && cells[0] == kColumns[0] && cells[1] == kColumns[1];
+      if (has_header) continue;
+      problems.add(origin, kProfileFileKey, "the first line must be \"place_m,height_m\"");
+      return {};
+    }
+    if (cells.size() != 2) {
+      problems.add(origin, kProfileFileKey,
+                   "a row must have two cells, a place and a height, not " + std::to_string(cells.size()));
+      return {};
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      Value value = cell_value({.path = "", .type = KeyType::number}, cells[i]);
+      if (value.kind == Value::Kind::text) {
+        problems.add(origin, kColumns[i], spelled(value), "must be a number");
+        return {};
+      }
+      auto& items = list[i].value.items;
+      if (i == 0 && !items.empty() && !(value.number > items.back().number)) {
+        problems.add(origin, kColumns[i], spelled(value),
+                     "must be > the place before it, " + spelled(items.back()) +
+                         ": a profile has one height at each place");
+        return {};
+      }
+      if (items.size() == kMaxProfilePlaces) {
+        problems.add(origin, kProfileFileKey, "more than 10,000 places");
+        return {};
+      }
+      items.push_back(std::move(value));
+    }
+  }
+  if (list[0].value.items.size() < 2) {
+    problems.add({file, rank, 1}, kProfileFileKey, "the file must have two rows at least");
+    return {};
+  }
+  return {list[0], list[1]};
 }
 
 std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, Problems& problems) {

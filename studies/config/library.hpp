@@ -33,6 +33,9 @@ class Library {
   /// @param list "product.particle" or "product.spring"
   std::vector<Entry> read_csv(std::string_view list, const Entry& named, Problems& problems);
 
+  /// Appends the places and heights of the last profile that entries name a file of.
+  void read_profile(std::vector<Entry>& entries, Problems& problems);
+
  private:
   struct Text {
     std::string content;
@@ -57,6 +60,13 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
 /// @param file, rank of the text, for messages
 std::vector<Entry> csv_entries(std::string_view list, std::string_view content,
                                const std::shared_ptr<const std::string>& file, int rank, Problems& problems);
+
+/// The key that names the CSV file of a pad's profile.
+inline constexpr std::string_view kProfileFileKey = "gripper.pad.profile_file";
+
+/// Entries of such a text: the lists of its columns place_m and height_m.
+std::vector<Entry> profile_entries(std::string_view content, const std::shared_ptr<const std::string>& file,
+                                   int rank, Problems& problems);
 
 /// Reads a file of at most 4 MiB (one byte more is returned for a larger one). Returns nothing and sets `why` when
 /// it cannot be read.

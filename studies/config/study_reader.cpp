@@ -60,6 +60,7 @@ class Reader {
   [[nodiscard]] Origin place(int line) const { return {file_, 0, line}; }
 
   void load_lists() {
+    library_.read_profile(text_.study, problems_);
     for (const std::string list : {"product.particle", "product.spring"}) {
       const Entry* csv = text_.last(list + "s_csv");
       if (csv == nullptr) continue;

@@ -65,9 +65,9 @@ TEST(ContactModel, TheReliefOfABallIsItsSphere) {
     for (std::size_t t = 0; t < 2; ++t) middle[t] = c.tributary[t].place_m - parts.body.center_m()[tangents[t]];
     const double here = radius * radius - middle[0] * middle[0] - middle[1] * middle[1];
     for (int q = 0; q < kReliefPlaces; ++q) {
-      const auto offset = relief_offset(q);
-      const double y = middle[0] + offset[0] * c.tributary[0].extent_m;
-      const double z = middle[1] + offset[1] * c.tributary[1].extent_m;
+      const auto offset = place_offset_m(c, q);
+      const double y = middle[0] + offset[0];
+      const double z = middle[1] + offset[1];
       const double there = radius * radius - y * y - z * z;
       if (there < 0.0) {
         EXPECT_GT(c.relief_m[q], 1.0) << "never touches";

@@ -69,6 +69,85 @@ std::vector<Breach> lattice_breaches() {
   };
 }
 
+/// Pads of 3 cm before a box of 5 cm.
+ParallelJawParameters& pads_in(S s, PadShape shape) {
+  s.gripper = ParallelJawParameters{};
+  jaw_of(s).pad.shape = shape;
+  return jaw_of(s);
+}
+
+std::vector<Breach> pad_breaches() {
+  return {
+      {"gripper.pad.radius_m", "missing; gripper.pad.shape = \"cylinder\" needs it", usual_grip,
+       [](S s) { pads_in(s, PadShape::cylinder); }},
+      {"gripper.pad.radius_m", "not used with gripper.pad.shape = \"flat\"", usual_grip,
+       [](S s) { pads_in(s, PadShape::flat).pad.radius_m = 0.1; }},
+      {"gripper.pad.radius_m", "must be > 0.015 m in size", usual_grip,
+       [](S s) { pads_in(s, PadShape::cylinder).pad.radius_m = -0.015; }},
+      {"gripper.pad.radius_m", "must be > 0.02121 m in size", usual_grip,
+       [](S s) { pads_in(s, PadShape::sphere).pad.radius_m = 0.02; }},
+      {"gripper.pad.half_angle_rad", "missing", usual_grip, [](S s) { pads_in(s, PadShape::v_groove); }},
+      {"gripper.pad.half_angle_rad", "must be < pi / 2", usual_grip,
+       [](S s) { pads_in(s, PadShape::v_groove).pad.half_angle_rad = 1.6; }},
+      {"gripper.pad.profile_place_m", "must have as many places", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::profile).pad.profile_place_m = {0.0, 0.01};
+       }},
+      {"gripper.pad.profile_place_m[2]", "must be > the place before it, 0.01", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::profile).pad.profile_place_m = {0.0, 0.01, 0.01};
+         jaw_of(s).pad.profile_height_m = {0.0, 0.0, 0.001};
+       }},
+      {"gripper.opening_m", "must be > 0.06", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::profile).pad.profile_place_m = {0.0, 0.01};
+         jaw_of(s).pad.profile_height_m = {0.005, 0.005};
+         jaw_of(s).opening_m = 0.058;
+       }},
+      {"gripper.pad.shape", "lets the pads meet each other", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::profile).pad.profile_place_m = {0.026, 0.027};
+         jaw_of(s).pad.profile_height_m = {0.0, 0.06};
+         jaw_of(s).pad_size_m = {0.06, 0.03};
+       }},
+      {"gripper.pad.law_coefficients", "excludes", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_coefficients = {1e3};
+         jaw_of(s).pad.law_depth_m = {0.0, 1e-3};
+       }},
+      {"gripper.pad.law_coefficients", "must make a force that rises", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_coefficients = {1e3, -1e6};
+       }},
+      {"gripper.pad.law_depth_m", "must have as many depths", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_depth_m = {0.0, 1e-3};
+       }},
+      {"gripper.pad.law_depth_m", "must begin with no force", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_depth_m = {0.0, 1e-3};
+         jaw_of(s).pad.law_force_N = {1.0, 2.0};
+       }},
+      {"gripper.pad.law_force_N", "must rise", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_depth_m = {0.0, 1e-3, 2e-3};
+         jaw_of(s).pad.law_force_N = {0.0, 2.0, 2.0};
+       }},
+      {"gripper.pad.shape", "must be \"flat\" with a measured law", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::sphere).pad.radius_m = 0.1;
+         jaw_of(s).pad.law_coefficients = {1e3};
+       }},
+      {"gripper.pad_poisson_ratio", "not used with a measured law", usual_grip,
+       [](S s) {
+         pads_in(s, PadShape::flat).pad.law_coefficients = {1e3};
+         jaw_of(s).pad_poisson_ratio = 0.4;
+       }},
+      {"gripper.pad.shape", "needs a product with a shape", usual_network,
+       [](S s) { pads_in(s, PadShape::sphere).pad.radius_m = 0.1; }},
+  };
+}
+
 std::vector<Breach> surface_breaches() {
   return {
       {"cell.surface", "must be 8 tables at most", usual_grip, [](S s) { s.cell.surface.resize(9); }},
@@ -421,8 +500,8 @@ std::vector<Breach> guard_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), surface_breaches(), sensor_breaches(), network_breaches(),
-                           handling_breaches(), guard_breaches()}) {
+  for (const auto& part : {lattice_breaches(), pad_breaches(), surface_breaches(), sensor_breaches(),
+                           network_breaches(), handling_breaches(), guard_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -498,7 +577,8 @@ TEST(Rules, NameKnownFields) {
   const std::set<std::string_view> words = {"product.shape",     "product.axis",
                                             "product.kind",      "product.particle[].fixed",
                                             "gripper",           "gripper.coupling",
-                                            "gripper.hold",      "cell.support",
+                                            "gripper.hold",      "gripper.pad.shape",
+                                            "gripper.pad.along", "cell.support",
                                             "strategy.pick",     "cell.surface",
                                             "cell.target_plane", "simulation.contact_set",
                                             "strategy.guard",    "strategy.ramp_from_start",

@@ -74,6 +74,49 @@ std::vector<Arrival> gripper_arrivals() {
       {"gripper.pad_poisson_ratio", "0.375", [](S s) { return jaw_of(s).pad_poisson_ratio == 0.375; }},
       {"gripper.pad_bulge", "\"held\"", [](S s) { return jaw_of(s).pad_bulge == PadBulge::held; }},
       {"gripper.pad_edge_radius_m", "0.0012", [](S s) { return jaw_of(s).pad_edge_radius_m == 0.0012; }},
+      {"gripper.pad.shape",
+       "\"sphere\"",
+       [](S s) { return jaw_of(s).pad.shape == PadShape::sphere; },
+       {"gripper.pad.radius_m=0.1"}},
+      {"gripper.pad.along", "\"y\"", [](S s) { return jaw_of(s).pad.along == PadAlong::y; }},
+      {"gripper.pad.radius_m",
+       "-0.375",
+       [](S s) { return jaw_of(s).pad.radius_m == -0.375; },
+       {"gripper.pad.shape=\"cylinder\""}},
+      {"gripper.pad.half_angle_rad",
+       "1.25",
+       [](S s) { return jaw_of(s).pad.half_angle_rad == 1.25; },
+       {"gripper.pad.shape=\"v_groove\""}},
+      {"gripper.pad.profile_place_m",
+       "[-0.5, 0.25]",
+       [](S s) {
+         return jaw_of(s).pad.profile_place_m == std::vector<double>{-0.5, 0.25};
+       },
+       {"gripper.pad.shape=\"profile\"", "gripper.pad.profile_height_m=[0.0, 0.0]"}},
+      {"gripper.pad.profile_height_m",
+       "[0.0, 0.0009765625]",
+       [](S s) {
+         return jaw_of(s).pad.profile_height_m == std::vector<double>{0.0, 0.0009765625};
+       },
+       {"gripper.pad.shape=\"profile\"", "gripper.pad.profile_place_m=[-0.5, 0.25]"}},
+      {"gripper.pad.law_depth_m",
+       "[0.0, 0.25]",
+       [](S s) {
+         return jaw_of(s).pad.law_depth_m == std::vector<double>{0.0, 0.25};
+       },
+       {"gripper.pad.law_force_N=[0.0, 5.0]", "gripper.pad_poisson_ratio=0.0"}},
+      {"gripper.pad.law_force_N",
+       "[0.0, 5.5]",
+       [](S s) {
+         return jaw_of(s).pad.law_force_N == std::vector<double>{0.0, 5.5};
+       },
+       {"gripper.pad.law_depth_m=[0.0, 0.25]", "gripper.pad_poisson_ratio=0.0"}},
+      {"gripper.pad.law_coefficients",
+       "[375.0, 2.5]",
+       [](S s) {
+         return jaw_of(s).pad.law_coefficients == std::vector<double>{375.0, 2.5};
+       },
+       {"gripper.pad_poisson_ratio=0.0"}},
       {"gripper.pad_relaxation_time_s", "0.375", [](S s) { return jaw_of(s).pad_relaxation_time_s == 0.375; }},
       {"gripper.drive_gain_N_s_m", "375.0", [](S s) { return jaw_of(s).drive_gain_N_s_m == 375.0; }},
       {"gripper.drive_viscous_N_s_m", "0.375", [](S s) { return jaw_of(s).drive_viscous_N_s_m == 0.375; }},

@@ -75,7 +75,7 @@ Lane ContactRegister::normal_stiffness(std::size_t c, const SurfaceLane& surface
   const ContactCandidate& candidate = model_.candidate[c];
   if (candidate.stiffness_N_m > 0.0) return Lane(candidate.stiffness_N_m);
   return Lane(candidate.area_m2) * share.get(c) /
-         (Lane(1.0) / surface.stiffness_N_m3 + body_compliance(c, surface.stiffness_N_m3));
+         (Lane(1.0) / surface.stiffness_N_m3 + body_compliance(c, surface.backing_N_m3));
 }
 
 Lane ContactRegister::elastic_force(std::size_t c, const SurfaceLane& surface, const Lane& p) const {

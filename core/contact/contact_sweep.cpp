@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algebra/lane_matrix.hpp"
+#include "core/contact/answering_surfaces.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/door/require.hpp"
@@ -34,10 +35,11 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
 }
 
 void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes,
-                              MountedContacts* mounted) {
+                              MountedContacts* mounted, PadContacts* pads) {
   theta_ = &theta;
   eyes_ = eyes;
   mounted_ = mounted;
+  pads_ = pads;
   if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < model_.surface_count; ++s) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
@@ -65,6 +67,10 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   if (mounted_ != nullptr) {
     compliance += max(mounted_->own_compliance(c, static_cast<std::size_t>(tangents[0])),
                       mounted_->own_compliance(c, static_cast<std::size_t>(tangents[1])));
+  }
+  if (pads_ != nullptr && pads_->has(c)) {
+    compliance += max(pads_->own_compliance(c, static_cast<std::size_t>(tangents[0])),
+                      pads_->own_compliance(c, static_cast<std::size_t>(tangents[1])));
   }
   shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * compliance));
 }
@@ -103,6 +109,7 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
     near_candidate_.push_back(c);
   }
   first_near_.push_back(near_candidate_.size());
+  if (pads_ != nullptr) pads_->list_near(near_candidate_);
 }
 
 LaneVector ContactSweep::force_in_frame(std::size_t c) const {
@@ -122,6 +129,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   PadForces pad_force = without_force();
   if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
   if (mounted_ != nullptr) mounted_->restart(lanes);
+  if (pads_ != nullptr) pads_->restart(lanes);
   for (std::size_t a = 0; a < active_node_.size(); ++a) {
     const int node = active_node_[a];
     const auto at = 3 * static_cast<std::size_t>(node);
@@ -133,6 +141,9 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
       if (is_pad(candidate.surface)) pad_force[candidate.surface] += contacts_.normal_theta.get(k);
       if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
+      if (pads_ != nullptr && pads_->has(k)) {
+        pad_force[candidate.surface] -= pads_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
+      }
       if (eyes_.places == nullptr) continue;
       levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
                   select(lanes, by_candidate, LaneVector{}));
@@ -192,35 +203,6 @@ struct ContactSweep::TurnedNode {
   [[nodiscard, gnu::always_inline]] bool has_changed() const {
     return any(max(abs(change[0]), max(abs(change[1]), abs(change[2]))) > Lane(0.0));
   }
-};
-
-/// Where no surface is on a mount nothing asks for one.
-struct ContactSweep::FixedSurfaces {
-  MountedContacts* none = nullptr;
-
-  void begin(std::size_t) const {}
-  void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
-  [[nodiscard]] const Lane& place(std::size_t, const Lane& carrier) const { return carrier; }
-  void push(std::size_t, const Lane&) const {}
-  void end(std::size_t) const {}
-};
-
-/// How the mounts of surfaces answer while a candidate is updated.
-struct ContactSweep::MountedSurfaces {
-  MountedContacts* mounted;
-  LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
-  LaneVector change{};  ///< of the force on the product so far
-
-  [[gnu::always_inline]] void begin(std::size_t c) { moved = mounted->motion(c, mounted->twist()); }
-  [[gnu::always_inline]] void give_way(std::size_t c, std::size_t axis, Lane& compliance, Lane& place_m) const {
-    compliance += mounted->own_compliance(c, axis);
-    place_m += moved[axis];
-  }
-  [[nodiscard, gnu::always_inline]] Lane place(std::size_t axis, const Lane& carrier) const {
-    return carrier + moved[axis];
-  }
-  [[gnu::always_inline]] void push(std::size_t axis, const Lane& by) { change[axis] = by; }
-  [[gnu::always_inline]] void end(std::size_t c) const { mounted->push(c, change); }
 };
 
 // The three of a sweep's innermost loop are one piece of code: lane values stay in registers.
@@ -303,7 +285,7 @@ template <class Mounting, class AnyNode>
 template <class Mounting, class AnyNode>
 [[gnu::always_inline]] inline void ContactSweep::update_forces(std::size_t c, const GripperLanes& gripper,
                                                                const Mask& active, Pass& pass, AnyNode& node) {
-  Mounting mounting{mounted_};
+  Mounting mounting(*this, gripper);
   mounting.begin(c);
   const Lane change = abs(update_normal(c, gripper, active, pass.slope, node, mounting));
   const Lane change_across = update_tangent(c, active, node, mounting);
@@ -341,6 +323,7 @@ template <class Mounting>
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
+  if (pads_ != nullptr) return solve_with<PaddedSurfaces>(gripper, lanes);
   return mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
                              : solve_with<MountedSurfaces>(gripper, lanes);
 }

@@ -180,6 +180,32 @@ void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
   }
 }
 
+Lane BodyLanes::weighted_load(std::span<const double> shape) const {
+  require(shape.size() == body_.slot.size(), "BodyLanes::weighted_load: the shape of another body");
+  Lane sum(0.0);
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (body_.slot[i] >= 0) sum += Lane(shape[i]) * rhs_.get(static_cast<std::size_t>(body_.slot[i]));
+  }
+  return sum;
+}
+
+Lane BodyLanes::inertial_sum(std::size_t axis) const {
+  Lane sum(0.0);
+  for (std::size_t p = 0; p < body_.particle_count; ++p) {
+    const std::size_t i = 3 * p + axis;
+    sum += Lane(body_.mass_kg[p]) * w_.inertial(u_.get(i), v_.get(i), a_.get(i));
+  }
+  return sum;
+}
+
+void BodyLanes::add_motion(std::span<const double> shape, const Lane& factor, const Mask& lanes) {
+  require(shape.size() == body_.slot.size(), "BodyLanes::add_motion: the shape of another body");
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const Lane before = u_theta_.get(i);
+    u_theta_.put(i, select(lanes, before + Lane(shape[i]) * factor, before));
+  }
+}
+
 OuterForces BodyLanes::outer_forces(std::span<const int> particles, std::span<const int> active,
                                     const LaneArray& force) const {
   OuterForces outer;

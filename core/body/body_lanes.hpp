@@ -27,6 +27,12 @@ class BodyLanes {
 
   /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
   void begin_step(const Mask& running);
+  /// What accelerates every particle from the coming step on, in place of gravity; of a body that is held.
+  void set_gravity(const std::array<Lane, 3>& acceleration_m_s2) { gravity_ = acceleration_m_s2; }
+  /// sum shape' (right-hand side), [3n], after `begin_step`.
+  [[nodiscard]] Lane weighted_load(std::span<const double> shape) const;
+  /// sum m (a0 u + a2 v + 2 a) along one axis.
+  [[nodiscard]] Lane inertial_sum(std::size_t axis) const;
   /// Adds forces at t + theta dt, [3n], to the right-hand side of one lane.
   void add_forces(int lane, std::span<const double> force_N);
 
@@ -43,6 +49,8 @@ class BodyLanes {
   /// @param turn_rad where not null, by which contact forces turn a body in a floating frame beside their action
   /// on its particles
   void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr);
+  /// Adds a motion, [3n], times a factor to the displacement at t + theta dt.
+  void add_motion(std::span<const double> shape, const Lane& factor, const Mask& lanes);
 
   /// Moves the state to t + dt in the lanes of `running`, and its sums.
   /// @param outer forces that a body in a floating frame was solved with

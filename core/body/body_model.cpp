@@ -145,10 +145,10 @@ double BodyModel::smallest_extent_m() const {
   return std::min({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error, MassSpread spread) {
-  BodyModel body;
-  std::visit([&](const auto& kind) { add_product(kind, spread, body); }, product);
+namespace {
+
+/// What its particles, their masses and what holds them make of it.
+std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std::string& error) {
   body.particle_count = body.position_m.size();
   add_inertia(body);
   std::vector<int> freedom;
@@ -158,6 +158,25 @@ std::optional<BodyModel> build_body(const ProductParameters& product, const Wils
     if (!body.statics) return std::nullopt;
   }
   return body;
+}
+
+}  // namespace
+
+std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
+                                    std::string& error, MassSpread spread) {
+  BodyModel body;
+  std::visit([&](const auto& kind) { add_product(kind, spread, body); }, product);
+  return complete(std::move(body), wilson, error);
+}
+
+std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,
+                                         std::string& error) {
+  BodyModel body;
+  add_product(parameters, MassSpread::cells, body);
+  for (const SurfacePoint& point : body.lattice->side[0]) {
+    body.fixed[static_cast<std::size_t>(point.node)] = {true, true, true};
+  }
+  return complete(std::move(body), wilson, error);
 }
 
 }  // namespace unbruised

@@ -63,4 +63,8 @@ struct BodyModel {
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
                                     std::string& error, MassSpread spread = MassSpread::cells);
 
+/// A lattice whose particles on its side -x are held.
+std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,
+                                         std::string& error);
+
 }  // namespace unbruised

@@ -42,6 +42,7 @@ ContactLanes::ContactLanes(const ContactModel& model, const BodyModel& body, con
   place_free_.fill(Lane(0.0));
   if (frame == ProductFrame::floating) seen_.emplace(model, body);
   for (LaneArray& rows : shaped_place_) rows = LaneArray(shaped_ ? model.candidate.size() : 0);
+  if (model.pads) pads_.emplace(model);
   group_candidates();
   if (model.place.empty()) return;
   require(seen_.has_value(), "ContactLanes: places touch only where the product has a floating frame");
@@ -131,7 +132,8 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   frame_ = given.frame;
   const Eyes eyes = frame_ == nullptr ? Eyes{} : Eyes{frame_, &*seen_, places_ ? &*places_ : nullptr};
   begin_mounts(given.mount);
-  sweep_.begin_step(w_, start.theta, eyes, mounted_now_ ? &mounted_ : nullptr);
+  if (pads_) pads_->begin_step(*given.pads, given.gripper);
+  sweep_.begin_step(w_, start.theta, eyes, mounted_now_ ? &mounted_ : nullptr, pads_ ? &*pads_ : nullptr);
   for (const int side : side_candidate_) {
     const auto c = static_cast<std::size_t>(side);
     const ContactStart& from = starts[carrier_number(model_.candidate[c].surface)];
@@ -165,6 +167,10 @@ void ContactLanes::meet_side(std::size_t c, const ContactStart& start, const Mas
       place[i] += start.u.get(node + i) - carrier_of(surface, start.now)[i].place_m;
     }
     go_with_mount(c, place, *start.mount, meeting);
+  }
+  if (pads_ && pads_->has(c)) {
+    meeting.gap_now -= sign * pads_->now_m(c);
+    meeting.gap_free -= sign * pads_->free_m(c);
   }
   const Mask meets = may_meet(c, meeting, running);
   // A contact that sticks keeps what it closed with.
@@ -228,6 +234,7 @@ void ContactLanes::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& p
 
 void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running) {
   const Ends ends = seen_end(end, frame);
+  if (pads_) pads_->end_step(*end.pads);
   if (places_) see_facing(*frame);
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
@@ -263,6 +270,7 @@ void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
         way[t] = place - shaped_place_[t].get(c);
         continue;
       }
+      if (pads_ && pads_->has(c)) place -= pads_->next_m(c, axis);
       const Lane before = register_.anchor[t].get(c);
       register_.anchor[t].put(c, select(open, place, before));
       way[t] = place - before;
@@ -325,6 +333,7 @@ void ContactLanes::advance_anchors(std::size_t c, const ContactEnd& end, Candida
     Lane place = seen - carrier_of(surface, end.theta)[along].place_m;
     if (end.mount != nullptr) place -= mounted_.along(c, along);
     if (shaped) place = there[1 + t];
+    if (pads_ && pads_->has(c)) place -= pads_->theta_m(c, along);
     const Lane before = register_.anchor[t].get(c);
     const Lane stretch = register_.tangent_theta[t].get(c) / shear;
     const Lane after = w_.at_end(before, place + stretch);

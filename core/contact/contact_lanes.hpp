@@ -23,6 +23,7 @@
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layered_face.hpp"
 #include "core/contact/mounted_contacts.hpp"
+#include "core/contact/pad_contacts.hpp"
 #include "core/contact/pad_slip.hpp"
 #include "core/contact/place_windows.hpp"
 #include "core/contact/seen_nodes.hpp"
@@ -51,6 +52,7 @@ struct ContactStart {
   const FrameLanes* frame =
       nullptr;  ///< the axes of all these where the product turns, predicted for t + theta dt
   const MountLanes* mount = nullptr;  ///< null: no surface of any lane is on one
+  const PadLanes* pads = nullptr;     ///< null: they are layers
 };
 
 /// Where a contact step has ended.
@@ -60,6 +62,7 @@ struct ContactEnd {
   const CarrierMotion& theta;
   const CarrierMotion& next;
   const MountLanes* mount = nullptr;  ///< at t + dt
+  const PadLanes* pads = nullptr;     ///< at t + dt
 };
 
 /// What the layers have dissipated since load, by cause [J].
@@ -120,6 +123,8 @@ class ContactLanes {
   }
   /// Of the contacts at t + theta dt on the mounts.
   [[nodiscard]] LaneSix mount_wrench() const { return mounted_now_ ? mounted_.wrench() : LaneSix{}; }
+  /// Of the contacts at t + theta dt on a pad that is a body, as PadLanes::advance takes them.
+  [[nodiscard]] const LaneArray* pad_face_force(int pad) { return pads_->face_force(pad); }
   /// Takes in where a product that turns has come at t + theta dt, while its frame is still the predicted one.
   void see_theta(const FrameLanes& frame, const LaneArray& u_theta);
   /// Adds what forces on places do by their arms.
@@ -310,9 +315,10 @@ class ContactLanes {
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
   MountedContacts mounted_;
-  double reach_m_ = 0.0;      ///< of the farthest place from the centre of mass
-  Lane sway_m_{0.0};          ///< of the support on its mount, in the present step
-  bool mounted_now_ = false;  ///< is any surface of any lane on a mount, in the present step?
+  std::optional<PadContacts> pads_;  ///< where these are bodies
+  double reach_m_ = 0.0;             ///< of the farthest place from the centre of mass
+  Lane sway_m_{0.0};                 ///< of the support on its mount, in the present step
+  bool mounted_now_ = false;         ///< is any surface of any lane on a mount, in the present step?
   ContactSweep sweep_;
   std::vector<WindowPressure> window_;  ///< over each surface whose candidates are a side's particles
   PlaceWindows place_windows_;

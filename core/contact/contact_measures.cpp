@@ -27,7 +27,13 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
       step.closed & (register_.share.get(c) * Lane(candidate.area_m2) > Lane(kLeastCover * cell_m2));
   const Lane depth = max0(step.penetration - register_.least_relief(c));
   const Lane of_layer = Lane(1.0) / (Lane(1.0) + surface.stiffness_N_m3 * register_.body_compliance(c, surface));
-  layer_strain_ = max(layer_strain_, select(measures, depth * of_layer / surface.thickness_m, Lane(0.0)));
+  Lane pressed = depth * of_layer;
+  if (pads_ && pads_->has(c)) {
+    const Lane back = -Lane(normal_sign(candidate.surface)) *
+                      pads_->next_m(c, static_cast<std::size_t>(normal_axis(candidate.surface)));
+    pressed += max0(back);
+  }
+  layer_strain_ = max(layer_strain_, select(measures, pressed / surface.thickness_m, Lane(0.0)));
 }
 
 /// Notes when within the step a pad's contact closed.
@@ -105,7 +111,7 @@ Lane ContactLanes::lowest_seen_place_m(int surface, const LaneArray& u) const {
 }
 
 Lane ContactLanes::layer_under_force_N_m3(int surface) const {
-  Lane stiffness = surfaces_[surface].stiffness_N_m3;
+  Lane stiffness = surfaces_[surface].backing_N_m3;
   if (surface >= kFirstCellSurface) return stiffness;
   for (int lane = 0; lane < kLanes; ++lane) {
     const FaceLayer& layer = (is_pad(surface) ? pad_layer_ : support_layer_)[static_cast<std::size_t>(lane)];

@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/algebra/lane_solve.hpp"
+#include "core/body/node_compliance.hpp"
 #include "core/contact/compliance_size.hpp"
 #include "core/contact/surface_places.hpp"
 #include "core/contact/tributary_face.hpp"
@@ -120,46 +120,6 @@ void number_nodes(ContactModel& contact) {
     contact.candidate[c].contact_node = static_cast<int>(contact.node.size()) - 1;
   }
   contact.first_candidate.push_back(static_cast<int>(contact.candidate.size()));
-}
-
-/// Fills `compliance` and `reach` from the factored effective stiffness.
-/// @param slot elimination position of each freedom (3 per particle), -1 where it is fixed
-void fill_compliance(const SupernodalFactor& factor, const std::vector<int>& slot, ContactModel& contact) {
-  const std::size_t m = contact.node_count();
-  require(m == 0 || 3 * static_cast<std::size_t>(contact.node.back()) + 2 < slot.size(),
-          "product_contact: the body is not factored");
-  std::vector<int> freedoms;
-  for (int node : contact.node) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int at = slot[3 * static_cast<std::size_t>(node) + axis];
-      if (at >= 0) freedoms.push_back(factor.permutation[at]);
-    }
-  }
-  contact.reach = reach(factor, freedoms);
-  contact.compliance.assign(9 * m * m, 0.0);
-  LaneArray x(static_cast<std::size_t>(factor.size));
-  const std::size_t columns = 3 * m;
-  for (std::size_t first = 0; first < columns; first += kLanes) {
-    x.fill(0.0);
-    const std::size_t count = std::min<std::size_t>(kLanes, columns - first);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t column = first + k;
-      const int at = slot[3 * static_cast<std::size_t>(contact.node[column / 3]) + column % 3];
-      if (at >= 0) x.at(static_cast<std::size_t>(at), static_cast<int>(k)) = 1.0;
-    }
-    solve_forward(factor, contact.reach, x.data());
-    solve_backward(factor, contact.reach, x.data());
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t column = first + k;
-      for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const int at = slot[3 * static_cast<std::size_t>(contact.node[i]) + axis];
-          const double value = at >= 0 ? x.at(static_cast<std::size_t>(at), static_cast<int>(k)) : 0.0;
-          contact.compliance[9 * (i * m + column / 3) + 3 * axis + column % 3] = value;
-        }
-      }
-    }
-  }
 }
 
 /// The particles of one side that can touch a surface.
@@ -335,7 +295,9 @@ ContactModel product_contact(const Scenario& scenario, const BodyModel& body, co
   if (compliance_bytes(contact.node_count()) > kMostComplianceBytes) {
     throw std::invalid_argument("so many particles may touch that their compliance takes more than 4 GB");
   }
-  fill_compliance(body.factor, body.slot, contact);
+  NodeCompliance compliance = node_compliance(body.factor, body.slot, contact.node);
+  contact.compliance = std::move(compliance.block);
+  contact.reach = std::move(compliance.reach);
   if (!contact.place.empty()) give_arms(body, wilson, contact);
   return contact;
 }

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/contact/pad_faces.hpp"
 #include "core/contact/patch_form.hpp"
 #include "core/contact/tributary.hpp"
 #include "core/integration/wilson_theta.hpp"
@@ -97,6 +99,7 @@ struct ContactModel {
   std::vector<double> place_radius_m;  ///< farthest place of a contact node from it; 0 without places
   /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
   std::array<double, 9> turn_per_moment{};
+  std::optional<PadFaces> pads;  ///< where these are bodies
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
   /// Do places of the true surface meet this surface, and not particles?

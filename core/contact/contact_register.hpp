@@ -45,7 +45,7 @@ class ContactRegister {
   [[nodiscard]] Lane normal_stiffness(std::size_t c, const SurfaceLane& surface) const;
   /// Of the body within the cell under this layer, per pressure [m/Pa].
   [[nodiscard]] Lane body_compliance(std::size_t c, const SurfaceLane& surface) const {
-    const Lane within = acting_compliance_m_Pa(model_.candidate[c], surface.stiffness_N_m3);
+    const Lane within = acting_compliance_m_Pa(model_.candidate[c], surface.backing_N_m3);
     // Flat under flat, nothing is left to flatten.
     const bool flat = model_.is_shaped(c) && !model_.candidate[c].curved_face;
     return (flat ? surface.bent * within : within) + edge_compliance.get(c);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algebra/lane_matrix.hpp"
+#include "core/contact/answering_surfaces.hpp"
 #include "core/contact/contact_sweep_nodes.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/surface_tally.hpp"
@@ -36,10 +37,11 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
 }
 
 void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, const Eyes& eyes,
-                              MountedContacts* mounted) {
+                              MountedContacts* mounted, PadContacts* pads) {
   theta_ = &theta;
   eyes_ = eyes;
   mounted_ = mounted;
+  pads_ = pads;
   if ((eyes_.frame != nullptr || model_.shaped_pads) && own_.rows() == 0)
     own_ = LaneArray(9 * model_.candidate.size());
   for (int s = 0; s < model_.surface_count; ++s) {
@@ -68,6 +70,10 @@ void ContactSweep::prepare(std::size_t c, const Lane& viscous) {
   if (mounted_ != nullptr) {
     compliance += max(mounted_->own_compliance(c, static_cast<std::size_t>(tangents[0])),
                       mounted_->own_compliance(c, static_cast<std::size_t>(tangents[1])));
+  }
+  if (pads_ != nullptr && pads_->has(c)) {
+    compliance += max(pads_->own_compliance(c, static_cast<std::size_t>(tangents[0])),
+                      pads_->own_compliance(c, static_cast<std::size_t>(tangents[1])));
   }
   shear_relaxed_.put(c, Lane(1.0) / (Lane(1.0) + shear * compliance));
 }
@@ -107,6 +113,7 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
     near_candidate_.push_back(c);
   }
   first_near_.push_back(near_candidate_.size());
+  if (pads_ != nullptr) pads_->list_near(near_candidate_);
 }
 
 LaneVector ContactSweep::force_in_frame(std::size_t c) const {
@@ -132,6 +139,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   PadForces pad_force = without_force();
   if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
   if (mounted_ != nullptr) mounted_->restart(lanes);
+  if (pads_ != nullptr) pads_->restart(lanes);
   for (std::size_t a = 0; a < active_node_.size(); ++a) {
     const int node = active_node_[a];
     const auto at = 3 * static_cast<std::size_t>(node);
@@ -143,6 +151,9 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
       if (is_pad(candidate.surface)) pad_force[candidate.surface] += closing_force(k);
       if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
+      if (pads_ != nullptr && pads_->has(k)) {
+        pad_force[candidate.surface] -= pads_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
+      }
       if (eyes_.places == nullptr) continue;
       levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
                   select(lanes, by_candidate, LaneVector{}));
@@ -265,7 +276,7 @@ template <class Mounting>
   const ContactCandidate& candidate = model_.candidate[c];
   const auto pad = static_cast<std::size_t>(candidate.surface);
   const Lane sign(normal_sign(candidate.surface));
-  Mounting mounting{mounted_};
+  Mounting mounting(*this, gripper);
   mounting.begin(c);
   const LaneVector closing{
       {sign * shaped_->axis(c, 0, 0), sign * shaped_->axis(c, 1, 0), sign * shaped_->axis(c, 2, 0)}};
@@ -304,7 +315,7 @@ template <class Mounting>
 template <class Mounting, class AnyNode>
 [[gnu::always_inline]] inline void ContactSweep::update_forces(std::size_t c, const GripperLanes& gripper,
                                                                const Mask& active, Pass& pass, AnyNode& node) {
-  Mounting mounting{mounted_};
+  Mounting mounting(*this, gripper);
   mounting.begin(c);
   const Lane change = abs(update_normal(c, gripper, active, pass.slope, node, mounting));
   const Lane change_across = update_tangent(c, active, node, mounting);
@@ -351,8 +362,9 @@ template <class Mounting>
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
-  const Lane sweeps = mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
-                                          : solve_with<MountedSurfaces>(gripper, lanes);
+  const Lane sweeps = pads_ != nullptr      ? solve_with<PaddedSurfaces>(gripper, lanes)
+                      : mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
+                                            : solve_with<MountedSurfaces>(gripper, lanes);
   for (int pad = 0; pad < kFingerCount && shaped_ != nullptr; ++pad) {
     pad_place_[static_cast<std::size_t>(pad)] =
         surfaces_.place(pad, *theta_, gripper.way_at_theta(pad, pad_force_));

@@ -11,6 +11,7 @@
 #include "core/contact/contact_register.hpp"
 #include "core/contact/lever_sums.hpp"
 #include "core/contact/mounted_contacts.hpp"
+#include "core/contact/pad_contacts.hpp"
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
 #include "core/contact/shaped_pads.hpp"
@@ -39,10 +40,10 @@ class ContactSweep {
                const ShapedPads* shaped = nullptr);
 
   /// Starts a step: the layers of this step, without forces.
-  /// @param theta where the carriers are at t + theta dt @param mounted null: no surface is on a mount; both have
-  /// to outlive the step
+  /// @param theta where the carriers are at t + theta dt @param mounted null: no surface is on a mount
+  /// @param pads null: they are layers; all have to outlive the step
   void begin_step(const WilsonTheta& wilson, const CarrierMotion& theta, const Eyes& eyes,
-                  MountedContacts* mounted);
+                  MountedContacts* mounted, PadContacts* pads = nullptr);
   /// Takes in what a candidate's layer is this step.
   /// @param viscous relaxation time x (a1 p + 2 p' + a3 p'') at the start of the step [m]
   void prepare(std::size_t candidate, const Lane& viscous);
@@ -94,6 +95,7 @@ class ContactSweep {
   struct TurnedNode;
   struct FixedSurfaces;
   struct MountedSurfaces;
+  struct PaddedSurfaces;
   /// The near candidates of an active node.
   [[nodiscard]] std::span<const int> near_of(std::size_t active) const {
     return std::span(near_candidate_).subspan(first_near_[active], first_near_[active + 1] - first_near_[active]);
@@ -145,6 +147,7 @@ class ContactSweep {
   const CarrierMotion* theta_ = nullptr;
   Eyes eyes_;
   MountedContacts* mounted_ = nullptr;
+  PadContacts* pads_ = nullptr;
   LeverSums levers_;
   LaneArray own_;  ///< 9 per candidate: compliance of its node or place in the axes of its surface's carrier
   std::array<Lane, kSurfaceCount> rate_slope_;  ///< d rate / d penetration of viscous layers: tau a1

@@ -54,44 +54,4 @@ struct ContactSweep::TurnedNode {
   }
 };
 
-/// Where no surface is on a mount nothing asks for one.
-struct ContactSweep::FixedSurfaces {
-  MountedContacts* none = nullptr;
-
-  void begin(std::size_t) const {}
-  void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
-  [[nodiscard]] const Lane& place(std::size_t, const Lane& carrier) const { return carrier; }
-  [[nodiscard]] Lane compliance_along(std::size_t, const LaneVector&) const { return Lane(0.0); }
-  [[nodiscard]] Lane compliance_across(std::size_t) const { return Lane(0.0); }
-  void push(std::size_t, const Lane&) const {}
-  void end(std::size_t) const {}
-};
-
-/// How the mounts of surfaces answer while a candidate is updated.
-struct ContactSweep::MountedSurfaces {
-  MountedContacts* mounted;
-  LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
-  LaneVector change{};  ///< of the force on the product so far
-
-  [[gnu::always_inline]] void begin(std::size_t c) { moved = mounted->motion(c, mounted->twist()); }
-  [[gnu::always_inline]] void give_way(std::size_t c, std::size_t axis, Lane& compliance, Lane& place_m) const {
-    compliance += mounted->own_compliance(c, axis);
-    place_m += moved[axis];
-  }
-  [[nodiscard, gnu::always_inline]] Lane place(std::size_t axis, const Lane& carrier) const {
-    return carrier + moved[axis];
-  }
-  /// Not less than along any direction: of a compliance C, n' C n <= (sum |n_i| sqrt C_ii)^2.
-  [[nodiscard]] Lane compliance_along(std::size_t c, const LaneVector& n) const {
-    Lane root(0.0);
-    for (std::size_t i = 0; i < 3; ++i) root += abs(n[i]) * sqrt(max0(mounted->own_compliance(c, i)));
-    return root * root;
-  }
-  [[nodiscard]] Lane compliance_across(std::size_t c) const {
-    return mounted->own_compliance(c, 0) + mounted->own_compliance(c, 1) + mounted->own_compliance(c, 2);
-  }
-  [[gnu::always_inline]] void push(std::size_t axis, const Lane& by) { change[axis] = by; }
-  [[gnu::always_inline]] void end(std::size_t c) const { mounted->push(c, change); }
-};
-
 }  // namespace unbruised

@@ -48,8 +48,9 @@ ContactLanes::Starts ContactLanes::seen_start(const ContactStart& start) {
   for (std::size_t i = 0; i < 2; ++i) rest_palm(i == 0 ? start.now : start.theta, resting_[i]);
   const auto from = [&](std::size_t carrier) -> ContactStart {
     const SeenMotion& seen = seen_->from(carrier);
-    return {seen.u,        seen.v,      seen.a,     {seen.base, start.free.moment_N_m}, resting_[0], resting_[1],
-            start.gripper, start.frame, start.mount};
+    return {seen.u,      seen.v,      seen.a,        {seen.base, start.free.moment_N_m},
+            resting_[0], resting_[1], start.gripper, start.frame,
+            start.mount, start.pads};
   };
   return {from(kPalm), from(kCell)};
 }
@@ -59,7 +60,7 @@ ContactLanes::Ends ContactLanes::seen_end(const ContactEnd& end, const FrameLane
   seen_->see_end(*frame, end.u, end.next);
   for (std::size_t i = 0; i < 2; ++i) rest_palm(i == 0 ? end.theta : end.next, resting_[i]);
   const auto from = [&](std::size_t carrier) -> ContactEnd {
-    return {seen_->from(carrier).u_theta, seen_->from(carrier).u, resting_[0], resting_[1], end.mount};
+    return {seen_->from(carrier).u_theta, seen_->from(carrier).u, resting_[0], resting_[1], end.mount, end.pads};
   };
   return {from(kPalm), from(kCell)};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/door/require.hpp"
+#include "core/scenario/pad_lattice.hpp"
 
 namespace unbruised {
 namespace {
@@ -28,12 +29,13 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
   const bool keeps_it_up = values.drive_viscous_N_s_m * steady <= limit_at(steady);
   const double speed = keeps_it_up ? steady : set_speed;
   const double drive = keeps_it_up ? values.drive_viscous_N_s_m * steady : limit_at(set_speed);
+  const double moved_kg = values.finger_mass_kg + pad_mass_kg(values);
   for (State& s : state_) {
     for (Lane* value : {&s.way, &s.free_force, &s.viscous, &s.stop, &s.depth, &s.lock, &s.lock_energy})
       value->set(lane, 0.0);
     s.speed.set(lane, speed);
     for (Lane* value : {&s.drive, &s.pressed}) value->set(lane, drive);
-    s.acceleration.set(lane, (drive - values.drive_viscous_N_s_m * speed) / values.finger_mass_kg);
+    s.acceleration.set(lane, (drive - values.drive_viscous_N_s_m * speed) / moved_kg);
   }
   opened_.set(lane, opened_m);
   stroke_.set(lane, values.stroke_m);
@@ -45,10 +47,11 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
   for (Lane* sum : {&work_, &positive_work_, &dissipated_}) sum->set(lane, 0.0);
 }
 
-void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) {
+void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command, const CarriedPads* pads) {
   command_ = command;
   a1_ = Lane(w.a1);
   stiffness_ = Lane(w.a0) * mass_ + a1_ * viscous_;
+  if (pads != nullptr) stiffness_ += Lane(w.a0) * pads->mass_kg;
   inverse_stiffness_ = Lane(1.0) / stiffness_;
   inverse_driven_ = Lane(1.0) / (stiffness_ + a1_ * gain_);
   lock_.begin_step(w, command.locked);
@@ -68,6 +71,7 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
                      (Lane(1.0) - command_.told) * held - command_.told * command_.force_limit_N,
                      -command_.force_limit_N);
     s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - palm_force(finger);
+    if (pads != nullptr) s.free_force -= contact_share(finger, pads->force_N);
   }
 }
 

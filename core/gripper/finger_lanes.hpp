@@ -23,6 +23,12 @@
 
 namespace unbruised {
 
+/// What pads that are bodies add to the fingers they are bonded to, within a step (pad_lanes.hpp).
+struct CarriedPads {
+  Lane mass_kg{0.0};
+  std::array<Lane, kFingerCount> force_N{Lane(0.0), Lane(0.0)};  ///< against the closing way
+};
+
 class FingerLanes {
  public:
   /// Puts a jaw into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
@@ -31,8 +37,8 @@ class FingerLanes {
   void load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N,
             double opened_m = 0.0);
 
-  /// Collects what does not depend on the contact forces of this step.
-  void begin_step(const WilsonTheta& wilson, const DriveCommand& command);
+  /// Collects what does not depend on the contact forces of this step. @param pads null: they are layers
+  void begin_step(const WilsonTheta& wilson, const DriveCommand& command, const CarriedPads* pads = nullptr);
 
   /// Closing way at t + theta dt of `finger` when the contacts press with `force` on the fingers.
   [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const;

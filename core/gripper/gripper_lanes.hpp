@@ -58,7 +58,10 @@ class GripperLanes {
     jaw_.load(lane, parallel_jaw(scenario), closing_speed_m_s, force_limit_N, opened_half_m(scenario));
   }
   /// Collects what does not depend on the contact forces of this step.
-  void begin_step(const WilsonTheta& wilson, const DriveCommand& command) { jaw_.begin_step(wilson, command); }
+  /// @param pads null: they are layers
+  void begin_step(const WilsonTheta& wilson, const DriveCommand& command, const CarriedPads* pads = nullptr) {
+    jaw_.begin_step(wilson, command, pads);
+  }
   /// Moves to t + dt under the contact forces at t + theta dt, in the lanes of `running`.
   void advance(const WilsonTheta& wilson, const PadForces& force_theta_N, const Mask& running) {
     jaw_.advance(wilson, force_theta_N, running);

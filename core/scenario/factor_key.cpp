@@ -7,6 +7,7 @@
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/pad_face.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -51,6 +52,22 @@ class KeyWriter {
   std::string key_;
 };
 
+/// Pads that are bodies have a factor of their own, and the compliance of their faces where the product stands
+/// before them.
+void add_pads(const Scenario& scenario, KeyWriter& key) {
+  if (!has_lattice_pads(scenario)) return;
+  const ParallelJawParameters& jaw = *parallel_jaw(scenario);
+  key.add(jaw.pad_size_m);
+  key.add(jaw.pad_thickness_m);
+  key.add(jaw.pad_modulus_Pa);
+  key.add(jaw.pad_poisson_ratio);
+  key.add(jaw.pad_relaxation_time_s);
+  key.add(jaw.pad.cell_size_m);
+  key.add(jaw.pad.density_kg_m3);
+  key.add(scenario.cell.grip_height_m);
+  key.add(scenario.cell.grip_offset_m);
+}
+
 }  // namespace
 
 std::string factor_key(const Scenario& scenario) {
@@ -69,6 +86,7 @@ std::string factor_key(const Scenario& scenario) {
   if (set != ContactSet::pads_and_support) key.add(scenario.cell.surface.size());
   // Faces of shaped pads are met at places, flat ones by hat functions.
   if (has_shaped_pads(scenario)) key.add(1.0);
+  add_pads(scenario, key);
   return key.take();
 }
 

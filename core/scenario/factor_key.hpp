@@ -10,8 +10,8 @@
 namespace unbruised {
 
 /// Everything that fixes the model, as bytes that compare equal exactly when it can be shared: all fields that
-/// core/scenario/fields.hpp marks with `Decides::model`, in which frame the product moves, and which of its
-/// places can touch what.
+/// core/scenario/fields.hpp marks with `Decides::model`, in which frame the product moves, which of its places can
+/// touch what, and all that makes pads which are bodies.
 std::string factor_key(const Scenario& scenario);
 
 }  // namespace unbruised

@@ -72,6 +72,7 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   initial_energy_J_[at] = view.stored_energy(lane, scenario).total;
   double kinetic = view.body.kinetic_energy_J(lane);
   if (has_gripper(scenario)) kinetic += view.gripper.energy()[lane];
+  if (view.pads) kinetic += view.pads->energy_J(lane, view.gripper);
   positive_work_.set(lane, kinetic);
 }
 
@@ -169,20 +170,24 @@ double Balances::impulse_mismatch(int lane, const LaneView& view) const {
 
 Dissipated Balances::dissipated(int lane, const LaneView& view, const Scenario& scenario) {
   const LayerLosses& layers = view.contact.losses();
+  double gripper = has_gripper(scenario) ? view.gripper.dissipated()[lane] : 0.0;
+  if (view.pads) gripper += view.pads->damped_J(lane);
   return {.damping = view.body.damped_J(lane),
           .plastic_flow = view.material.plastic_work()[lane] - view.material.hardening_energy()[lane],
           .layer_viscosity = layers.viscous[lane],
           .friction = layers.friction[lane],
           .layers_left = layers.left[lane],
-          .gripper = has_gripper(scenario) ? view.gripper.dissipated()[lane] : 0.0,
+          .gripper = gripper,
           .mount = view.mounts.dissipated()[lane]};
 }
 
 WorkDone Balances::work_done(int lane, const LaneView& view, const Scenario& scenario) const {
+  double drives = has_gripper(scenario) ? view.gripper.work()[lane] : 0.0;
+  if (view.pads) drives += view.pads->work()[lane];
   return {.gravity = gravity_work_[lane],
           .palm = palm_work_[lane],
           .surfaces = belt_work_[lane],
-          .drives = has_gripper(scenario) ? view.gripper.work()[lane] : 0.0,
+          .drives = drives,
           .mount = view.mounts.work()[lane]};
 }
 
@@ -202,8 +207,9 @@ void Balances::measure(int lane, double time_s, const LaneView& view, const Scen
   const double lost_J =
       lost.damping + view.contact.dissipated()[lane] + lost.plastic_flow + lost.mount + lost.gripper;
   const double work_J = done.gravity + done.palm + done.surfaces + done.mount + done.drives;
-  const double put_in = positive_work_[lane] + view.mounts.positive_work()[lane] +
-                        (has_gripper(scenario) ? view.gripper.positive_work()[lane] : 0.0);
+  double put_in = positive_work_[lane] + view.mounts.positive_work()[lane] +
+                  (has_gripper(scenario) ? view.gripper.positive_work()[lane] : 0.0);
+  if (view.pads) put_in += view.pads->positive_work()[lane];
   metrics[Metric::energy_input_J] = put_in;
   // Work of loads is not booked. Where next to nothing is put in there is nothing to compare with.
   const double weight_N = product.total_mass_kg * std::sqrt(gravity_size);

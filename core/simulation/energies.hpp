@@ -10,15 +10,15 @@ struct StoredEnergy {
   double total = 0;
   // Its parts.
   double kinetic = 0, elastic = 0, hardening = 0;  ///< of the product
-  double layers = 0, fingers = 0;
-  double mount = 0;  ///< of what a sensor carries, and of its spring
+  double layers = 0, fingers = 0;                  ///< fingers with pads that are bodies
+  double mount = 0;                                ///< of what a sensor carries, and of its spring
 };
 
 /// Where the energy of one lane has gone since load, by cause [J].
 struct Dissipated {
   double damping = 0, plastic_flow = 0;  ///< of the product; what hardening stores is not lost
   double layer_viscosity = 0, friction = 0, layers_left = 0;
-  double gripper = 0;  ///< guides and end stop
+  double gripper = 0;  ///< guides, end stop and pads that are bodies
   double mount = 0;    ///< a sensor's spring
 };
 
@@ -27,7 +27,7 @@ struct WorkDone {
   double gravity = 0;
   double palm = 0;      ///< on the product
   double surfaces = 0;  ///< of the cell that move: a belt
-  double drives = 0;    ///< and the palm's acceleration, on the fingers
+  double drives = 0;    ///< and the palm's acceleration, on the fingers; gravity on pads that are bodies
   double mount = 0;     ///< weight and the path's acceleration, on what a sensor carries
 };
 

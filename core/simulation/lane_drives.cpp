@@ -1,5 +1,6 @@
 #include "core/simulation/lane_drives.hpp"
 
+#include "core/lanes/lane_rotation.hpp"
 #include "core/motion/surface_path.hpp"
 
 namespace unbruised {
@@ -51,6 +52,25 @@ void command_drives(int lane, const MotionPlan& plan, double time_s, const Gripp
   // Opened is where the fingers started; inwards the stroke ends at a stop.
   if (speed < 0.0 && gripper.furthest_way()[lane] <= 0.0) speed = 0.0;
   command.set_speed_m_s.set(lane, speed);
+}
+
+std::array<LaneVector, kFingerCount> pad_accelerations(const CarrierMotion& carriers,
+                                                       const std::array<Lane, 3>& gravity_m_s2,
+                                                       const PadLanes& pads, const GripperLanes& gripper,
+                                                       bool turns) {
+  LaneVector outer;
+  for (std::size_t i = 0; i < 3; ++i) outer[i] = gravity_m_s2[i] - carriers.palm[i].acceleration_m_s2;
+  std::array<LaneVector, kFingerCount> of_pad;
+  of_pad.fill(outer);
+  if (!turns) return of_pad;
+  const LaneMatrix back = transposed(rotation_by(carriers.palm_rotation_rad).matrix());
+  const LaneVector spin = back * carriers.palm_spin_rad_s;
+  const LaneVector faster = back * carriers.palm_spin_acceleration_rad_s2;
+  for (int pad = 0; pad < kFingerCount; ++pad) {
+    const LaneVector at = pads.middle_m(pad, gripper);
+    of_pad[static_cast<std::size_t>(pad)] = back * outer - cross(faster, at) - cross(spin, cross(spin, at));
+  }
+  return of_pad;
 }
 
 }  // namespace unbruised

@@ -4,6 +4,7 @@
 /// What a plan asks of one lane at a time: where the carriers are, and what the drives are told.
 
 #include "core/gripper/gripper_lanes.hpp"
+#include "core/gripper/pad_lanes.hpp"
 #include "core/motion/motion_plan.hpp"
 #include "core/surface/carrier_motion.hpp"
 
@@ -20,5 +21,13 @@ void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, Ca
 /// @param carriers at that time
 void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
                     const CarrierMotion& carriers, DriveCommand& command);
+
+/// What accelerates each pad that is a body in the axes of the palm: gravity, less what its middle is accelerated
+/// by as the palm moves and turns.
+/// @param turns does any palm turn?
+std::array<LaneVector, kFingerCount> pad_accelerations(const CarrierMotion& carriers,
+                                                       const std::array<Lane, 3>& gravity_m_s2,
+                                                       const PadLanes& pads, const GripperLanes& gripper,
+                                                       bool turns);
 
 }  // namespace unbruised

@@ -3,6 +3,7 @@
 
 #include "core/door/require.hpp"
 #include "core/lanes/part_timer.hpp"
+#include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
 #include "core/simulation/balances.hpp"
 #include "core/simulation/initial_state.hpp"
@@ -35,6 +36,7 @@ struct LaneSimulation::Impl {
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
   void advance_state();
+  void advance_pads();
   void observe_lanes();
 
   void abort_lanes(const Mask& lanes, const char* cause);
@@ -50,6 +52,11 @@ struct LaneSimulation::Impl {
   }
   /// Null: no surface of any lane is on a mount.
   [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
+  /// Null: the pads are layers.
+  [[nodiscard]] const PadLanes* padded() const { return pads ? &*pads : nullptr; }
+  [[nodiscard]] std::array<LaneVector, kFingerCount> outer_of_pads() const {
+    return pad_accelerations(theta, body.gravity(), *pads, gripper, parts.frame == ProductFrame::floating);
+  }
   [[nodiscard]] LaneRun& run_of(int lane) {
     require(is_lane(lane), "LaneSimulation: there is no such lane");
     return run[static_cast<std::size_t>(lane)];
@@ -73,6 +80,7 @@ struct LaneSimulation::Impl {
   DriveCommand command;
   Balances balances;
   std::array<Lane, kSurfaceCount> yield_ratio;  ///< of each surface
+  std::optional<PadLanes> pads;                 ///< where these are bodies
   LaneView view;
 
   LaneArray base;  ///< displacement without contact forces at the contact nodes
@@ -92,9 +100,10 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       body(parts.body, w, parts.frame),
       material(make_material(parts.body, parts.frame)),
       contact(parts.contact, parts.body, w, parts.frame),
-      view{parts, body, *material, contact, gripper, mounts, now, yield_ratio},
+      view{parts, body, *material, contact, gripper, mounts, now, yield_ratio, pads},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
+  if (parts.pad) pads.emplace(*parts.pad, w);
   const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
   for (CarrierMotion* motion : {&now, &theta, &next}) motion->listed.resize(listed);
 }
@@ -113,6 +122,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   // The approach begins in steady motion, but for a grip that is ramped up from rest.
   gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
                r.cycle.plan().force_limit_N(0.0));
+  if (pads) pads->load(lane, scenario.cell.gravity_m_s2, opened_half_m(scenario));
   contact.load(lane, scenario);
   material->load(lane, scenario);
   yield_stress.set(lane, yield_stress_Pa(scenario.product).value_or(1.0));
@@ -154,7 +164,8 @@ void LaneSimulation::Impl::step() {
   contact.forget_events();
   timer = PartTimer(timing);
   follow_plans();
-  gripper.begin_step(w, command);
+  if (pads) pads->begin_step(gripper, outer_of_pads(), running);
+  gripper.begin_step(w, command, pads ? &pads->on_fingers() : nullptr);
   if (mounts.any()) mounts.begin_step(w);
   body.begin_step(running);
   add_loads();
@@ -250,7 +261,8 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     timer.lap(times.solve_s);
     if (first_round) {
       contact.begin_step(
-          {body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame(), mount()}, lanes);
+          {body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame(), mount(), padded()},
+          lanes);
     } else {
       contact.rebase({base, moment}, lanes);
     }
@@ -279,12 +291,21 @@ void LaneSimulation::Impl::advance_state() {
   } else {
     body.advance(running);
   }
+  if (pads) advance_pads();
   gripper.advance(w, contact.sweep().pad_force(), running);
+  if (pads) pads->book_step(gripper, running);
   if (mounts.any()) mounts.advance(w, contact.mount_wrench(), running);
-  contact.end_step({body.u_theta(), body.u(), theta, next, mount()}, body.frame(), running);
+  contact.end_step({body.u_theta(), body.u(), theta, next, mount(), padded()}, body.frame(), running);
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
+}
+
+void LaneSimulation::Impl::advance_pads() {
+  for (int pad = 0; pad < kFingerCount; ++pad) {
+    pads->advance(pad, contact.pad_face_force(pad), gripper.way_at_theta(pad, contact.sweep().pad_force()),
+                  running);
+  }
 }
 
 void LaneSimulation::Impl::observe_lanes() {

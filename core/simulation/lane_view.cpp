@@ -53,6 +53,7 @@ StoredEnergy LaneView::stored_energy(int lane, const Scenario& scenario) const {
   energy.hardening = material.hardening_energy()[lane];
   energy.layers = contact.stored_energy()[lane];
   energy.fingers = has_gripper(scenario) ? gripper.energy()[lane] : 0.0;
+  if (pads) energy.fingers += pads->energy_J(lane, gripper);
   energy.total += material.self_energy(lane) + energy.hardening;
   energy.mount = mounts.has(lane) ? mounts.energy()[lane] : 0.0;
   energy.total = energy.total + energy.layers + energy.fingers + energy.mount;

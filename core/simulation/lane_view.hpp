@@ -7,6 +7,7 @@
 #include "core/body/mount_lanes.hpp"
 #include "core/contact/contact_lanes.hpp"
 #include "core/gripper/gripper_lanes.hpp"
+#include "core/gripper/pad_lanes.hpp"
 #include "core/material/material.hpp"
 #include "core/outcome/handling_record.hpp"
 #include "core/sensor/finger_instruments.hpp"
@@ -26,8 +27,9 @@ struct LaneView {
   const CarrierMotion& carriers;  ///< at the present time
   /// Of each surface's patch, with what traction adds; 1: first yield.
   const std::array<Lane, kSurfaceCount>& yield_ratio;
+  const std::optional<PadLanes>& pads;  ///< where these are bodies
 
-  /// Of product, layers, fingers and mount.
+  /// Of product, layers, fingers with their pads, and mount.
   [[nodiscard]] StoredEnergy stored_energy(int lane, const Scenario& scenario) const;
   /// What the outcome is decided from.
   [[nodiscard]] StepObservation observe(int lane, const Scenario& scenario, double time_s) const;

@@ -2,6 +2,7 @@
 
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/factor_key.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product.hpp"
 #include "core/simulation/model_parts.hpp"
 
@@ -33,6 +34,18 @@ MassSpread mass_spread(const Scenario& scenario) {
   return contact_set(scenario) == ContactSet::pads_and_support ? MassSpread::cells : MassSpread::true_shape;
 }
 
+/// Pads that are bodies, and their faces where the product stands before them.
+bool add_pads(const Scenario& scenario, Model::Parts& parts, std::string& error) {
+  if (!has_lattice_pads(scenario)) return true;
+  parts.pad = build_pad(*parallel_jaw(scenario), *parts.wilson, error);
+  if (!parts.pad) return false;
+  const std::array<double, 3>& center_m = parts.body.center_m();
+  parts.contact.pads =
+      pad_faces(parts.contact, *parts.pad, *parts.wilson,
+                {center_m[1] + scenario.cell.grip_offset_m, center_m[2] + scenario.cell.grip_height_m});
+  return true;
+}
+
 }  // namespace
 
 Model::Model() : parts_(std::make_unique<Parts>()) {}
@@ -49,6 +62,7 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
     if (!body) return nullptr;
     parts.body = std::move(*body);
     parts.contact = product_contact(scenario, parts.body, *parts.wilson);
+    if (!add_pads(scenario, parts, error)) return nullptr;
   } catch (const std::invalid_argument& refused) {
     error = refused.what();
     return nullptr;

@@ -9,6 +9,7 @@
 #include "core/body/body_model.hpp"
 #include "core/contact/contact_model.hpp"
 #include "core/contact/static_rest.hpp"
+#include "core/gripper/pad_body.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/scenario/product_frame.hpp"
 #include "core/sensor/carried_surface.hpp"
@@ -22,6 +23,7 @@ struct Model::Parts {
   ProductFrame frame = ProductFrame::upright;
   BodyModel body;
   ContactModel contact;
+  std::optional<PadBody> pad;                     ///< where the pads are bodies
   std::optional<SupportRest> rest;                ///< solids
   std::optional<CarriedSurface> carried_surface;  ///< lattices
 };

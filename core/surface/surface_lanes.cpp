@@ -3,6 +3,7 @@
 #include "core/door/require.hpp"
 #include "core/scenario/cell_surface.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/product.hpp"
 
@@ -29,8 +30,11 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
     surface.center_m[1].set(lane, product.center_m[2] + cell.grip_height_m);
     surface.curve.clear(lane);
     if (jaw == nullptr) continue;
-    surface.stiffness_N_m3.set(lane, layer_N_m3[static_cast<std::size_t>(pad)]);
-    surface.springs_N_m3.set(lane, jaw->pad_modulus_Pa / jaw->pad_thickness_m);
+    const bool is_layer = !has_lattice_pads(*jaw);
+    const double layer = layer_N_m3[static_cast<std::size_t>(pad)], springs = pad_springs_N_m3(*jaw);
+    surface.stiffness_N_m3.set(lane, is_layer ? layer : springs);
+    surface.backing_N_m3.set(lane, layer);
+    surface.springs_N_m3.set(lane, springs);
     if (const auto law = pad_law(jaw->pad)) {
       const double area_m2 = jaw->pad_size_m[0] * jaw->pad_size_m[1];
       surface.springs_N_m3.set(lane, surface.stiffness_N_m3[lane]);
@@ -40,7 +44,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
     surface.bent.set(lane, rises[1] > rises[0] ? 1.0 : 0.0);
     surface.edge_radius_m.set(lane, jaw->pad_edge_radius_m);
     surface.thickness_m.set(lane, jaw->pad_thickness_m);
-    surface.relaxation_s.set(lane, jaw->pad_relaxation_time_s);
+    surface.relaxation_s.set(lane, is_layer ? jaw->pad_relaxation_time_s : 0.0);
     surface.rest_place_m.set(lane, product.pole_m[pad] - normal_sign(pad) * (approach_gap_m(scenario) + reach_m));
     for (std::size_t t = 0; t < 2; ++t) surface.size_m[t].set(lane, jaw->pad_size_m[t]);
   }
@@ -48,6 +52,7 @@ void SurfaceLanes::load(int lane, const Scenario& scenario, const ProductPlace& 
   support.present.set(lane, cell.support);
   support.friction.set(lane, cell.support_friction);
   support.stiffness_N_m3.set(lane, layer_N_m3[kSupport]);
+  support.backing_N_m3.set(lane, layer_N_m3[kSupport]);
   support.springs_N_m3.set(lane, cell.support_modulus_Pa / cell.support_thickness_m);
   support.thickness_m.set(lane, cell.support_thickness_m);
   support.relaxation_s.set(lane, cell.support_relaxation_time_s);
@@ -65,6 +70,7 @@ void SurfaceLanes::load_listed(int lane, const CellSurfaceParameters& parameters
   surface.friction.set(lane, parameters.friction);
   surface.springs_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
   surface.stiffness_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
+  surface.backing_N_m3.set(lane, parameters.modulus_Pa / parameters.thickness_m);
   surface.thickness_m.set(lane, parameters.thickness_m);
   surface.relaxation_s.set(lane, parameters.relaxation_time_s);
   for (std::size_t t = 0; t < 2; ++t) {

@@ -25,6 +25,7 @@ struct SurfaceLane {
   Mask has_rim{false};  ///< a rectangle that the cell lists
   Lane friction{1.0};
   Lane stiffness_N_m3{1.0};  ///< of the layer, per area
+  Lane backing_N_m3{1.0};    ///< the same; of a pad that is a body what a layer in its place would have
   Lane springs_N_m3{1.0};    ///< E / thickness of the layer; a third of it in shear
   Lane thickness_m{1.0};     ///< of the layer
   Lane edge_radius_m{0.0};   ///< of a pad

@@ -49,7 +49,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"frame", {"door", "lanes", "integration"}},
     {"body", {"door", "scenario", "lanes", "algebra", "integration", "frame"}},
     {"material", {"door", "scenario", "lanes", "integration", "body"}},
-    {"gripper", {"door", "scenario", "lanes", "integration", "surface"}},
+    {"gripper", {"door", "scenario", "lanes", "algebra", "integration", "surface", "body"}},
     {"contact", {"door", "scenario", "lanes", "algebra", "integration", "frame", "body", "surface", "gripper"}},
     {"sensor", {"door", "scenario", "lanes", "chance", "frame", "body", "surface", "gripper"}},
     {"outcome", {"scenario", "motion", "surface", "contact"}},

@@ -178,5 +178,32 @@ TEST(FactorKey, LeavesOutWhatLanesMayDifferIn) {
   EXPECT_EQ(factor_key(other), factor_key(by_mass()));
 }
 
+TEST(FactorKey, HoldsAllThatMakesPadsWhichAreBodies) {
+  Scenario base = small_box();
+  jaw_of(base).pad.kind = PadKind::lattice;
+  jaw_of(base).pad.cell_size_m = 0.0015;
+  EXPECT_NE(factor_key(base), factor_key(small_box()));
+  const std::vector<void (*)(Scenario&)> changes = {
+      [](Scenario& s) { jaw_of(s).pad_size_m[1] *= 1.01; },
+      [](Scenario& s) { jaw_of(s).pad_thickness_m *= 1.01; },
+      [](Scenario& s) { jaw_of(s).pad_modulus_Pa *= 1.01; },
+      [](Scenario& s) { jaw_of(s).pad_poisson_ratio = 0.3; },
+      [](Scenario& s) { jaw_of(s).pad_relaxation_time_s = 1e-3; },
+      [](Scenario& s) { jaw_of(s).pad.cell_size_m = 0.00151; },
+      [](Scenario& s) { jaw_of(s).pad.density_kg_m3 *= 1.01; },
+      [](Scenario& s) { s.cell.grip_height_m += 1e-3; },
+      [](Scenario& s) { s.cell.grip_offset_m += 1e-3; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Scenario changed = base;
+    changes[i](changed);
+    EXPECT_NE(factor_key(changed), factor_key(base)) << "change " << i;
+  }
+  Scenario other = base;
+  jaw_of(other).finger_mass_kg *= 2.0;
+  jaw_of(other).pad_edge_radius_m = 1e-3;
+  EXPECT_EQ(factor_key(other), factor_key(base));
+}
+
 }  // namespace
 }  // namespace unbruised

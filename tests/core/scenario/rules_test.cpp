@@ -148,6 +148,41 @@ std::vector<Breach> pad_breaches() {
   };
 }
 
+/// Pads of 10 mm that are bodies of 5 mm cells.
+Scenario lattice_pads() {
+  Scenario scenario = usual_grip();
+  ParallelJawParameters& jaw = jaw_of(scenario);
+  jaw.pad.kind = PadKind::lattice;
+  jaw.pad_thickness_m = 0.01;
+  jaw.pad.cell_size_m = 0.005;
+  return scenario;
+}
+
+std::vector<Breach> lattice_pad_breaches() {
+  return {
+      {"gripper.pad.cell_size_m", "not used", usual_grip, [](S s) { jaw_of(s).pad.cell_size_m = 0.001; }},
+      {"gripper.pad.cell_size_m", "missing", lattice_pads, [](S s) { jaw_of(s).pad.cell_size_m.reset(); }},
+      {"gripper.pad.cell_size_m", "must be <= gripper.pad_thickness_m = 0.01: the pad is thinner", lattice_pads,
+       [](S s) { jaw_of(s).pad.cell_size_m = 0.011; }},
+      {"gripper.pad.cell_size_m", "makes more than 100,000", lattice_pads,
+       [](S s) { jaw_of(s).pad.cell_size_m = 4e-4; }},
+      {"gripper.pad.cell_size_m", "divides a pad into cells of 0.005 x", lattice_pads,
+       [](S s) { jaw_of(s).pad.cell_size_m = 0.01; }},
+      {"gripper.pad_poisson_ratio", "must be < 0.5", lattice_pads, [](S s) { jaw_of(s).pad_poisson_ratio = 0.5; }},
+      {"gripper.pad.kind", "goes with gripper.pad.shape", lattice_pads,
+       [](S s) {
+         jaw_of(s).pad.shape = PadShape::cylinder;
+         jaw_of(s).pad.radius_m = 0.1;
+       }},
+      {"gripper.pad.kind", "excludes a measured law", lattice_pads,
+       [](S s) { jaw_of(s).pad.law_coefficients = {1e4}; }},
+      {"gripper.pad.kind", "does not go with a sensor at the wrist", lattice_pads,
+       [](S s) { s.sensor.at = SensorMount::wrist; }},
+      {"gripper.pad.kind", "does not go with a belt", lattice_pads, [](S s) { s.cell.conveyor.speed_m_s = 0.1; }},
+      {"gripper.pad.kind", "goes with the two fingers", lattice_pads, [](S s) { jaw_of(s).finger.resize(3); }},
+  };
+}
+
 std::vector<Breach> surface_breaches() {
   return {
       {"cell.surface", "must be 8 tables at most", usual_grip, [](S s) { s.cell.surface.resize(9); }},
@@ -500,8 +535,8 @@ std::vector<Breach> guard_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), pad_breaches(), surface_breaches(), sensor_breaches(),
-                           network_breaches(), handling_breaches(), guard_breaches()}) {
+  for (const auto& part : {lattice_breaches(), pad_breaches(), lattice_pad_breaches(), surface_breaches(),
+                           sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -525,6 +560,7 @@ TEST(Rules, HoldInUsualScenarios) {
   EXPECT_TRUE(validate(guarded_grip()).empty());
   EXPECT_TRUE(validate(force_guarded_grip()).empty());
   EXPECT_TRUE(validate(curved_grip()).empty());
+  EXPECT_TRUE(validate(lattice_pads()).empty());
 }
 
 TEST(Rules, AreBrokenByTheScenariosMadeForThem) {

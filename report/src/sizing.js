@@ -14,7 +14,7 @@ const LOAD = ["mass", "friction", "acceleration", "fingers", "safety_factor"];
 const FORCES = ["just_holds", "maker_rule", "pneumatic_rule", "hold", "set_point", "damage", "emergency_stop"];
 const LIMITS = ["margin", "largest_force", "payload", "jaw_moment"];
 /** Which verdict is good, which asks for a look, which is bad. */
-const TONES = { inside: "met", held: "met", within: "met", "too weak": "broken", "too strong": "broken", slips: "broken", beyond: "broken" };
+const TONES = { inside: "met", holds: "met", held: "met", within: "met", "too weak": "broken", "too strong": "broken", slips: "broken", beyond: "broken" };
 
 /** The items of one strategy, by name. */
 function itemsOf(table, strategy) {

@@ -64,10 +64,11 @@ Load load_of(const Scenario& s) {
 struct Item {
   std::string item;
   double value = kAbsent;
-  std::string units;
+  std::string units{};
   double together = kAbsent;  ///< forces: of all fingers
   double limit = kAbsent;
-  std::string verdict, says;
+  std::string verdict{};
+  std::string says{};
 };
 
 std::string newtons(double force_N) { return joined({three_digits(force_N), " N"}); }
@@ -81,13 +82,14 @@ class Window {
     const StrategyWindow& s = strategy_;
     if (force_N < s.hold_force_N) return s.hold_is_bound ? "not tried" : "too weak";
     if (force_N > s.damage_force_N) return s.damage_is_bound ? "not tried" : "too strong";
-    if (s.exists) return "inside";
-    return "no window";
+    if (!s.exists) return "no window";
+    return std::isnan(s.damage_force_N) ? "holds" : "inside";
   }
   [[nodiscard]] static std::string remark(const std::string& verdict) {
     if (verdict == "too weak") return "below the window: it does not hold the product";
     if (verdict == "too strong") return "above the window: it marks the product";
     if (verdict == "inside") return "inside the window";
+    if (verdict == "holds") return "which holds the product; whether it marks it was not judged";
     if (verdict == "not tried") return "outside the forces that were tried";
     return "there is no window";
   }
@@ -165,7 +167,7 @@ class Sheet {
     add_force("set_point", strategy_.set_point.force_N, strategy_.set_point.sentence);
     const bool no_upper = std::isnan(strategy_.damage_force_N);
     add_force("damage", strategy_.damage_force_N,
-              no_upper                    ? "damage was not judged, or begins below the forces that hold"
+              no_upper                    ? "damage was not judged"
               : strategy_.damage_is_bound ? "simulated: the greatest force tried does not mark it"
                                           : "simulated: marks beyond it");
     const double margin = strategy_.damage_force_N / strategy_.hold_force_N;

@@ -449,6 +449,41 @@ test("it prints light, with every chart", async () => {
   await close();
 });
 
+/** What a sheet says of its items, by their names: the cells of their rows. */
+const sheetOf = (page) =>
+  page.locator("#sizing tbody tr").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector("th").firstChild.textContent, [...row.querySelectorAll("td")].map((cell) => cell.textContent)])));
+
+test("the sizing sheet sets the makers' rules beside the window", async () => {
+  const { page, close } = await open("kiwi_window");
+  const sheet = await sheetOf(page);
+  // 0.095 kg, friction 0.6, 2 m/s2: m (g + a) / (2 mu) = 0.935 N, twice that, and 13 m g for both fingers.
+  assert.deepEqual(sheet["Friction alone"].slice(0, 2), ["0.935 N", "1.87 N"]);
+  assert.deepEqual(sheet["Makers' rule"].slice(0, 3), ["1.87 N", "3.74 N", "inside"]);
+  assert.deepEqual(sheet["Pneumatic rule of thumb"].slice(0, 3), ["6.06 N", "12.1 N", "too strong"]);
+  assert.equal(sheet["Moment on a jaw"][1], "2 N·m");
+  assert.equal(sheet["Payload"][2], "within");
+  const before = sheet["Damage begins"][0];
+  const options = await page.locator("#sizing select option").allInnerTexts();
+  assert.equal(options.length, 4);
+  await page.locator("#sizing select").selectOption({ index: 3 });
+  assert.notEqual((await sheetOf(page))["Damage begins"][0], before, "another approach speed, another window");
+  await close();
+});
+
+test("the sizing sheet prints alone, on one page", async () => {
+  for (const name of ["kiwi_window", "no_window", "not_for_this_gripper"]) {
+    const { page, close } = await open(name);
+    await page.evaluate(() => { window.print = () => { window.asked = true; }; });
+    await page.locator("#sizing button", { hasText: "Print this sheet" }).click();
+    assert.ok(await page.evaluate(() => window.asked));
+    const paper = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+    assert.equal(paper.match(/\/Type\s*\/Page[^s]/g).length, 1, `${name} takes more than a page`);
+    await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.locator("header").isVisible(), true, "and the page is whole again");
+    await close();
+  }
+});
+
 test("without JavaScript the findings stand there in words", async () => {
   const context = await browser.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();

@@ -155,7 +155,8 @@ TEST(Configs, EveryFileThatShipsIsRead) {
     } else if (path.starts_with("grippers/")) {
       ++grippers;
       EXPECT_EQ(
-          errors_of(head + "[product]\nuse = \"products/kiwi_ripe.toml\"\n[gripper]\nuse = \"" + path + "\"\n"),
+          errors_of(head + "[product]\nuse = \"products/kiwi_ripe.toml\"\n[strategy]\napproach_speed_m_s = " +
+                    "0.02\nrelease_speed_m_s = 0.02\n[gripper]\nuse = \"" + path + "\"\n"),
           std::vector<std::string>{});
     } else if (path.starts_with("strategies/")) {
       ++strategies;

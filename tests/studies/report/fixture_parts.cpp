@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "studies/findings/sizing.hpp"
 #include "studies/findings/summary.hpp"
 #include "studies/findings/window_answer.hpp"
 #include "studies/text/joined.hpp"
@@ -19,6 +20,21 @@ constexpr std::string_view kProduct =
     "\n[product.source]\nsize_m = \"assumed: a medium fruit\"\nmass_kg = \"Du et al. 2019\"\n";
 constexpr std::string_view kLimits =
     "\n[limits]\npermanent_set_m = 1e-4\ncontact_yield_ratio = 1.0\nslip_m = 0.002\n";
+
+/// What the sizing sheet reckons with.
+Scenario sized_kiwi() {
+  LatticeParameters product;
+  product.size_m = {0.05, 0.071, 0.05};
+  product.mass_kg = 0.095;
+  product.friction = 0.6;
+  Scenario scenario;
+  scenario.product = product;
+  scenario.gripper = ParallelJawParameters{};
+  jaw_of(scenario).payload_kg = 0.5;
+  jaw_of(scenario).finger_length_m = 0.08;
+  jaw_of(scenario).jaw_moment_N_m = 2.0;
+  return scenario;
+}
 
 }  // namespace
 
@@ -85,8 +101,10 @@ ReportFixture end(ReportFixture fixture) {
   if (fixture.window) {
     const SettingOfRow setting = [gripper = fixture.gripper](std::size_t) { return gripper; };
     add_set_points(*fixture.window, setting);
-    fixture.content.tables.push_back(
-        set_points_table(window_answer(*fixture.window, setting, fixture.content.inputs, fixture.content.rows)));
+    const WindowAnswer answer =
+        window_answer(*fixture.window, setting, fixture.content.inputs, fixture.content.rows);
+    fixture.content.tables.push_back(set_points_table(answer));
+    fixture.content.tables.push_back(sizing_table(answer, [](std::size_t) { return sized_kiwi(); }));
     fixture.content.window = fixture.window.get();
   }
   if (fixture.trace) fixture.content.trace = fixture.trace.get();

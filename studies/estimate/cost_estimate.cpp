@@ -7,8 +7,11 @@
 #include "core/motion/motion_plan.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/guard.hpp"
+#include "core/scenario/lattice_cells.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/product_frame.hpp"
+#include "core/surface/surfaces.hpp"
 #include "studies/execution/build_info.hpp"
 
 namespace unbruised::studies {
@@ -40,8 +43,19 @@ double step_factor(const Scenario& scenario) {
   return flows ? kFallingRounds * step : step;
 }
 
+double estimated_factor_entries(double freedoms) {
+  return kFactorEntriesPerFreedomPower * std::pow(freedoms, 4.0 / 3.0);
+}
 double estimated_factor_entries(const ModelSize& size) {
-  return kFactorEntriesPerFreedomPower * std::pow(static_cast<double>(size.freedom_count), 4.0 / 3.0);
+  return estimated_factor_entries(static_cast<double>(size.freedom_count));
+}
+
+/// Both pads' where they are bodies; their backs are held.
+double pad_factor_entries(const Scenario& scenario) {
+  if (!has_lattice_pads(scenario)) return 0.0;
+  const auto cells = lattice_cell_count(pad_lattice(*parallel_jaw(scenario)));
+  const double face = (cells[1] + 1.0) * (cells[2] + 1.0);
+  return kFingerCount * estimated_factor_entries(3.0 * cells[0] * face);
 }
 
 }  // namespace
@@ -90,8 +104,11 @@ double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   const double freedoms =
       std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_node_count));
   const double contact = estimated_sweeps(scenario) * freedoms * freedoms;
-  return step_factor(scenario) * rate.seconds_per_factor_entry * estimated_factor_entries(size) +
-         rate.seconds_per_contact_entry * contact;
+  // Half of the contacts of a grip face the other pad.
+  const double answering = has_lattice_pads(scenario) ? 1.5 * contact : contact;
+  return step_factor(scenario) * rate.seconds_per_factor_entry *
+             (estimated_factor_entries(size) + pad_factor_entries(scenario)) +
+         rate.seconds_per_contact_entry * answering;
 }
 
 }  // namespace unbruised::studies

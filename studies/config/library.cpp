@@ -142,7 +142,7 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
                                    Problems& problems) {
   const bool is_product = table == "product";
   const auto known = [&](const std::string& local) {
-    if (local == "source" || (is_product && local == "limits")) return true;
+    if (local == "source" || local.starts_with("source.") || (is_product && local == "limits")) return true;
     const std::string pattern = pattern_of(std::string(table) + "." + local);
     return std::find(table_names().begin(), table_names().end(), pattern) != table_names().end();
   };
@@ -231,7 +231,7 @@ std::vector<Entry> profile_entries(std::string_view content, const std::shared_p
       return {};
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      Value value = cell_value({.path = "", .type = KeyType::number}, cells[i]);
+      Value value = cell_value(KeySpec{}, cells[i]);
       if (value.kind == Value::Kind::text) {
         problems.add(origin, kColumns[i], spelled(value), "must be a number");
         return {};

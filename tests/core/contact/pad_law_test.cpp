@@ -20,6 +20,11 @@ Scenario stiff_block() {
   lattice_of(s).youngs_modulus_Pa = 5e9;
   jaw_of(s).pad_size_m = {0.016, 0.020};
   jaw_of(s).pad_thickness_m = 8e-3;
+  jaw_of(s).drive_viscous_N_s_m = 20.0;
+  jaw_of(s).pad_relaxation_time_s = 2e-3;
+  lattice_of(s).density_kg_m3 = 8000.0;
+  s.simulation.time_step_s = 5e-4;  // 20 in a period of the finger on 20 kN/m
+  s.simulation.duration_s = 0.9;
   return s;
 }
 
@@ -31,7 +36,6 @@ TEST(MeasuredTips, PressAStiffBlockAsTheyWereMeasured) {
       Scenario s = stiff_block();
       pad_of(s).law_coefficients = {tip[0], tip[1]};
       s.strategy.grip_force_N = tip[0] * depth + tip[1] * depth * depth;
-      s.simulation.duration_s = 0.9;
       const AtRest rest = press(s);
       std::cout << "[ measured ] " << s.strategy.grip_force_N << " N: " << rest.approach_m * 1e3 << " mm, law "
                 << depth * 1e3 << " mm, energy " << rest.energy_error << "\n";
@@ -56,7 +60,10 @@ TEST(MeasuredTips, PointsPressAsThePolynomialThatTheySample) {
 
 TEST(MeasuredTips, ALawThatIsALineIsTheLayerOfItsModulus) {
   Scenario s = pressed_product(Shape::sphere, {0.05, 0.05, 0.05}, 0.006, 1e6);
-  s.strategy.grip_force_N = 5.0;
+  jaw_of(s).drive_viscous_N_s_m = 5.0;
+  s.strategy.approach_speed_m_s = 0.05;
+  s.strategy.grip_force_N = 0.5;
+  s.simulation.duration_s = 0.8;
   const AtRest springs = press(s);
   pad_of(s).law_coefficients = {1e6 * 0.04 * 0.04};
   const AtRest law = press(s);

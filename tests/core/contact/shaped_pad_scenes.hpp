@@ -32,10 +32,10 @@ inline Scenario pressed_product(Shape shape, const std::array<double, 3>& size_m
   jaw.max_force_N = 1000.0;
   scenario.strategy.approach_speed_m_s = 0.01;
   scenario.strategy.contact_force_N = 0.3;
-  scenario.strategy.grip_ramp_s = 0.3;
+  scenario.strategy.grip_ramp_s = 0.2;
   scenario.strategy.settle_s = 10.0;
   scenario.simulation.time_step_s = 2e-3;
-  scenario.simulation.duration_s = 0.6;
+  scenario.simulation.duration_s = 0.5;
   scenario.simulation.trace_interval_s = 0.02;
   return scenario;
 }

@@ -35,48 +35,62 @@ double finite_block_m(const Scenario& s, double half_m, double area_m2) {
 }
 
 TEST(ShapedPads, ASphericalTipPressesABlockAsHertzSays) {
-  const double R = 0.06, side = 0.08;
+  const double R = 0.045, side = 0.06, F = 12.0;
   Scenario s = pressed_product(Shape::box, {side, side, side}, 0.005, kStiff_N_m3);
   set_shape(s, PadShape::sphere, PadAlong::z, R);
-  s.strategy.grip_force_N = 24.0;
+  s.strategy.grip_force_N = F;
   lattice_of(s).yield_stress_Pa = 1e9;
   lattice_of(s).tangent_modulus_Pa = 1e5;
   const AtRest rest = press(s);
-  const double E = plane_Pa(s), a = std::cbrt(0.75 * 24.0 * R / E), p0 = 1.5 * 24.0 / (pi * a * a);
+  const double E = plane_Pa(s), a = std::cbrt(0.75 * F * R / E), p0 = 1.5 * F / (pi * a * a);
   const double hertz_m = a * a / R + finite_block_m(s, 0.5 * side, side * side);
+  const double over = std::pow(hertz_m / (rest.approach_m - p0 / kStiff_N_m3), 1.5);
   std::cout << "[ measured ] sphere on block: approach " << rest.approach_m * 1e3 << " mm, Hertz " << hertz_m * 1e3
-            << " mm, half-space " << a * a / R * 1e3 << " mm\n";
+            << " mm, force / Hertz " << over << ", p0 / Hertz " << rest.yield_ratio * 1e9 / (0.62 * p0) << "\n";
   // The force goes with the approach to 3/2.
-  EXPECT_NEAR(std::pow(hertz_m / (rest.approach_m - p0 / kStiff_N_m3), 1.5), 1.0, kHertz);
-  // The largest stress below a circular patch is 0.62 p0; the layer makes the patch larger by 2 %.
+  EXPECT_NEAR(over, 1.0, kHertz);
+  // The largest stress below a circular patch is 0.62 p0 at a Poisson ratio of 0.3; the layer makes the patch
+  // larger.
   EXPECT_NEAR(rest.yield_ratio * 1e9, 0.62 * p0, 0.05 * 0.62 * p0);
-  EXPECT_NEAR(rest.force_N[0], 24.0, 1e-2);
+  EXPECT_NEAR(rest.force_N[0], F, 1e-2);
   EXPECT_NEAR(std::hypot(rest.force_N[1], rest.force_N[2]), 0.0, 1e-6) << "by symmetry";
 }
 
 TEST(ShapedPads, ACylindricalTipPressesABlockAsHertzSays) {
-  // Across the block's whole width, so that the problem is plane but for nu.
-  const double R = 0.08, side = 0.08;
-  Scenario s = pressed_product(Shape::box, {side, side, 0.03}, 0.005, kStiff_N_m3);
-  jaw_of(s).pad_size_m = {0.06, 0.06};
+  const double R = 0.05, side = 0.06, L = 0.03, F = 30.0;
+  Scenario s = pressed_product(Shape::box, {side, side, L}, 0.005, kStiff_N_m3);
   lattice_of(s).poisson_ratio = 0.0;  // plane stress is plane strain
   set_shape(s, PadShape::cylinder, PadAlong::z, R);
-  s.strategy.grip_force_N = 60.0;
-  lattice_of(s).yield_stress_Pa = 1e9;
-  lattice_of(s).tangent_modulus_Pa = 1e5;
+  s.strategy.grip_force_N = F;
   const AtRest rest = press(s);
-  const double E = plane_Pa(s), P = 60.0 / 0.03, b = std::sqrt(4.0 * P * R / (pi * E)), d = 0.5 * side;
-  // Johnson 1985, 5.6: a compressed cylinder's half, of a block of half thickness d, less what the column is
-  // pressed more than the half-plane beyond.
-  const double hertz_m = P / (pi * E) * (2.0 * std::log(2.0 * d / b) + 0.0);
+  // Half of a disc that two planes press (Johnson 1985, 5.6; nu = 0), P / (pi E) (2 ln (4 d / b) - 1): the block
+  // is the square around it, a few per cent stiffer.
+  const double E = 1e6, P = F / L, b = std::sqrt(4.0 * P * R / (pi * E)), d = 0.5 * side;
+  const double hertz_m = P / (pi * E) * (2.0 * std::log(4.0 * d / b) - 1.0);
   std::cout << "[ measured ] cylinder on block: approach " << rest.approach_m * 1e3 << " mm, Hertz "
             << hertz_m * 1e3 << " mm, half width " << b * 1e3 << " mm\n";
-  EXPECT_NEAR(hertz_m / rest.approach_m, 1.0, 0.2);
-  // The peak below a strip of Hertz, 0.56 p0 = 0.71 F / A of a half-space at nu = 0.3; at nu = 0 0.59 p0.
-  const double p0 = 2.0 * P / (pi * b);
-  std::cout << "[ measured ] strip: stress / p0 " << rest.yield_ratio * 1e9 / p0 << "\n";
-  EXPECT_GT(rest.yield_ratio * 1e9, 0.5 * p0);
-  EXPECT_LT(rest.yield_ratio * 1e9, 0.8 * p0);
+  EXPECT_NEAR(rest.approach_m, hertz_m, 0.15 * hertz_m);
+}
+
+TEST(ShapedPads, ThePatchIsThatOfTheRelativeCurvature) {
+  Scenario s = pressed_product(Shape::cylinder, {0.06, 0.06, 0.06}, 0.005, kStiff_N_m3);
+  lattice_of(s).axis = Axis::z;  // curved along y
+  const double E = plane_Pa(s), F = 20.0, stiff = 1e30;
+  const auto area = [&](PadShape shape, PadAlong along, double radius_m) {
+    set_shape(s, shape, along, radius_m);
+    return pad_patch_area(lattice_of(s), PadFace(jaw_of(s)));
+  };
+  // Two cylinders side by side: b^2 = 4 P / (pi E*) / (1 / R1 + 1 / R2).
+  const PatchArea convex = area(PadShape::cylinder, PadAlong::z, 0.06);
+  EXPECT_EQ(convex.kind, PatchKind::strip);
+  EXPECT_NEAR(convex.half_width_m(500.0, stiff), std::sqrt(4.0 * 500.0 * 0.02 / (pi * E)), 1e-9);
+  const PatchArea hollow = area(PadShape::cylinder, PadAlong::z, -0.04);
+  EXPECT_NEAR(hollow.half_width_m(500.0, stiff), std::sqrt(4.0 * 500.0 * 0.12 / (pi * E)), 1e-9);
+  // Crossed ones of one radius: a circle of that radius.
+  const PatchArea crossed = area(PadShape::cylinder, PadAlong::y, 0.03);
+  EXPECT_EQ(crossed.kind, PatchKind::ellipse);
+  EXPECT_NEAR(crossed.ellipse_m2(F, stiff), pi * std::pow(0.75 * F * 0.03 / E, 2.0 / 3.0), 1e-9);
+  EXPECT_EQ(area(PadShape::cylinder, PadAlong::z, -0.03).kind, PatchKind::flat) << "the cradle fits";
 }
 
 /// Approach of an elliptical patch of Hertz (Johnson 1985, 4.2): 3 F K(e) / (2 pi E* a), a the longer semi-axis.
@@ -104,23 +118,24 @@ TEST(ShapedPads, CrossedCylindersPressEachOtherAsHertzSays) {
     const AtRest rest = press(s);
     const double F = 20.0, E = plane_Pa(s);
     const PatchArea area = ellipse_area({tip_m, 0.03}, E);
-    const double hertz_m = ellipse_approach_m({tip_m, 0.03}, E, F);
+    const double hertz_m =
+        ellipse_approach_m({tip_m, 0.03}, E, F) + finite_block_m(s, 0.03, 0.25 * pi * 0.06 * 0.06);
     const double layer_m = 1.5 * F / area.ellipse_m2(F, 1e30) / kStiff_N_m3;
     const double over = std::pow(hertz_m / (rest.approach_m - layer_m), 1.5);
     std::cout << "[ measured ] crossed cylinders, tip " << tip_m * 1e3 << " mm: approach " << rest.approach_m * 1e3
               << " mm, Hertz " << hertz_m * 1e3 << " mm, force / Hertz " << over << "\n";
-    // As the sphere of hertz_test: finite indentation and body add 5 to 12 %.
-    EXPECT_NEAR(over, 1.0, 0.2);
+    EXPECT_NEAR(over, 1.0, kHertz);
   }
 }
 
 /// Layers as soft as foam under a product that gives next to nothing.
 Scenario on_soft_layers(Shape shape, const std::array<double, 3>& size_m) {
-  Scenario s = pressed_product(shape, size_m, 0.0025, 1e6);
+  Scenario s = pressed_product(shape, size_m, 0.005, 1e6);
   LatticeParameters& product = lattice_of(s);
   product.youngs_modulus_Pa = 1e9;
   product.axis = Axis::z;
   jaw_of(s).pad_size_m = {0.03, 0.02};
+  jaw_of(s).drive_viscous_N_s_m = 10.0;
   return s;
 }
 
@@ -135,15 +150,15 @@ TEST(ShapedPads, ACradleOfTheProductsRadiusIsPressedAllAround) {
   const double closed = 0.3 / (k * R * L * (phi0 + std::sin(phi0) * std::cos(phi0)));
   std::cout << "[ measured ] cradle: depth " << rest.approach_m * 1e6 << " um, closed form " << closed * 1e6
             << " um\n";
-  // Sampled at 12 cells across; the sagitta of a cell's slope is 2 % of the depth.
-  EXPECT_NEAR(rest.approach_m, closed, 0.03 * closed);
+  // A cell counts as straight: its normal leans by up to 0.1 rad from the circle's.
+  EXPECT_NEAR(rest.approach_m, closed, 0.02 * closed);
   // A plane touches b = (3/2 R F / (k L))^(1/3) to each side, and is pressed in by b^2 / (2 R).
   Scenario flat = on_soft_layers(Shape::cylinder, {2 * R, 2 * R, 0.04});
   flat.strategy.grip_force_N = 0.3;
   const double b = std::cbrt(1.5 * R * 0.3 / (k * L));
   const AtRest plane = press(flat);
   EXPECT_NEAR(plane.approach_m, b * b / (2.0 * R), 0.03 * b * b / (2.0 * R));
-  EXPECT_LT(rest.approach_m, 0.3 * plane.approach_m) << "the cradle spreads the force";
+  EXPECT_LT(rest.approach_m, 0.45 * plane.approach_m) << "the cradle spreads the force";
 }
 
 TEST(ShapedPads, TheFacesOfAGrooveShareTheForce) {

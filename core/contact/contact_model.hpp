@@ -87,17 +87,27 @@ struct ContactModel {
   /// Of the faces across x, y, z.
   std::array<PatchForm, 3> patch_form;
   std::array<std::array<double, 2>, 3> cell_extent_m{};  ///< of a contact's cell on these, along the tangents
-  std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
+  std::array<double, kJawFingers> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
   std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface
   double patch_side_m = 0;                       ///< of the square over which pressure is averaged
-  int surface_count = kFirstCellSurface;
+  std::vector<int> surface = {kLeftPad, kRightPad, kSupport};  ///< all of them, in the order of traces
   std::vector<double> place_radius_m;  ///< farthest place of a contact node from it; 0 without places
   /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
   std::array<double, 9> turn_per_moment{};
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
   /// Do places of the true surface meet this surface, and not particles?
-  [[nodiscard]] bool has_places(int surface) const { return !place.empty() && !is_pad(surface); }
+  [[nodiscard]] bool has_places(int which) const { return !place.empty() && which >= kSupport; }
+  /// Are the pads those of fingers that a gripper lists?
+  [[nodiscard]] bool lists_fingers() const { return is_listed_pad(surface.front()); }
+  /// Of a gripper's fingers; the pads come first.
+  [[nodiscard]] std::size_t finger_count() const {
+    return static_cast<std::size_t>(std::find(surface.begin(), surface.end(), kSupport) - surface.begin());
+  }
+  /// In traces and events.
+  [[nodiscard]] int number_of(int which) const {
+    return static_cast<int>(std::find(surface.begin(), surface.end(), which) - surface.begin());
+  }
 };
 
 /// How much of a candidate's area faces a level support while the product stands as at the start.
@@ -114,7 +124,7 @@ constexpr std::array<double, 2> relief_offset(int q) {
 /// What may touch what.
 struct ContactChoice {
   ContactSet set = ContactSet::pads_and_support;
-  int surface_count = kFirstCellSurface;
+  std::vector<int> surface = {kLeftPad, kRightPad, kSupport};
   double pressure_patch_m = 0.01;
 };
 ContactChoice contact_choice(const Scenario& scenario);

@@ -39,7 +39,7 @@ void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, 
   eyes_ = eyes;
   mounted_ = mounted;
   if (eyes_.frame != nullptr && own_.rows() == 0) own_ = LaneArray(9 * model_.candidate.size());
-  for (int s = 0; s < model_.surface_count; ++s) {
+  for (const int s : model_.surface) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
   }
   node_force_.fill(0.0);
@@ -131,7 +131,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       const ContactCandidate& candidate = model_.candidate[k];
       const LaneVector by_candidate = force_in_frame(k);
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
-      if (is_pad(candidate.surface)) pad_force[candidate.surface] += contacts_.normal_theta.get(k);
+      if (is_pad(candidate.surface)) pad_force[finger_of(candidate.surface)] += contacts_.normal_theta.get(k);
       if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
       if (eyes_.places == nullptr) continue;
       levers_.add(rest_place_m(static_cast<std::size_t>(node)), arm_of(candidate),
@@ -142,7 +142,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       node_force_.put(at + axis, select(lanes, force[axis], node_force_.get(at + axis)));
     }
   }
-  for (std::size_t pad = 0; pad < kFingerCount; ++pad) {
+  for (std::size_t pad = 0; pad < kMostFingers; ++pad) {
     pad_force_[pad] = select(lanes, pad_force[pad], pad_force_[pad]);
   }
 }
@@ -239,7 +239,7 @@ template <class Mounting, class AnyNode>
   Lane compliance = node.compliance(axis), way(0.0);
   if (is_pad(surface)) {
     compliance += gripper.compliance();
-    way = gripper.way_at_theta(surface, pad_force_);
+    way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
   }
   Lane place = surfaces_.place(surface, *theta_, way);
   mounting.give_way(c, axis, compliance, place);
@@ -259,7 +259,7 @@ template <class Mounting, class AnyNode>
   const Lane normal = select(active, max0(wanted), old_normal);
   const Lane change = normal - old_normal;
   contacts_.normal_theta.put(c, normal);
-  if (is_pad(surface)) pad_force_[surface] += change;
+  if (is_pad(surface)) pad_force_[finger_of(surface)] += change;
   node.push(axis, sign, change);
   mounting.push(axis, sign * change);
   return change;

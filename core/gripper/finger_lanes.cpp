@@ -16,6 +16,7 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
                        double opened_m) {
   require(is_lane(lane), "FingerLanes::load: there is no such lane");
   const ParallelJawParameters values = jaw != nullptr ? *jaw : ParallelJawParameters{};
+  count_ = values.finger.empty() ? kJawFingers : static_cast<int>(values.finger.size());
   const double set_speed = jaw != nullptr ? closing_speed_m_s : 0.0;
   // Steady motion: the drive, gain (v_set - v), overcomes the guide's friction c v. Where its limit does not let
   // it, the fingers come with the speed that is set and are braked.
@@ -46,8 +47,8 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
   stiffness_ = Lane(w.a0) * mass_ + a1_ * viscous_;
   inverse_stiffness_ = Lane(1.0) / stiffness_;
   inverse_driven_ = Lane(1.0) / (stiffness_ + a1_ * gain_);
-  compliance_ = select(centric_, Lane(1.0 / kFingerCount) * inverse_stiffness_, inverse_stiffness_);
-  for (int finger = 0; finger < kFingerCount; ++finger) {
+  compliance_ = select(centric_, Lane(1.0 / count_) * inverse_stiffness_, inverse_stiffness_);
+  for (int finger = 0; finger < count_; ++finger) {
     State& s = state_[finger];
     s.viscous = w.viscous(s.way, s.speed, s.acceleration);
     const Lane held = max(-command_.force_limit_N, min(command_.force_limit_N, s.drive));
@@ -59,16 +60,15 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command) 
 }
 
 Lane FingerLanes::palm_force(int finger) const {
-  // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
-  const Lane carried =
-      select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
-  return carried + mass_ * command_.centrifugal_1_s2 * (opened_ - state_[finger].way);
+  // Rack and pinion: what the palm's acceleration does to one finger of a jaw it undoes on the other.
+  return mass_ * share(finger, command_.palm_acceleration_m_s2) +
+         mass_ * share(finger, command_.centrifugal_1_s2) * (opened_ - state_[finger].way);
 }
 
-Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>& force) const {
-  Lane sum = force[0];
-  for (std::size_t other = 1; other < kFingerCount; ++other) sum += force[other];
-  return select(centric_, Lane(1.0 / kFingerCount) * sum, force[finger]);
+Lane FingerLanes::share(int finger, const FingerForces& each) const {
+  Lane sum = each[0];
+  for (int other = 1; other < count_; ++other) sum += each[static_cast<std::size_t>(other)];
+  return select(centric_, Lane(1.0 / count_) * sum, each[static_cast<std::size_t>(finger)]);
 }
 
 Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
@@ -106,18 +106,17 @@ Lane FingerLanes::stopped_way_at_theta(int finger, const Lane& contact) const {
   return min(forwards, max(backwards, regulated));
 }
 
-Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const {
-  const Lane contact = contact_share(finger, force);
+Lane FingerLanes::way_at_theta(int finger, const FingerForces& force) const {
+  const Lane contact = share(finger, force);
   const Lane way = free_way_at_theta(finger, contact);
   const Mask stopped = way > stroke_;
   return none(stopped) ? way : select(stopped, stopped_way_at_theta(finger, contact), way);
 }
 
-void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCount>& force_theta,
-                          const Mask& running) {
-  for (int finger = 0; finger < kFingerCount; ++finger) {
+void FingerLanes::advance(const WilsonTheta& w, const FingerForces& force_theta, const Mask& running) {
+  for (int finger = 0; finger < count_; ++finger) {
     State& s = state_[finger];
-    const Lane contact = contact_share(finger, force_theta);
+    const Lane contact = share(finger, force_theta);
     const Lane inertial = palm_force(finger);
     const Lane way_theta = way_at_theta(finger, force_theta);
     const Mask stopped = way_theta > stroke_;
@@ -151,19 +150,20 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
 
 Lane FingerLanes::furthest_way() const {
   Lane furthest = state_[0].way;
-  for (const State& s : state_) furthest = max(furthest, s.way);
+  for (int finger = 1; finger < count_; ++finger) furthest = max(furthest, way(finger));
   return furthest;
 }
 
 Lane FingerLanes::closing() const {
   Lane sum = state_[0].way;
-  for (std::size_t finger = 1; finger < kFingerCount; ++finger) sum += state_[finger].way;
+  for (int finger = 1; finger < count_; ++finger) sum += way(finger);
   return sum;
 }
 
 Lane FingerLanes::energy() const {
   Lane doubled(0.0);
-  for (const State& s : state_) {
+  for (int finger = 0; finger < count_; ++finger) {
+    const State& s = state_[static_cast<std::size_t>(finger)];
     doubled += mass_ * s.speed * s.speed + Lane(kStopStiffness_N_m) * s.depth * s.depth;
   }
   return Lane(0.5) * doubled;

@@ -16,8 +16,8 @@
 
 namespace unbruised {
 
-/// Normal forces of the contacts on each pad, per lane [N].
-using PadForces = std::array<Lane, kFingerCount>;
+/// Normal forces of the contacts on the pad of each finger, per lane [N].
+using PadForces = FingerForces;
 inline PadForces without_force() {
   PadForces force;
   force.fill(Lane(0.0));

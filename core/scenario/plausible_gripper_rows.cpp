@@ -60,6 +60,8 @@ Rows gripper_rows() {
             "time of flight 1 mm, triangulation 1 um"),
       plain("gripper.range.noise_m", "noise of a range sensor", "m", 0.0, 0.01, kLength,
             "time of flight 1 to 3 mm, triangulation 1 to 50 um"),
+      plain("gripper.finger[].angle_rad", "angle of a finger", "rad", -6.2832, 6.2832, kAngle, "a whole turn"),
+      plain("gripper.finger[].offset_m", "offset of a finger", "m", 0.0, 0.3, kLength, "openings of grippers"),
       plain("gripper.force_step_N", "step of the force", "N", 0.0, 50.0, kForce, "data sheets of parallel jaws"),
   };
 }

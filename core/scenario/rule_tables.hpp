@@ -10,6 +10,7 @@ namespace unbruised {
 std::vector<Rule> lattice_rules();
 std::vector<Rule> network_rules();
 std::vector<Rule> gripper_rules();
+std::vector<Rule> finger_rules();
 std::vector<Rule> motion_rules();
 std::vector<Rule> sensor_rules();
 std::vector<Rule> surface_rules();

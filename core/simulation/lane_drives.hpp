@@ -18,7 +18,7 @@ void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, Ca
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time
-void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
-                    const CarrierMotion& carriers, DriveCommand& command);
+void command_drives(int lane, const Scenario& scenario, const MotionPlan& plan, double time_s,
+                    const GripperLanes& gripper, const CarrierMotion& carriers, DriveCommand& command);
 
 }  // namespace unbruised

@@ -95,7 +95,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       view{parts, body, *material, contact, gripper, mounts, now, yield_ratio},
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
-  const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
+  const auto listed = static_cast<std::size_t>(std::ranges::count_if(parts.contact.surface, is_of_cell_list));
   for (CarrierMotion* motion : {&now, &theta, &next}) motion->listed.resize(listed);
 }
 
@@ -176,7 +176,7 @@ void LaneSimulation::Impl::follow_plans() {
     set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
     command_mount(lane, r.scenario, theta, next, mounts);
     if (!has_gripper(r.scenario)) continue;
-    command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
+    command_drives(lane, r.scenario, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
 }
 
@@ -288,7 +288,7 @@ void LaneSimulation::Impl::advance_state() {
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  for (int s = 0; s < parts.contact.surface_count; ++s) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
+  for (const int s : parts.contact.surface) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
   ++times.steps;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (run_of(lane).busy) observe_lane(lane);
@@ -342,7 +342,7 @@ StepObservation LaneSimulation::Impl::see(int lane, double time_s) {
   const LaneRun& r = run_of(lane);
   StepObservation seen = view.observe(lane, r.scenario, time_s);
   if (!r.instruments) return seen;
-  for (std::size_t f = 0; f < kFingerCount; ++f) seen.finger[f].range_m = r.instruments->range_m()[f];
+  for (std::size_t f = 0; f < kMostFingers; ++f) seen.finger[f].range_m = r.instruments->range_m()[f];
   return seen;
 }
 

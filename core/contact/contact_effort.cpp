@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/contact/layered_face.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/lattice_cells.hpp"
 
 namespace unbruised {
@@ -31,8 +32,8 @@ CouplingLaw coupling_law(const LatticeParameters& product, const Scenario& scena
   CouplingLaw largest;
   if (jaw != nullptr) {
     const LayeredFace side = side_at_pad(product, *jaw, scenario.cell);
-    const double both = 2.0 * side.layer_N_m(scenario.strategy.grip_force_N);
-    largest = law_of(both, jaw->pad_relaxation_time_s, mass_kg, theta);
+    const double all = finger_count(scenario) * side.layer_N_m(scenario.strategy.grip_force_N);
+    largest = law_of(all, jaw->pad_relaxation_time_s, mass_kg, theta);
   }
   if (scenario.cell.support) {
     const LayeredFace base = side_at_support(product, scenario.cell);
@@ -62,7 +63,8 @@ double contact_freedoms(const LatticeParameters& product, const Scenario& scenar
   if (jaw == nullptr) return 0.0;
   const LayeredFace side = side_at_pad(product, *jaw, scenario.cell);
   const std::array<double, 3> cell = lattice_cell_extent_m(product);
-  const double nodes = 2.0 * particles_under(side.patch_m2(scenario.strategy.grip_force_N), cell[1] * cell[2]);
+  const double nodes =
+      finger_count(scenario) * particles_under(side.patch_m2(scenario.strategy.grip_force_N), cell[1] * cell[2]);
   return 3.0 * nodes;
 }
 double contact_freedoms(const NetworkParameters&, const Scenario&) { return 0.0; }

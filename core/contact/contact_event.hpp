@@ -14,7 +14,7 @@ struct ContactEvent {
   enum class Kind : std::int8_t { make = 0, break_ = 1, stick = 2, slip = 3 };
   double time_s = 0.0;  ///< interpolated inside the step
   int node = 0;         ///< particle index
-  int surface = 0;      ///< its number in `kSurfaces`
+  int surface = 0;      ///< its number in the trace
   Kind kind = Kind::make;
   int contact = 0;  ///< number of the candidate: a particle, or a place that it carries, before one surface
   std::array<double, 3> place_m{};  ///< of the contact in the cell at that time

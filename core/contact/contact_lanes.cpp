@@ -119,12 +119,13 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
   const Starts starts = seen_start(given);
   const ContactStart& start = starts.front();
   const PadForces no_force = without_force();
-  for (int s = 0; s < model_.surface_count; ++s) {
+  for (const int s : model_.surface) {
     AxisMotion closing;
     Lane way_free(0.0);
     if (is_pad(s)) {
-      closing = {start.gripper.way(s), start.gripper.speed(s), start.gripper.acceleration(s)};
-      way_free = start.gripper.way_at_theta(s, no_force);
+      const auto f = static_cast<int>(finger_of(s));
+      closing = {start.gripper.way(f), start.gripper.speed(f), start.gripper.acceleration(f)};
+      way_free = start.gripper.way_at_theta(f, no_force);
     }
     motion_[s] = surfaces_.motion(s, start.now, closing);
     place_free_[s] = surfaces_.place(s, start.theta, way_free);
@@ -140,7 +141,11 @@ void ContactLanes::begin_step(const ContactStart& given, const Mask& running) {
     model_.is_shaped(c) ? meet_shaped(c, from, running) : meet_side(c, from, running);
   }
   meets_rim_ = Mask(false);
-  if (places_) meet_places(given, running);
+  if (places_) {
+    meet_places(
+        {given.u, given.v, given.a, given.free, resting_[0], resting_[1], given.gripper, given.frame, given.mount},
+        running);
+  }
   list_awake();
   sweep_.list_active(running, awake_candidate_);
   sweep_.rebase(given.free, running);
@@ -235,7 +240,8 @@ void ContactLanes::set_cover(std::size_t c, const std::array<CoveredPiece, 2>& p
 void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running) {
   const Ends ends = seen_end(end, frame);
   if (pads_) pads_->end_step(*end.pads);
-  if (places_) see_facing(*frame);
+  ended_ = &end.u;
+  if (places_) see_facing(*frame, end.next);
   tally_.fill(SurfaceTally{});
   patch_pressure_ = layer_strain_ = Lane(0.0);
   touched_.fill(Lane(2.0));
@@ -246,9 +252,9 @@ void ContactLanes::end_step(const ContactEnd& end, const FrameLanes* frame, cons
     const auto c = static_cast<std::size_t>(live);
     end_candidate(c, ends[carrier_number(model_.candidate[c].surface)], running);
   }
-  for (int surface = 0; surface < model_.surface_count; ++surface) {
+  for (const int surface : model_.surface) {
     measure_windows(surface, ends[carrier_number(surface)], running);
-    if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].end_step(least_turning_radius_m(), running);
+    if (is_pad(surface)) slip_[finger_of(surface)].end_step(least_turning_radius_m(), running);
   }
 }
 
@@ -275,7 +281,7 @@ void ContactLanes::carry_open_anchors(const Ends& ends, const Mask& running) {
       register_.anchor[t].put(c, select(open, place, before));
       way[t] = place - before;
     }
-    if (is_pad(surface)) slip_[static_cast<std::size_t>(surface)].add_open(way, open);
+    if (is_pad(surface)) slip_[finger_of(surface)].add_open(way, open);
   }
 }
 
@@ -385,7 +391,7 @@ void ContactLanes::tally_candidate(std::size_t c, const Mask& running, const Can
     const auto& piece = model_.candidate[c].tributary;
     std::array<Lane, 2> place = {Lane(piece[0].place_m), Lane(piece[1].place_m)};
     for (std::size_t t = 0; seen_ && t < 2; ++t) place[t] += register_.anchor[t].get(c);  // it may turn far
-    slip_[static_cast<std::size_t>(model_.candidate[c].surface)].add_closed(
+    slip_[finger_of(model_.candidate[c].surface)].add_closed(
         place, select(step.closed, register_.normal_theta.get(c), Lane(0.0)), step.moved);
   }
   if (model_.candidate[c].place >= 0) {
@@ -404,6 +410,7 @@ void ContactLanes::tally_torque(std::size_t c, const ContactEnd& end, const Mask
                                 const CandidateStep& step) {
   const int surface = model_.candidate[c].surface;
   const auto node = static_cast<std::size_t>(model_.candidate[c].node);
+  if (is_listed_pad(surface)) return tally_place_torque(c, get_vector(*ended_, node), running, step);
   const auto tangents = tangent_axes(surface);
   const auto& carrier = carrier_of(surface, end.next);
   std::array<Lane, 3> arm;

@@ -134,8 +134,8 @@ class ContactLanes {
   void end_step(const ContactEnd& end, const FrameLanes* frame, const Mask& running);
 
   [[nodiscard]] const std::array<SurfaceTally, kSurfaceCount>& tally() const { return tally_; }
-  /// Of the product past a pad since load, or since it was last forgotten.
-  [[nodiscard]] const PadSlip& slip(int pad) const { return slip_[static_cast<std::size_t>(pad)]; }
+  /// Of the product past the pad of a finger since load, or since it was last forgotten.
+  [[nodiscard]] const PadSlip& slip(std::size_t finger) const { return slip_[finger]; }
   /// Largest pressure over a patch of fixed size in this step, per lane.
   [[nodiscard]] const Lane& patch_pressure() const { return patch_pressure_; }
   /// Largest compression of a layer over its thickness in this step, per lane.
@@ -147,10 +147,10 @@ class ContactLanes {
   [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
   /// none.
-  [[nodiscard]] Lane first_touch() const { return min(touched_[kLeftPad], touched_[kRightPad]); }
-  /// The same for one pad, and when the last of those of its contacts that opened in the step did.
-  [[nodiscard]] const Lane& touched(int pad) const { return touched_[static_cast<std::size_t>(pad)]; }
-  [[nodiscard]] const Lane& left(int pad) const { return left_[static_cast<std::size_t>(pad)]; }
+  [[nodiscard]] Lane first_touch() const;
+  /// The same for the pad of one finger, and when the last of those of its contacts that opened in the step did.
+  [[nodiscard]] const Lane& touched(std::size_t finger) const { return touched_[finger]; }
+  [[nodiscard]] const Lane& left(std::size_t finger) const { return left_[finger]; }
   /// Dissipated by sliding and in viscous layers since load, [J].
   [[nodiscard]] const Lane& dissipated() const { return dissipated_; }
   /// The same by cause.
@@ -164,7 +164,9 @@ class ContactLanes {
   [[nodiscard]] std::optional<FacedPlane> faced_plane(int surface, int lane, const CarrierMotion& now) const;
   /// Of the face that meets a surface in one lane.
   [[nodiscard]] const PatchForm& patch_form(int surface, int lane) const;
-  /// Force of one surface on the product along x, y, z, in one lane; of a pad along the axes of its palm.
+  /// Force of one surface on the product along the axes of its carrier: the cell or, of a pad, the palm.
+  [[nodiscard]] LaneVector carrier_force(int surface) const;
+  /// The same in one lane.
   [[nodiscard]] std::array<double, 3> surface_force(int surface, int lane) const;
 
   // For those who record a lane; nobody else pays for it.
@@ -216,7 +218,7 @@ class ContactLanes {
     Lane gap_now, gap_free;
     Lane rate, second_rate;  ///< of the penetration
   };
-  void see_facing(const FrameLanes& frame);
+  void see_facing(const FrameLanes& frame, const CarrierMotion& there);
   [[nodiscard]] std::array<Lane, 2> place_on_face(const ContactCandidate& candidate) const;
   void meet_side(std::size_t candidate, const ContactStart& start, const Mask& running);
   void meet_shaped(std::size_t candidate, const ContactStart& start, const Mask& running);
@@ -254,6 +256,8 @@ class ContactLanes {
   void book_viscous(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_candidate(std::size_t candidate, const Mask& running, const CandidateStep& step);
   void tally_torque(std::size_t candidate, const ContactEnd& end, const Mask& running, const CandidateStep& step);
+  void tally_place_torque(std::size_t candidate, const LaneVector& u, const Mask& running,
+                          const CandidateStep& step);
   void note_touch(std::size_t candidate, const CandidateStep& step);
   void note_changes(std::size_t candidate, const CandidateStep& step);
   [[nodiscard]] ContactStep contact_step(std::size_t candidate, int lane, const CandidateStep& step) const;
@@ -311,6 +315,7 @@ class ContactLanes {
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
   /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
   std::array<std::array<Mask, 2>, kSurfaceCount> faces_;
+  const LaneArray* ended_ = nullptr;   ///< displacement at the end of a step, as it is given
   const FrameLanes* frame_ = nullptr;  ///< of the present step
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.
   std::array<CarrierMotion, 2> resting_;
@@ -328,7 +333,7 @@ class ContactLanes {
   std::array<Lane, kSurfaceCount> place_free_;    ///< at t + theta dt, of fingers that nothing presses on
 
   std::array<SurfaceTally, kSurfaceCount> tally_;
-  std::array<PadSlip, kFingerCount> slip_;
+  std::array<PadSlip, kMostFingers> slip_;
   Lane patch_pressure_{0.0}, layer_strain_{0.0}, dissipated_{0.0};
   PadForces touched_ = without_force(), left_ = without_force();  ///< fractions of theta dt; > 1, < 0: none
   LayerLosses losses_;

@@ -41,7 +41,7 @@ void ContactLanes::note_touch(std::size_t c, const CandidateStep& step) {
   const Mask touched = step.closed & !register_.was_closed.get(c);
   const Lane gap = max0(register_.gap_now.get(c));
   const Lane fraction = gap / max(gap - register_.gap_free.get(c), Lane(1e-300));
-  const auto pad = static_cast<std::size_t>(model_.candidate[c].surface);
+  const std::size_t pad = finger_of(model_.candidate[c].surface);
   touched_[pad] = min(touched_[pad], select(touched, min(fraction, Lane(1.0)), Lane(2.0)));
   const Mask opened = register_.was_closed.get(c) & !step.closed;
   if (none(opened)) return;
@@ -112,7 +112,7 @@ Lane ContactLanes::lowest_seen_place_m(int surface, const LaneArray& u) const {
 
 Lane ContactLanes::layer_under_force_N_m3(int surface) const {
   Lane stiffness = surfaces_[surface].backing_N_m3;
-  if (surface >= kFirstCellSurface) return stiffness;
+  if (is_of_cell_list(surface)) return stiffness;
   for (int lane = 0; lane < kLanes; ++lane) {
     const FaceLayer& layer = (is_pad(surface) ? pad_layer_ : support_layer_)[static_cast<std::size_t>(lane)];
     const double force_N = tally_[surface].normal[lane];
@@ -134,7 +134,7 @@ Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   for (int lane = 0; lane < kLanes; ++lane) {
     const std::size_t axis = face_axis(surface, lane);
     const PressedFace face{tally_[surface], form_under(surface, lane), model_.cell_extent_m[axis],
-                           surfaces_[surface], !model_.has_places(surface)};
+                           surfaces_[surface], is_pad(surface) || !model_.has_places(surface)};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
   }
   return ratio;
@@ -150,10 +150,19 @@ std::optional<FacedPlane> ContactLanes::faced_plane(int surface, int lane, const
 
 const PatchForm& ContactLanes::patch_form(int surface, int lane) const { return form_under(surface, lane); }
 
-std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
+LaneVector ContactLanes::carrier_force(int surface) const {
   const LaneVector force{tally_[surface].force(surface)};
-  if (surface < kFirstCellSurface) return of_lane(force, lane);
-  return of_lane(transposed(surfaces_[surface].axes) * force, lane);
+  return has_own_axes(surface) ? transposed(surfaces_[surface].axes) * force : force;
+}
+
+std::array<double, 3> ContactLanes::surface_force(int surface, int lane) const {
+  return of_lane(carrier_force(surface), lane);
+}
+
+Lane ContactLanes::first_touch() const {
+  Lane first = touched_[0];
+  for (std::size_t f = 1; f < model_.finger_count(); ++f) first = min(first, touched_[f]);
+  return first;
 }
 
 }  // namespace unbruised

@@ -149,7 +149,7 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
   }
 }
 
-/// The places of the true surface, and each of them against the support and what the cell lists.
+/// The places of the true surface, and each of them against the support and what cell and gripper list.
 void add_places(const LatticeParameters& parameters, const Lattice& lattice, const ContactChoice& choice,
                 ContactModel& contact) {
   const auto& cell_m = lattice.cell_extent_m;
@@ -170,7 +170,8 @@ void add_places(const LatticeParameters& parameters, const Lattice& lattice, con
     }
     if (place.curved) candidate.cell_compliance_m_Pa = cell_m_Pa;
     contact.place.push_back(arm);
-    for (int surface = kSupport; surface < choice.surface_count; ++surface) {
+    for (const int surface : choice.surface) {
+      if (surface < kSupport) continue;  // pads that meet a side
       candidate.surface = surface;
       contact.candidate.push_back(candidate);
     }
@@ -193,21 +194,28 @@ void add_face_forms(const LatticeParameters& parameters, const Lattice& lattice,
 
 ContactChoice contact_choice(const Scenario& scenario) {
   const ContactSet set = contact_set(scenario);
-  return {set, set == ContactSet::pads_and_support ? kFirstCellSurface : surface_count(scenario),
-          scenario.simulation.pressure_patch_m, has_shaped_pads(scenario)};
+  ContactChoice choice;
+  choice.set = set;
+  choice.pressure_patch_m = scenario.simulation.pressure_patch_m;
+  choice.shaped_pads = has_shaped_pads(scenario);
+  if (set != ContactSet::pads_and_support) choice.surface = surfaces_of(scenario);
+  return choice;
 }
 
 ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice& lattice,
                              const ContactChoice& choice) {
   ContactModel contact;
   contact.patch_side_m = choice.pressure_patch_m;
-  contact.surface_count = choice.surface_count;
+  contact.surface = choice.surface;
   contact.shaped_pads = choice.shaped_pads;
   add_face_forms(parameters, lattice, choice.set, contact);
   const bool upright = choice.set == ContactSet::pads_and_support;
-  const int with_sides = upright ? kFirstCellSurface : kSupport;  // whose candidates are particles of a side
+  std::vector<int> with_sides;  // whose candidates are particles of a side
+  for (const int surface : choice.surface) {
+    if (upright || surface < kSupport) with_sides.push_back(surface);
+  }
   std::vector<FacePlane> plane;
-  for (int surface = 0; surface < with_sides; ++surface) {
+  for (const int surface : with_sides) {
     const auto axis = static_cast<std::size_t>(normal_axis(surface));
     plane.emplace_back(lattice, axis, tangent_axes(surface));
     // Of the true shape: with an even number of particles across, none stands on it. The surface lies at the low
@@ -218,9 +226,9 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
   }
   if (!upright) add_places(parameters, lattice, choice, contact);
   number_nodes(contact);
-  for (int surface = 0; surface < with_sides; ++surface) {
-    const auto at = static_cast<std::size_t>(surface);
-    contact.face[at] = face_grid(contact, surface, parameters, plane[at]);
+  for (std::size_t i = 0; i < with_sides.size(); ++i) {
+    const int surface = with_sides[i];
+    contact.face[static_cast<std::size_t>(surface)] = face_grid(contact, surface, parameters, plane[i]);
   }
   return contact;
 }

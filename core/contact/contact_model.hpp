@@ -91,10 +91,10 @@ struct ContactModel {
   /// Of the faces across x, y, z.
   std::array<PatchForm, 3> patch_form;
   std::array<std::array<double, 2>, 3> cell_extent_m{};  ///< of a contact's cell on these, along the tangents
-  std::array<double, kFingerCount> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
+  std::array<double, kJawFingers> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
   std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface
   double patch_side_m = 0;                       ///< of the square over which pressure is averaged
-  int surface_count = kFirstCellSurface;
+  std::vector<int> surface = {kLeftPad, kRightPad, kSupport};  ///< all of them, in the order of traces
   bool shaped_pads = false;            ///< the pads are no planes: each candidate meets them in axes of its own
   std::vector<double> place_radius_m;  ///< farthest place of a contact node from it; 0 without places
   /// Angular motion of the body as a whole per moment, within a step [rad/(N m)], row-major.
@@ -103,9 +103,19 @@ struct ContactModel {
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
   /// Do places of the true surface meet this surface, and not particles?
-  [[nodiscard]] bool has_places(int surface) const { return !place.empty() && !is_pad(surface); }
+  [[nodiscard]] bool has_places(int which) const { return !place.empty() && which >= kSupport; }
   /// Does a candidate meet a shaped pad?
   [[nodiscard]] bool is_shaped(std::size_t c) const { return shaped_pads && is_pad(candidate[c].surface); }
+  /// Are the pads those of fingers that a gripper lists?
+  [[nodiscard]] bool lists_fingers() const { return is_listed_pad(surface.front()); }
+  /// Of a gripper's fingers; the pads come first.
+  [[nodiscard]] std::size_t finger_count() const {
+    return static_cast<std::size_t>(std::find(surface.begin(), surface.end(), kSupport) - surface.begin());
+  }
+  /// In traces and events.
+  [[nodiscard]] int number_of(int which) const {
+    return static_cast<int>(std::find(surface.begin(), surface.end(), which) - surface.begin());
+  }
 };
 
 /// How much of a candidate's area faces a level support while the product stands as at the start.
@@ -122,7 +132,7 @@ inline std::array<double, 2> place_offset_m(const ContactCandidate& candidate, i
 /// What may touch what.
 struct ContactChoice {
   ContactSet set = ContactSet::pads_and_support;
-  int surface_count = kFirstCellSurface;
+  std::vector<int> surface = {kLeftPad, kRightPad, kSupport};
   double pressure_patch_m = 0.01;
   bool shaped_pads = false;
 };

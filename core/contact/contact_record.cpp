@@ -80,10 +80,10 @@ ContactLanes::ContactPoint ContactLanes::contact_point(std::size_t c, int lane, 
 /// What is given along the axes of a surface's carrier, along x, y, z.
 std::array<double, 3> ContactLanes::in_cell(int surface, int lane, const std::array<double, 3>& along,
                                             const CarrierMotion& now) const {
-  const LaneVector vector = to_lanes(along);
-  if (is_pad(surface)) return of_lane(rotation_by(now.palm_rotation_rad).matrix() * vector, lane);
-  if (surface < kFirstCellSurface) return along;
-  return of_lane(transposed(surfaces_[surface].axes) * vector, lane);
+  LaneVector vector = to_lanes(along);
+  if (has_own_axes(surface)) vector = transposed(surfaces_[surface].axes) * vector;
+  if (is_pad(surface)) vector = rotation_by(now.palm_rotation_rad).matrix() * vector;
+  return of_lane(vector, lane);
 }
 
 void ContactLanes::append_events(int lane, const EventStep& step, std::vector<ContactEvent>& events) const {
@@ -108,8 +108,8 @@ void ContactLanes::append_events(int lane, const EventStep& step, std::vector<Co
     for (std::size_t t = 0; t < 2; ++t) {
       force_N[static_cast<std::size_t>(tangent_axes(surface)[t])] = by_axes[1 + t];
     }
-    events.push_back({time_s, candidate.node, surface, change.kind, change.candidate, point.place_m,
-                      in_cell(surface, lane, force_N, step.now)});
+    events.push_back({time_s, candidate.node, model_.number_of(surface), change.kind, change.candidate,
+                      point.place_m, in_cell(surface, lane, force_N, step.now)});
   }
 }
 

@@ -44,7 +44,7 @@ void ContactSweep::begin_step(const WilsonTheta& w, const CarrierMotion& theta, 
   pads_ = pads;
   if ((eyes_.frame != nullptr || model_.shaped_pads) && own_.rows() == 0)
     own_ = LaneArray(9 * model_.candidate.size());
-  for (int s = 0; s < model_.surface_count; ++s) {
+  for (const int s : model_.surface) {
     rate_slope_[s] = (Lane(1.0) + Lane(w.a1) * surfaces_[s].relaxation_s) - Lane(1.0);
   }
   node_force_.fill(0.0);
@@ -149,7 +149,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       const ContactCandidate& candidate = model_.candidate[k];
       const LaneVector by_candidate = force_in_frame(k);
       for (std::size_t i = 0; i < 3; ++i) force[i] += by_candidate[i];
-      if (is_pad(candidate.surface)) pad_force[candidate.surface] += closing_force(k);
+      if (is_pad(candidate.surface)) pad_force[finger_of(candidate.surface)] += closing_force(k);
       if (mounted_ != nullptr) mounted_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
       if (pads_ != nullptr && pads_->has(k)) {
         pad_force[candidate.surface] -= pads_->push(k, select(lanes, force_on_carrier(k), LaneVector{}));
@@ -163,7 +163,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
       node_force_.put(at + axis, select(lanes, force[axis], node_force_.get(at + axis)));
     }
   }
-  for (std::size_t pad = 0; pad < kFingerCount; ++pad) {
+  for (std::size_t pad = 0; pad < kMostFingers; ++pad) {
     pad_force_[pad] = select(lanes, pad_force[pad], pad_force_[pad]);
   }
 }
@@ -238,13 +238,13 @@ template <class Mounting, class AnyNode>
   Lane compliance = node.compliance(axis), way(0.0);
   if (is_pad(surface)) {
     compliance += gripper.compliance();
-    way = gripper.way_at_theta(surface, pad_force_);
+    way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
   }
   Lane place = surfaces_.place(surface, *theta_, way);
   mounting.give_way(c, axis, compliance, place);
   const Lane change =
       press(c, sign * (Lane(candidate.surface_m) + node.d[axis] - place), compliance, active, slope);
-  if (is_pad(surface)) pad_force_[surface] += change;
+  if (is_pad(surface)) pad_force_[finger_of(surface)] += change;
   node.push(axis, sign, change);
   mounting.push(axis, sign * change);
   return change;
@@ -365,7 +365,7 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
   const Lane sweeps = pads_ != nullptr      ? solve_with<PaddedSurfaces>(gripper, lanes)
                       : mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
                                             : solve_with<MountedSurfaces>(gripper, lanes);
-  for (int pad = 0; pad < kFingerCount && shaped_ != nullptr; ++pad) {
+  for (int pad = 0; pad < kJawFingers && shaped_ != nullptr; ++pad) {
     pad_place_[static_cast<std::size_t>(pad)] =
         surfaces_.place(pad, *theta_, gripper.way_at_theta(pad, pad_force_));
   }

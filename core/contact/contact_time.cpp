@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/contact/layered_face.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/lattice_cells.hpp"
 
 namespace unbruised {
@@ -78,7 +79,7 @@ bool judges_damage(const Scenario& scenario) { return scenario.limits.damage == 
 /// No force that matters is below the one that carries the weight.
 double least_grip_N(const LatticeParameters& product, const Scenario& scenario) {
   const double weight_N = lattice_mass_kg(product) * std::abs(scenario.cell.gravity_m_s2[2]);
-  return std::max(scenario.strategy.grip_force_N, 0.5 * weight_N / product.friction);
+  return std::max(scenario.strategy.grip_force_N, weight_N / finger_count(scenario) / product.friction);
 }
 
 double pad_surface_time_s(const LatticeParameters& product, const Scenario& scenario) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <variant>
 
+#include "core/scenario/finger_axes.hpp"
 #include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/true_shape.hpp"
 
@@ -24,14 +25,20 @@ double covered_m(double offset_m, double pad_m, double face_m) {
 FaceLayer face_layer(const LayerParameters& layer, const LatticeParameters& product, std::size_t axis,
                      const std::array<double, 2>& covered) {
   if (layer.is_springs()) return {layer, {}, covered};
-  const std::array<std::size_t, 2> tangent = {axis == 0 ? std::size_t{1} : 0, axis == 2 ? std::size_t{1} : 2};
-  return {layer, patch_area(product, axis, tangent), covered};
+  return {layer, patch_area(product, axis, face_tangents(axis)), covered};
+}
+
+/// Across which axis the face of the product lies that the pads meet; of listed fingers the first one.
+std::size_t axis_at_pad(const ParallelJawParameters& gripper) {
+  return gripper.finger.empty() ? 0 : faced_axis(finger_axes(gripper.finger.front())[2]);
 }
 
 std::array<double, 2> under_pad_m(const LatticeParameters& product, const ParallelJawParameters& gripper,
                                   const CellParameters& cell) {
-  return {covered_m(cell.grip_offset_m, gripper.pad_size_m[0], product.size_m[1]),
-          covered_m(cell.grip_height_m, gripper.pad_size_m[1], product.size_m[2])};
+  const std::array<double, 3> middle_m = {0.0, cell.grip_offset_m, cell.grip_height_m};
+  const auto [first, second] = face_tangents(axis_at_pad(gripper));
+  return {covered_m(middle_m[first], gripper.pad_size_m[0], product.size_m[first]),
+          covered_m(middle_m[second], gripper.pad_size_m[1], product.size_m[second])};
 }
 
 FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameters& jaw,
@@ -39,7 +46,7 @@ FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameter
   if (is_shaped(jaw.pad)) {
     return {pad_layer(jaw), pad_patch_area(product, PadFace(jaw)), under_pad_m(product, jaw, cell)};
   }
-  return face_layer(pad_layer(jaw), product, 0, under_pad_m(product, jaw, cell));
+  return face_layer(pad_layer(jaw), product, axis_at_pad(jaw), under_pad_m(product, jaw, cell));
 }
 FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
   return face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]});
@@ -69,8 +76,10 @@ double LayeredFace::stiffness_N_m(double force_N) const {
 LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParameters& gripper,
                         const CellParameters& cell) {
   const std::array<double, 2> covered = under_pad_m(product, gripper, cell);
-  double radius_m = 0.25 * (product.size_m[1] + product.size_m[2]);
-  bool is_flat = TrueShape(product).curvatures(0) == 0;
+  const std::size_t axis = axis_at_pad(gripper);
+  const auto [first, second] = face_tangents(axis);
+  double radius_m = 0.25 * (product.size_m[first] + product.size_m[second]);
+  bool is_flat = TrueShape(product).curvatures(axis) == 0;
   if (is_shaped(gripper.pad)) {
     const std::array<double, 2> curvature = relative_curvature_1_m(product, PadFace(gripper));
     is_flat = curvature[0] + curvature[1] == 0.0;
@@ -78,7 +87,7 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
   }
   return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
           .poisson_ratio = product.poisson_ratio,
-          .half_depth_m = 0.5 * product.size_m[0],
+          .half_depth_m = 0.5 * product.size_m[axis],
           .is_flat = is_flat,
           .flat_area_m2 = covered[0] * covered[1],
           .radius_m = radius_m,

@@ -9,7 +9,7 @@ MountedContacts::MountedContacts(const ContactModel& model)
 
 void MountedContacts::begin_step(const MountLanes& mount) {
   mount_ = &mount;
-  for (int pad = 0; pad < kFingerCount; ++pad) carried_[static_cast<std::size_t>(pad)] = mount.carries_pads();
+  for (int pad = 0; pad < kJawFingers; ++pad) carried_[static_cast<std::size_t>(pad)] = mount.carries_pads();
   carried_[kSupport] = mount.carries_support();
   restart(Mask(true));
 }

@@ -22,13 +22,13 @@ LaneVector mean(const PadFaces::Face& face, std::size_t k, const LaneArray& valu
 PadContacts::PadContacts(const ContactModel& model) : model_(model), faces_(*model.pads) {
   now_ = LaneArray(model.candidate.size());
   for (LaneArray* rows : {&free_, &theta_, &next_}) *rows = LaneArray(3 * model.candidate.size());
-  for (std::size_t f = 0; f < kFingerCount; ++f) push_[f] = LaneArray(3 * faces_.face[f].candidate.size());
+  for (std::size_t f = 0; f < kJawFingers; ++f) push_[f] = LaneArray(3 * faces_.face[f].candidate.size());
 }
 
 void PadContacts::begin_step(const PadLanes& pads, const GripperLanes& gripper) {
   const PadBody& pad = pads.model();
   const PadForces no_force = without_force();
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     const auto at = static_cast<std::size_t>(f);
     const PadFaces::Face& face = faces_.face[at];
     const double sign = normal_sign(f);
@@ -98,7 +98,7 @@ const LaneArray* PadContacts::face_force(int pad) {
 void PadContacts::end_step(const PadLanes& pads) {
   const PadBody& pad = pads.model();
   const auto row = [&pad](std::size_t node) { return 3 * static_cast<std::size_t>(pad.face[node]); };
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     const PadFaces::Face& face = faces_.face[static_cast<std::size_t>(f)];
     const BodyLanes& body = pads.body(f);
     for (std::size_t k = 0; k < face.candidate.size(); ++k) {

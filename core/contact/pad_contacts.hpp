@@ -82,12 +82,12 @@ class PadContacts {
 
   const ContactModel& model_;
   const PadFaces& faces_;
-  LaneArray now_;                                    ///< per candidate
-  LaneArray free_, theta_, next_;                    ///< 3 per candidate
-  std::array<LaneArray, kFingerCount> push_;         ///< on the pad, 3 per candidate of its face
-  std::array<LaneArray, kFingerCount> node_force_;   ///< 3 per particle of its face
-  std::array<std::vector<int>, kFingerCount> near_;  ///< numbers in the face, ascending
-  std::array<Lane, kFingerCount> way_free_{Lane(0.0), Lane(0.0)};
+  LaneArray now_;                                   ///< per candidate
+  LaneArray free_, theta_, next_;                   ///< 3 per candidate
+  std::array<LaneArray, kJawFingers> push_;         ///< on the pad, 3 per candidate of its face
+  std::array<LaneArray, kJawFingers> node_force_;   ///< 3 per particle of its face
+  std::array<std::vector<int>, kJawFingers> near_;  ///< numbers in the face, ascending
+  std::array<Lane, kJawFingers> way_free_{Lane(0.0), Lane(0.0)};
 };
 
 }  // namespace unbruised

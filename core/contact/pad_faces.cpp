@@ -77,7 +77,7 @@ PadFaces pad_faces(const ContactModel& contact, const PadBody& pad, const Wilson
                    const std::array<double, 2>& middle_m) {
   PadFaces faces;
   faces.place.assign(contact.candidate.size(), -1);
-  for (int surface = 0; surface < kFingerCount; ++surface) {
+  for (int surface = 0; surface < kJawFingers; ++surface) {
     PadFaces::Face& face = faces.face[static_cast<std::size_t>(surface)];
     add_weights(contact, pad, surface, middle_m, face);
     add_compliance(pad, wilson, normal_sign(surface), face);

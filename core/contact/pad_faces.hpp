@@ -26,7 +26,7 @@ struct PadFaces {
     /// How far the face stays behind per way that its finger closes within a step, 3 per candidate.
     std::vector<double> lag;
   };
-  std::array<Face, kFingerCount> face;
+  std::array<Face, kJawFingers> face;
   std::vector<int> place;  ///< candidate of the contact model -> its number in the face of its pad; -1: no pad's
 };
 

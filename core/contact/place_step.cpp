@@ -65,8 +65,9 @@ void ContactLanes::meet_places(const ContactStart& start, const Mask& running) {
   free_turn_ = sweep_.levers().turn_by(start.free.moment_N_m);
   sway_m_ = start.mount == nullptr ? Lane(0.0) : sway_m(*start.mount);
   std::array<FacingPlane, kSurfaceCount> plane;
-  for (int surface = kSupport; surface < model_.surface_count; ++surface)
-    plane[static_cast<std::size_t>(surface)] = facing_plane(surface);
+  for (const int surface : model_.surface) {
+    if (model_.has_places(surface)) plane[static_cast<std::size_t>(surface)] = facing_plane(surface);
+  }
   for (std::size_t g = 0; g < place_group_.size(); ++g) {
     PlaceGroup& group = place_group_[g];
     const FacingPlane& facing = plane[static_cast<std::size_t>(group.surface)];
@@ -227,10 +228,29 @@ void ContactLanes::add_arms(OuterForces& outer) const {
   }
 }
 
+/// Adds the torque of a listed finger's contact about the palm centre, where its place was seen last.
+void ContactLanes::tally_place_torque(std::size_t c, const LaneVector& u, const Mask& running,
+                                      const CandidateStep& step) {
+  const ContactCandidate& candidate = model_.candidate[c];
+  const SurfaceLane& surface = surfaces_[candidate.surface];
+  LaneVector place = places_->displacement(candidate, u);
+  const auto tangents = tangent_axes(candidate.surface);
+  for (std::size_t t = 0; t < 2; ++t) {
+    place[static_cast<std::size_t>(tangents[t])] += Lane(candidate.tributary[t].place_m);
+  }
+  place[static_cast<std::size_t>(normal_axis(candidate.surface))] += Lane(candidate.surface_m);
+  const LaneMatrix back = transposed(surface.axes);
+  const LaneVector arm = back * place + surface.origin_m;
+  const LaneVector force =
+      back * LaneVector{along_axes(candidate.surface, step.after[0], step.after[1], step.after[2])};
+  tally_[candidate.surface].add_torque(arm.at, force.at, running);
+}
+
 /// Takes in which face of the product each surface meets.
-void ContactLanes::see_facing(const FrameLanes& frame) {
-  places_->see(frame);
-  for (int surface = kSupport; surface < model_.surface_count; ++surface) {
+void ContactLanes::see_facing(const FrameLanes& frame, const CarrierMotion& there) {
+  places_->see(frame, there);
+  for (const int surface : model_.surface) {
+    if (!model_.has_places(surface)) continue;
     const LaneVector n = places_->normal(surface);
     const Lane x = abs(n[0]), y = abs(n[1]), z = abs(n[2]);
     const Mask across_z = (z >= x) & (z >= y);

@@ -1,9 +1,9 @@
 #pragma once
 
 /// @file
-/// The places of a product's true surface as the surfaces of its cell see them: displaced along the axes of each
-/// surface, as if the product had never turned. A place goes with its particle, and turns about it with the body
-/// as a whole (docs/theory.md, "Places that touch").
+/// The places of a product's true surface as the surfaces of its cell and the pads of listed fingers see them:
+/// displaced along the axes of each surface, as if the product had never turned, the palm standing still. A place
+/// goes with its particle, and turns about it with the body as a whole (docs/theory.md, "Places that touch").
 
 #include <array>
 #include <vector>
@@ -20,9 +20,11 @@ class SeenPlaces {
   /// All have to outlive this.
   SeenPlaces(const ContactModel& model, const BodyModel& body, const SurfaceLanes& surfaces);
 
-  /// Takes in where the frame is: between its prediction and the end of a step the predicted one, then the one
-  /// that fits.
-  void see(const FrameLanes& frame);
+  /// Takes in where the frame is, and the palm: between its prediction and the end of a step the predicted one,
+  /// then the one that fits.
+  void see(const FrameLanes& frame, const CarrierMotion& there);
+  /// The same at the start of a step, with how the palm moves then.
+  void see_start(const FrameLanes& frame, const CarrierMotion& now, const CarrierMotion& theta);
 
   /// From the axes of the frame into those of a surface.
   [[nodiscard]] const CarrierAxes& axes(int surface) const { return axes_[static_cast<std::size_t>(surface)]; }
@@ -71,10 +73,21 @@ class SeenPlaces {
     return model_.place[static_cast<std::size_t>(candidate.place)];
   }
 
+  /// A listed pad at the start of a step, along its own axes: how its palm moves, and where its origin is from
+  /// that of the palm.
+  struct PalmSeen {
+    CarrierAxes axes;
+    LaneVector velocity, acceleration, spin, spin_rate, offset_m;
+  };
+  [[nodiscard]] CarrierAxes pad_axes(int surface, const FrameLanes& frame, const CarrierMotion& there) const;
+  [[nodiscard]] Start start_before_pad(const ContactCandidate& candidate, const LaneVector& moved,
+                                       const LaneVector& v, const LaneVector& a) const;
+
   const ContactModel& model_;
   const SurfaceLanes& surfaces_;
   LaneVector center_of_mass_m_;
   std::array<CarrierAxes, kSurfaceCount> axes_;
+  std::array<PalmSeen, kMostFingers> palm_;
 };
 
 }  // namespace unbruised

@@ -28,7 +28,7 @@ void ContactLanes::set_anchors(int lane, const LaneArray& u, const CarrierMotion
   // The palm has not moved yet: it sees what the cell sees.
   register_.set_anchors(lane, seen_ ? seen_->from(kCell).u : u);
   if (!places_ || frame == nullptr) return;
-  places_->see(*frame);
+  places_->see(*frame, now);
   for (std::size_t c = 0; c < model_.candidate.size(); ++c) {
     const ContactCandidate& candidate = model_.candidate[c];
     if (candidate.place < 0 || !(register_.normal.at(c, lane) > 0.0)) continue;  // open ones follow as they meet
@@ -44,7 +44,7 @@ void ContactLanes::set_anchors(int lane, const LaneArray& u, const CarrierMotion
 ContactLanes::Starts ContactLanes::seen_start(const ContactStart& start) {
   if (!seen_ || start.frame == nullptr) return {start, start};
   seen_->see_start(*start.frame, {start.u, start.v, start.a}, start.free.displacement, start.now, start.theta);
-  if (places_) places_->see(*start.frame);
+  if (places_) places_->see_start(*start.frame, start.now, start.theta);
   for (std::size_t i = 0; i < 2; ++i) rest_palm(i == 0 ? start.now : start.theta, resting_[i]);
   const auto from = [&](std::size_t carrier) -> ContactStart {
     const SeenMotion& seen = seen_->from(carrier);

@@ -18,6 +18,7 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
                        double opened_m) {
   require(is_lane(lane), "FingerLanes::load: there is no such lane");
   const ParallelJawParameters values = jaw != nullptr ? *jaw : ParallelJawParameters{};
+  count_ = values.finger.empty() ? kJawFingers : static_cast<int>(values.finger.size());
   const double set_speed = jaw != nullptr ? closing_speed_m_s : 0.0;
   // Steady motion: the drive, gain (v_set - v), overcomes the guide's friction c v. Where its limit does not let
   // it, the fingers come with the speed that is set and are braked.
@@ -61,8 +62,8 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command, 
     compliance =
         select(lock_.closed() > Lane(0.0), compliance + lock_.closed() * (locked - compliance), compliance);
   }
-  compliance_ = select(centric_, Lane(1.0 / kFingerCount) * compliance, compliance);
-  for (int finger = 0; finger < kFingerCount; ++finger) {
+  compliance_ = select(centric_, Lane(1.0 / count_) * compliance, compliance);
+  for (int finger = 0; finger < count_; ++finger) {
     State& s = state_[finger];
     lock_.grasp(finger, s.way, s.pressed);
     s.viscous = w.viscous(s.way, s.speed, s.acceleration);
@@ -71,21 +72,20 @@ void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command, 
                      (Lane(1.0) - command_.told) * held - command_.told * command_.force_limit_N,
                      -command_.force_limit_N);
     s.free_force = mass_ * w.inertial(s.way, s.speed, s.acceleration) + viscous_ * s.viscous - palm_force(finger);
-    if (pads != nullptr) s.free_force -= contact_share(finger, pads->force_N);
+    if (pads != nullptr) s.free_force -= share(finger, pads->force_N);
   }
 }
 
 Lane FingerLanes::palm_force(int finger) const {
-  // Rack and pinion: what the palm's acceleration does to one finger it undoes on the other.
-  const Lane carried =
-      select(centric_, Lane(0.0), Lane(normal_sign(finger)) * mass_ * command_.palm_acceleration_x_m_s2);
-  return carried + mass_ * command_.centrifugal_1_s2 * (opened_ - state_[finger].way);
+  // Rack and pinion: what the palm's acceleration does to one finger of a jaw it undoes on the other.
+  return mass_ * share(finger, command_.palm_acceleration_m_s2) +
+         mass_ * share(finger, command_.centrifugal_1_s2) * (opened_ - state_[finger].way);
 }
 
-Lane FingerLanes::contact_share(int finger, const std::array<Lane, kFingerCount>& force) const {
-  Lane sum = force[0];
-  for (std::size_t other = 1; other < kFingerCount; ++other) sum += force[other];
-  return select(centric_, Lane(1.0 / kFingerCount) * sum, force[finger]);
+Lane FingerLanes::share(int finger, const FingerForces& each) const {
+  Lane sum = each[0];
+  for (int other = 1; other < count_; ++other) sum += each[static_cast<std::size_t>(other)];
+  return select(centric_, Lane(1.0 / count_) * sum, each[static_cast<std::size_t>(finger)]);
 }
 
 Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
@@ -170,8 +170,8 @@ Lane FingerLanes::locked_way_at_theta(int finger, const Lane& contact) const {
   return select(lock_.springs(), way_against_stop(finger, stiffness_ + lock_.slope(), push), s.way);
 }
 
-Lane FingerLanes::way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const {
-  const Lane contact = contact_share(finger, force);
+Lane FingerLanes::way_at_theta(int finger, const FingerForces& force) const {
+  const Lane contact = share(finger, force);
   const Lane way = driven_way_at_theta(finger, contact);
   if (!lock_.any_closed()) return way;
   // A share of the balance's forces is the same share of its way.
@@ -187,9 +187,9 @@ struct FingerLanes::Push {
   Lane way;        ///< a lock that does not give way looked through
 };
 
-FingerLanes::Push FingerLanes::push_at_theta(int finger, const std::array<Lane, kFingerCount>& force_theta) const {
+FingerLanes::Push FingerLanes::push_at_theta(int finger, const FingerForces& force_theta) const {
   Push push;
-  push.contact = contact_share(finger, force_theta);
+  push.contact = share(finger, force_theta);
   push.inertial = palm_force(finger);
   push.way = driven_way_at_theta(finger, push.contact);
   push.drive = select((push.way > stroke_) | curve_.given(), drive_at_way(finger, push.way),
@@ -206,9 +206,8 @@ FingerLanes::Push FingerLanes::push_at_theta(int finger, const std::array<Lane, 
   return push;
 }
 
-void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCount>& force_theta,
-                          const Mask& running) {
-  for (int finger = 0; finger < kFingerCount; ++finger) {
+void FingerLanes::advance(const WilsonTheta& w, const FingerForces& force_theta, const Mask& running) {
+  for (int finger = 0; finger < count_; ++finger) {
     State& s = state_[finger];
     const Push push = push_at_theta(finger, force_theta);
     const Lane drive_theta = push.drive - push.inertial;
@@ -257,19 +256,20 @@ void FingerLanes::advance(const WilsonTheta& w, const std::array<Lane, kFingerCo
 
 Lane FingerLanes::furthest_way() const {
   Lane furthest = state_[0].way;
-  for (const State& s : state_) furthest = max(furthest, s.way);
+  for (int finger = 1; finger < count_; ++finger) furthest = max(furthest, way(finger));
   return furthest;
 }
 
 Lane FingerLanes::closing() const {
   Lane sum = state_[0].way;
-  for (std::size_t finger = 1; finger < kFingerCount; ++finger) sum += state_[finger].way;
+  for (int finger = 1; finger < count_; ++finger) sum += way(finger);
   return sum;
 }
 
 Lane FingerLanes::energy() const {
   Lane doubled(0.0);
-  for (const State& s : state_) {
+  for (int finger = 0; finger < count_; ++finger) {
+    const State& s = state_[static_cast<std::size_t>(finger)];
     doubled += mass_ * s.speed * s.speed + Lane(kStopStiffness_N_m) * s.depth * s.depth;
     doubled += Lane(2.0) * s.lock_energy;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// The two driven fingers of a parallel jaw, all lanes at once. A finger has one freedom, its closing way w
+/// The driven fingers of a gripper, all lanes at once. A finger has one freedom, its closing way w
 /// relative to the palm: m w'' + c w' = D - S - E - dir m a_palm - m (Omega_y^2 + Omega_z^2) (s - w), s - w the
 /// distance of its mass from the axis of a palm that turns with Omega, with drive force D = clamp(gain (v_set -
 /// w'),
@@ -23,12 +23,21 @@
 
 namespace unbruised {
 
+/// Normal forces of the contacts on each finger, per lane [N].
+using FingerForces = std::array<Lane, kMostFingers>;
+inline FingerForces without_force() {
+  FingerForces force;
+  force.fill(Lane(0.0));
+  return force;
+}
+
 /// What pads that are bodies add to the fingers they are bonded to, within a step (pad_lanes.hpp).
 struct CarriedPads {
   Lane mass_kg{0.0};
-  std::array<Lane, kFingerCount> force_N{Lane(0.0), Lane(0.0)};  ///< against the closing way
+  FingerForces force_N = without_force();  ///< against the closing way
 };
 
+/// All lanes have as many fingers.
 class FingerLanes {
  public:
   /// Puts a jaw into a lane whose fingers close at `closing_speed_m_s` as steadily as a drive with the force
@@ -41,13 +50,13 @@ class FingerLanes {
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command, const CarriedPads* pads = nullptr);
 
   /// Closing way at t + theta dt of `finger` when the contacts press with `force` on the fingers.
-  [[nodiscard]] Lane way_at_theta(int finger, const std::array<Lane, kFingerCount>& force) const;
+  [[nodiscard]] Lane way_at_theta(int finger, const FingerForces& force) const;
 
   /// Bound on d way / d force for the contact solver's local steps (drive saturated).
   [[nodiscard]] const Lane& compliance() const { return compliance_; }
 
   /// Moves to t + dt under the contact forces at t + theta dt, in the lanes of `running`.
-  void advance(const WilsonTheta& wilson, const std::array<Lane, kFingerCount>& force_theta, const Mask& running);
+  void advance(const WilsonTheta& wilson, const FingerForces& force_theta, const Mask& running);
 
   [[nodiscard]] Lane way(int finger) const { return state_[finger].way; }
   [[nodiscard]] Lane speed(int finger) const { return state_[finger].speed; }
@@ -83,8 +92,8 @@ class FingerLanes {
   };
   /// Force of inertia of a palm that is accelerated or turns against the closing way.
   [[nodiscard]] Lane palm_force(int finger) const;
-  /// What of the contact forces acts on one finger.
-  [[nodiscard]] Lane contact_share(int finger, const std::array<Lane, kFingerCount>& force) const;
+  /// What of forces, or accelerations, acts on one finger.
+  [[nodiscard]] Lane share(int finger, const FingerForces& each) const;
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
   /// The same once the way is known.
   [[nodiscard]] Lane drive_at_way(int finger, const Lane& way_theta) const;
@@ -100,9 +109,10 @@ class FingerLanes {
   /// Where w is with `stiffness` w + E(w) = `force`, E that of the end stop.
   [[nodiscard]] Lane way_against_stop(int finger, const Lane& stiffness, const Lane& force) const;
   struct Push;
-  [[nodiscard]] Push push_at_theta(int finger, const std::array<Lane, kFingerCount>& force_theta) const;
+  [[nodiscard]] Push push_at_theta(int finger, const FingerForces& force_theta) const;
 
-  std::array<State, kFingerCount> state_;
+  int count_ = kJawFingers;
+  std::array<State, kMostFingers> state_;
   Lane mass_{1.0}, viscous_{0.0}, gain_{1.0}, stroke_{1.0}, opened_{0.0};
   Lane stop_time_{0.0};  ///< tau of the end stop, [s]
   Mask centric_{true};

@@ -55,7 +55,7 @@ class FingerLock {
   struct Held {
     Lane place{0.0}, drive{0.0};
   };
-  std::array<Held, kFingerCount> held_;
+  std::array<Held, kMostFingers> held_;
   Mask there_{false}, gives_way_{false}, closes_{false};
   Lane stiffness_{0.0}, slope_{0.0}, closed_{0.0};
   bool any_closed_ = false;

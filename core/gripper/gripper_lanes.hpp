@@ -16,13 +16,8 @@
 
 namespace unbruised {
 
-/// Normal forces of the contacts on each pad, per lane [N].
-using PadForces = std::array<Lane, kFingerCount>;
-inline PadForces without_force() {
-  PadForces force;
-  force.fill(Lane(0.0));
-  return force;
-}
+/// Normal forces of the contacts on the pad of each finger, per lane [N].
+using PadForces = FingerForces;
 
 /// What the lanes of one kind of gripper have to answer. Ways are along the normal of a pad, towards the product.
 template <class Kind>

@@ -17,7 +17,7 @@ PadLanes::PadLanes(const PadBody& pad, const WilsonTheta& wilson)
 void PadLanes::load(int lane, const std::array<double, 3>& outer_m_s2, double opened_m) {
   const BodyModel& model = pad_model_.body;
   const std::size_t freedoms = 3 * model.particle_count;
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     Pad& pad = pad_[static_cast<std::size_t>(f)];
     const std::array<double, 3> outer = {normal_sign(f) * outer_m_s2[0], outer_m_s2[1], outer_m_s2[2]};
     std::vector<double> load(freedoms);
@@ -36,10 +36,10 @@ LaneVector PadLanes::middle_m(int pad, const GripperLanes& gripper) const {
   return {{Lane(normal_sign(pad)) * (gripper.way(pad) - opened_), Lane(0.0), Lane(0.0)}};
 }
 
-void PadLanes::begin_step(const GripperLanes& gripper, const std::array<LaneVector, kFingerCount>& outer_m_s2,
+void PadLanes::begin_step(const GripperLanes& gripper, const std::array<LaneVector, kJawFingers>& outer_m_s2,
                           const Mask& running) {
   const Lane mass(pad_model_.body.total_mass_kg);
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     const auto at = static_cast<std::size_t>(f);
     Pad& pad = pad_[at];
     pad.way = gripper.way(f);
@@ -68,7 +68,7 @@ void PadLanes::advance(int f, const LaneArray* face_force_N, const Lane& way_the
 
 void PadLanes::book_step(const GripperLanes& gripper, const Mask& running) {
   const Lane mass(pad_model_.body.total_mass_kg);
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     Pad& pad = pad_[static_cast<std::size_t>(f)];
     Lane done(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +88,7 @@ double PadLanes::energy_J(int lane, const GripperLanes& gripper) const {
   const std::size_t freedoms = 3 * model.particle_count;
   std::vector<double> displacement(freedoms), force(freedoms);
   double energy = 0.0;
-  for (int f = 0; f < kFingerCount; ++f) {
+  for (int f = 0; f < kJawFingers; ++f) {
     const BodyLanes& body = pad_[static_cast<std::size_t>(f)].body;
     for (std::size_t i = 0; i < freedoms; ++i) displacement[i] = body.u().at(i, lane);
     multiply(model.K, std::span<const double>(displacement), std::span<double>(force));

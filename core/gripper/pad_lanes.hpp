@@ -31,7 +31,7 @@ class PadLanes {
   /// @param gripper at the start of the step
   /// @param outer_m_s2 of each pad: what accelerates it in the axes of the palm at t + theta dt, gravity less the
   /// palm's own acceleration
-  void begin_step(const GripperLanes& gripper, const std::array<LaneVector, kFingerCount>& outer_m_s2,
+  void begin_step(const GripperLanes& gripper, const std::array<LaneVector, kJawFingers>& outer_m_s2,
                   const Mask& running);
   /// What the fingers feel of it.
   [[nodiscard]] const CarriedPads& on_fingers() const { return on_fingers_; }
@@ -67,7 +67,7 @@ class PadLanes {
   const PadBody& pad_model_;
   const WilsonTheta& w_;
   std::vector<int> whole_face_;  ///< 0, 1, 2 ..
-  std::array<Pad, kFingerCount> pad_;
+  std::array<Pad, kJawFingers> pad_;
   CarriedPads on_fingers_;
   Lane opened_{0.0};  ///< distance of a pad's middle from the middle between them, where the fingers start
   Lane work_{0.0}, positive_work_{0.0};

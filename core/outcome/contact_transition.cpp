@@ -6,8 +6,9 @@
 
 namespace unbruised {
 
-void ContactTransition::observe(double time_s, const std::array<TouchObservation, kFingerCount>& finger,
+void ContactTransition::observe(double time_s, std::span<const TouchObservation> finger,
                                 const HandlingCycle& cycle) {
+  finger_count_ = finger.size();
   if (lift_started_) return;
   lift_start_s_ = cycle.plan().lift_start_s();
   const double before_s = last_s_;
@@ -15,7 +16,7 @@ void ContactTransition::observe(double time_s, const std::array<TouchObservation
   last_s_ = std::min(time_s, lift_start_s_);
   const double share = time_s > before_s ? (last_s_ - before_s) / (time_s - before_s) : 1.0;
   bool is_touched = false;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < finger_count_; ++f) {
     Finger& own = finger_[f];
     follow(finger[f], own);
     if (!(own.first_touch_s < kNever)) continue;
@@ -68,7 +69,7 @@ double ContactTransition::steady_s(const Finger& finger) const {
 
 void ContactTransition::measure(Metrics& metrics) const {
   double rebounds = 0.0, lost_s = 0.0, steady = 0.0;
-  for (const Finger& finger : finger_) {
+  for (const Finger& finger : std::span(finger_).first(finger_count_)) {
     rebounds += finger.rebounds;
     lost_s += loss_s(finger);
     const double own_s = steady_s(finger);

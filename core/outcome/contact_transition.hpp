@@ -5,6 +5,7 @@
 /// (docs/metrics.md).
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/motion/handling_cycle.hpp"
@@ -26,9 +27,8 @@ inline constexpr double kSteadyForce = 0.05;
 
 class ContactTransition {
  public:
-  /// Takes in the step that ended at `time_s`. Nothing after the start of the lift counts.
-  void observe(double time_s, const std::array<TouchObservation, kFingerCount>& finger,
-               const HandlingCycle& cycle);
+  /// Takes in the step that ended at `time_s`, of every finger. Nothing after the start of the lift counts.
+  void observe(double time_s, std::span<const TouchObservation> finger, const HandlingCycle& cycle);
   /// Fills the metrics of a scenario with a gripper; a run that ends before the lift has no steady force.
   void measure(Metrics& metrics) const;
 
@@ -45,7 +45,8 @@ class ContactTransition {
   [[nodiscard]] double loss_s(const Finger& finger) const;
   [[nodiscard]] double steady_s(const Finger& finger) const;
 
-  std::array<Finger, kFingerCount> finger_;
+  std::array<Finger, kMostFingers> finger_;
+  std::size_t finger_count_ = 0;
   std::vector<double> time_s_;  ///< of the steps since the first touch of any finger
   double last_s_ = 0;           ///< end of the last step that counted, at most the start of the lift
   double lift_start_s_ = kNever;

@@ -7,6 +7,7 @@
 
 #include "core/outcome/damage_limits.hpp"
 #include "core/scenario/conveyor.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/words.hpp"
@@ -54,6 +55,7 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
       hold_s_(scenario.strategy.hold_s),
       placing_attitude_(placing_stop(scenario).attitude),
       has_gripper_(has_gripper(scenario)),
+      lists_fingers_(lists_fingers(scenario)),
       has_belt_(has_belt(scenario.cell)),
       has_product_yield_(yield_stress_Pa(scenario.product).has_value()) {
   if (has_gripper_) {
@@ -101,19 +103,21 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
     observe_approach(now, cycle);
     return !not_grasped_.happened();
   }
-  const bool both = std::all_of(now.finger.begin(), now.finger.end(), touches);
+  const bool both = std::ranges::count_if(now.fingers(), touches) >= 2;
   // The last contacts that still belong to the grip phase: later ones may have seen the release begin.
   if (now.register_time_s <= cycle.plan().lift_start_s()) both_touched_ = both;
   if (now.time_s < cycle.plan().lift_start_s()) return true;
   if (!grasp_checked_) {
     grasp_checked_ = true;
     if (!both_touched_) {
-      not_grasped_.at(cycle.plan().lift_start_s(), "not both fingers touch at the end of the grip phase");
+      not_grasped_.at(cycle.plan().lift_start_s(),
+                      lists_fingers_ ? "fewer than two fingers touch at the end of the grip phase"
+                                     : "not both fingers touch at the end of the grip phase");
     }
   }
   // From the first step that looks past the start of the release on, an open contact is no drop.
   if (now.register_time_s < cycle.plan().release_start_s()) {
-    if (std::none_of(now.finger.begin(), now.finger.end(), touches))
+    if (std::ranges::none_of(now.fingers(), touches))
       dropped_.at(now.time_s, "no finger contact between lift and release");
     observe_carrying(now, cycle);
   }
@@ -134,21 +138,21 @@ void HandlingRecord::observe_approach(const StepObservation& now, const Handling
 }
 
 void HandlingRecord::observe_transition(const StepObservation& now, const HandlingCycle& cycle) {
-  std::array<TouchObservation, kFingerCount> finger;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  std::array<TouchObservation, kMostFingers> finger;
+  for (std::size_t f = 0; f < now.finger_count; ++f) {
     const FingerObservation& seen = now.finger[f];
     finger[f] = {touches(seen), seen.touched_s, seen.left_s, seen.normal_N};
   }
-  transition_.observe(now.time_s, finger, cycle);
+  transition_.observe(now.time_s, std::span(finger).first(now.finger_count), cycle);
 }
 
 void HandlingRecord::observe_grip(const StepObservation& now) {
-  for (const FingerObservation& finger : now.finger) {
+  for (const FingerObservation& finger : now.fingers()) {
     raise(Metric::peak_finger_force_N, finger.normal_N);
     if (has_product_yield_) raise(Metric::contact_yield_ratio_max, finger.yield_ratio);
     finger_yield_ratio_ = std::max(finger_yield_ratio_, finger.yield_ratio);
   }
-  for (std::size_t f = 0; f < kFingerCount; ++f) finger_rise_[f].observe(now.finger[f].normal_N);
+  for (std::size_t f = 0; f < now.finger_count; ++f) finger_rise_[f].observe(now.finger[f].normal_N);
   raise(Metric::peak_pressure_Pa, now.patch_pressure_Pa);
   raise(Metric::compression_max_m, now.compression_m);
   raise(Metric::peak_sensor_force_N, norm(now.force_N));
@@ -199,8 +203,8 @@ double HandlingRecord::peak_rise_steps() const {
 /// continuous in the strategy as the force is.
 void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingCycle& cycle) {
   double normal_N = 0.0;
-  for (const FingerObservation& finger : now.finger) normal_N += finger.normal_N;
-  normal_N /= kFingerCount;
+  for (const FingerObservation& finger : now.fingers()) normal_N += finger.normal_N;
+  normal_N /= static_cast<double>(now.finger_count);
   const double step_s = now.time_s - impulse_time_s_;
   const double counted_s = std::clamp(cycle.plan().release_start_s() - impulse_time_s_, 0.0, step_s);
   if (counted_s > 0.0) {
@@ -212,7 +216,7 @@ void HandlingRecord::observe_impulse(const StepObservation& now, const HandlingC
 }
 
 void HandlingRecord::observe_carrying(const StepObservation& now, const HandlingCycle& cycle) {
-  for (const FingerObservation& finger : now.finger) {
+  for (const FingerObservation& finger : now.fingers()) {
     if (!touches(finger)) continue;
     raise(Metric::slip_max_m, finger.slip_m);
     raise(Metric::slip_max_rad, finger.slip_rad);
@@ -224,7 +228,7 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
   if (now.time_s <= cycle.plan().lower_end_s()) {
     raise(Metric::peak_acceleration_m_s2, norm(now.center_acceleration_m_s2));
     double& least = metrics[Metric::friction_margin_min];
-    for (const FingerObservation& finger : now.finger) {
+    for (const FingerObservation& finger : now.fingers()) {
       const std::optional<double> margin = friction_margin(finger, friction_, limits_);
       if (margin) least = std::isnan(least) ? *margin : std::min(least, *margin);
     }
@@ -235,9 +239,9 @@ void HandlingRecord::observe_carrying(const StepObservation& now, const Handling
 /// A product that is turned across pushes the finger below it back where its weight is more than both drives
 /// press.
 void HandlingRecord::observe_leaving(const StepObservation& now) {
-  if (std::all_of(now.finger.begin(), now.finger.end(), touches)) {
+  if (std::ranges::all_of(now.fingers(), touches)) {
     pressed_m_ = now.compression_m;
-  } else if (pressed_m_ - now.compression_m > kFingerCount * limits_.slip_m) {
+  } else if (pressed_m_ - now.compression_m > static_cast<double>(now.finger_count) * limits_.slip_m) {
     slipped_.at(now.time_s, "the product leaves a pad by more than limits.slip_m");
   }
 }

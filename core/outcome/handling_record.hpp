@@ -6,6 +6,7 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,7 @@ namespace unbruised {
 /// What one finger did at the end of a step.
 struct FingerObservation {
   double normal_N = 0;
-  std::array<double, 2> tangent_N{};  ///< along y and z, on the product
+  std::array<double, 2> tangent_N{};  ///< along the extents of its pad, on the product
   double closed_contacts = 0;
   double sliding_contacts = 0;
   double slip_m = 0;    ///< that the product has slipped past its pad since the start of the lift
@@ -42,7 +43,8 @@ std::optional<double> friction_margin(const FingerObservation& finger, double fr
 struct StepObservation {
   double time_s = 0;
   double register_time_s = 0;  ///< t + theta dt, the time that the contacts' open / stick / slip belong to
-  std::array<FingerObservation, kFingerCount> finger;
+  std::array<FingerObservation, kMostFingers> finger;
+  std::size_t finger_count = kJawFingers;
   std::array<double, 3> force_N{};          ///< of the fingers on the product
   std::array<double, 3> torque_N_m{};       ///< on the product about the palm centre
   std::array<double, 3> center_motion_m{};  ///< displacement of the centre of mass
@@ -59,6 +61,10 @@ struct StepObservation {
   double plastic_strain = 0;     ///< of the cells
   double absorbed_energy_J = 0;  ///< by the cells
   bool end_of_stroke = false;
+
+  [[nodiscard]] std::span<const FingerObservation> fingers() const {
+    return std::span(finger).first(finger_count);
+  }
 };
 
 class HandlingRecord {
@@ -112,11 +118,12 @@ class HandlingRecord {
   Attitude placing_attitude_;     ///< of the palm when it puts the product down
   Horizontal placing_shift_m_{};  ///< of the product's centre over where the palm is then
   bool has_gripper_ = false;
+  bool lists_fingers_ = false;
   bool has_belt_ = false;
   bool has_product_yield_ = false;
   WorstPatches patches_;
   ContactTransition transition_;
-  bool both_touched_ = false;  ///< at the last contacts within the grip phase
+  bool both_touched_ = false;  ///< at the last contacts within the grip phase; of more fingers, two of them
   bool grasp_checked_ = false;
   bool aborted_ = false;
   Outcome abort_outcome_ = Outcome::not_run;
@@ -124,8 +131,8 @@ class HandlingRecord {
   double drift_from_s_ = 0, drift_to_s_ = 0;
   std::array<double, 3> drift_from_m_{}, drift_to_m_{};
   bool drift_started_ = false;
-  double pressed_m_ = 0;  ///< compression when both fingers touched last
-  std::array<PeakRise, kFingerCount> finger_rise_;
+  double pressed_m_ = 0;  ///< compression when all fingers touched last
+  std::array<PeakRise, kMostFingers> finger_rise_;
   PeakRise support_rise_;
   double finger_yield_ratio_ = 0, support_yield_ratio_ = 0;  ///< largest
   double impulse_time_s_ = 0, impulse_normal_N_ = 0;         ///< end of the last step

@@ -1,5 +1,6 @@
 #include "core/scenario/contact_set.hpp"
 
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 
@@ -9,9 +10,10 @@ ContactSet contact_set(const Scenario& scenario) {
   if (!std::holds_alternative<LatticeParameters>(scenario.product)) return ContactSet::pads_and_support;
   if (scenario.simulation.contact_set != ContactSet::automatic) return scenario.simulation.contact_set;
   const bool falls = starts_in_the_air(scenario.product) && scenario.cell.support;
-  const bool turned = lands_otherwise(scenario) && scenario.cell.support;
-  return falls || turned || !scenario.cell.surface.empty() ? ContactSet::whole_surface
-                                                           : ContactSet::pads_and_support;
+  const bool turned = (lands_otherwise(scenario) || hangs_off_centre(scenario)) && scenario.cell.support;
+  return falls || turned || lists_fingers(scenario) || !scenario.cell.surface.empty()
+             ? ContactSet::whole_surface
+             : ContactSet::pads_and_support;
 }
 
 }  // namespace unbruised

@@ -6,6 +6,7 @@
 
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/pad_face.hpp"
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product_frame.hpp"
@@ -82,8 +83,9 @@ std::string factor_key(const Scenario& scenario) {
   key.add(product_frame(scenario));
   const ContactSet set = contact_set(scenario);
   key.add(set);
-  // Every surface that the cell lists has candidates of its own.
+  // Every surface that the cell lists has candidates of its own, and so has the pad of every finger.
   if (set != ContactSet::pads_and_support) key.add(scenario.cell.surface.size());
+  key.add(lists_fingers(scenario) ? finger_count(scenario) : 0);
   // Faces of shaped pads are met at places, flat ones by hat functions.
   if (has_shaped_pads(scenario)) key.add(1.0);
   add_pads(scenario, key);

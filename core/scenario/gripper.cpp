@@ -1,5 +1,7 @@
 #include "core/scenario/gripper.hpp"
 
+#include "core/scenario/finger_axes.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -24,6 +26,16 @@ std::optional<double> opening_m(const GripperParameters& gripper) {
 
 std::optional<double> drive_gain_N_s_m(const GripperParameters& gripper) {
   return std::visit([](const auto& kind) { return gain_of(kind); }, gripper);
+}
+
+bool lists_fingers(const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  return jaw != nullptr && !jaw->finger.empty();
+}
+
+int finger_count(const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  return jaw != nullptr && !jaw->finger.empty() ? static_cast<int>(jaw->finger.size()) : kJawFingers;
 }
 
 bool has_range_sensors(const Scenario& scenario) {

@@ -12,22 +12,25 @@ namespace {
 /// A gripper with an opening, and the product that is to fit into it.
 struct OpenGripper {
   double opening_m;
-  double width_m;  ///< of the product along x
+  double width_m;  ///< of the product along x; of listed fingers twice what it reaches towards them
 };
 
 std::optional<OpenGripper> open_gripper(const Scenario& s) {
   const auto opening = opening_m(s.gripper);
-  const auto extents_m = shape_extents_m(s.product);
-  if (!opening || !extents_m) return std::nullopt;
-  return OpenGripper{*opening, (*extents_m)[0]};
+  const auto half = half_width_m(s);
+  if (!opening || !half) return std::nullopt;
+  return OpenGripper{*opening, 2.0 * *half};
 }
 
 void product_fits_opening(const Scenario& s, Violations& out) {
   const auto open = open_gripper(s);
   if (!open || open->width_m < open->opening_m) return;
   out.push_back({"gripper.opening_m", spelled(open->opening_m),
-                 "must be > product.size_m[0] = " + spelled(open->width_m) +
-                     ": the product is wider than the open gripper"});
+                 lists_fingers(s)
+                     ? "must be > " + for_people(open->width_m) +
+                           " m, twice what the product reaches towards a finger: the pads overlap it at the start"
+                     : "must be > product.size_m[0] = " + spelled(open->width_m) +
+                           ": the product is wider than the open gripper"});
 }
 
 void gap_follows_opening(const Scenario& s, Violations& out) {
@@ -50,17 +53,26 @@ void fingers_reach(const Scenario& s, Violations& out) {
                  "must be > the way to the product, " + for_people(gap) + " m: the fingers never reach it"});
 }
 
+/// Of fingers that are listed.
+constexpr std::string_view kAngle = "gripper.finger[].angle_rad", kDirection = "gripper.finger[].direction",
+                           kOffset = "gripper.finger[].offset_m";
+
 }  // namespace
 
 std::vector<Rule> gripper_rules() {
   return {
-      {{"gripper.stroke_m", "cell.approach_gap_m", "gripper.opening_m", "product.size_m"},
+      {{"gripper.stroke_m", "cell.approach_gap_m", "gripper.opening_m", "product.size_m", kAngle, kDirection,
+        kOffset, "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis"},
        "> the way to the product",
        fingers_reach},
       bounded("gripper.min_force_N", "<= max_force_N", "gripper.max_force_N"),
       bounded("gripper.force_step_N", "<= max_force_N", "gripper.max_force_N"),
-      {{"gripper.opening_m", "product.size_m"}, "> product.size_m[0]", product_fits_opening},
-      {{"cell.approach_gap_m", "gripper.opening_m", "product.size_m"},
+      {{"gripper.opening_m", "product.size_m", kAngle, kDirection, kOffset, "cell.grip_offset_m",
+        "cell.grip_height_m", "product.shape", "product.axis"},
+       "> product.size_m[0]",
+       product_fits_opening},
+      {{"cell.approach_gap_m", "gripper.opening_m", "product.size_m", kAngle, kDirection, kOffset,
+        "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis"},
        "with gripper.opening_m: what the opening leaves",
        gap_follows_opening},
   };

@@ -72,8 +72,6 @@ void stand_alone(const Scenario& s, Violations& out) {
   if (s.cell.conveyor.speed_m_s > 0.0)
     refuse(kKind, "lattice", "does not go with a belt: a pad's face knows where the product stands at the start",
            out);
-  if (!jaw->finger.empty())
-    refuse(kKind, "lattice", "goes with the two fingers that face each other along x only", out);
 }
 
 }  // namespace
@@ -88,8 +86,8 @@ std::vector<Rule> lattice_pad_rules() {
       {{kKind, "gripper.pad.shape", "gripper.pad.law_depth_m", "gripper.pad.law_coefficients"},
        "\"lattice\" has a flat face and no measured law",
        are_flat},
-      {{kKind, "sensor.at", "cell.conveyor.speed_m_s", "gripper.finger"},
-       "\"lattice\": two fingers, no sensor at the wrist, no belt",
+      {{kKind, "sensor.at", "cell.conveyor.speed_m_s"},
+       "\"lattice\": no sensor at the wrist, no belt",
        stand_alone},
   };
 }

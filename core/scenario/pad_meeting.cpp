@@ -88,7 +88,7 @@ PadMeeting shaped_meeting(const FacingPad& pad, Place on_pad) {
 std::optional<PadMeeting> pad_meeting(const Scenario& scenario) {
   const auto* jaw = parallel_jaw(scenario);
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
-  if (jaw == nullptr || lattice == nullptr) return std::nullopt;
+  if (jaw == nullptr || !jaw->finger.empty() || lattice == nullptr) return std::nullopt;
   // Every shape falls away from the axis, so it stands highest where the pad comes nearest to it.
   const std::array<double, 2> center_m = {scenario.cell.grip_offset_m, scenario.cell.grip_height_m};
   std::array<double, 3> place_m{};

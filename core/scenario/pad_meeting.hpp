@@ -21,7 +21,7 @@ struct PadMeeting {
 };
 
 /// The highest place of the true shape before the pads, both the same by symmetry; none: there is no parallel jaw
-/// or lattice product, or the pads pass it.
+/// or lattice product, or the pads pass it. Listed fingers meet a product with any place of its surface.
 std::optional<PadMeeting> pad_meeting(const Scenario& scenario);
 
 /// How far the plane of a shaped pad stands before the product's outermost place where its face meets the product

@@ -53,6 +53,14 @@ bool turns_product(const Scenario& scenario) {
                              [](const PalmStop& stop) { return !is_zero(stop.attitude.axis); });
 }
 
+bool hangs_off_centre(const Scenario& scenario) {
+  constexpr double kCentred = 0.05;
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  if (lattice == nullptr || !has_gripper(scenario) || turns_product(scenario)) return false;
+  return std::abs(scenario.cell.grip_offset_m) > kCentred * lattice->size_m[1] ||
+         std::abs(scenario.cell.grip_height_m) > kCentred * lattice->size_m[2];
+}
+
 PalmStop placing_stop(const Scenario& scenario) {
   return scenario.strategy.waypoint.empty() ? lifted_stop(scenario) : palm_stops(scenario).back();
 }

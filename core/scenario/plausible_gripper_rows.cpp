@@ -88,6 +88,8 @@ Rows gripper_rows() {
       plain("gripper.finger_length_m", "length of a finger", "m", 5e-3, 0.5, kLength,
             "data sheets of parallel jaws"),
       plain("gripper.safety_factor", "safety factor of a maker", "", 1.0, 10.0, {}, "makers name 1.5 to 4"),
+      plain("gripper.finger[].angle_rad", "angle of a finger", "rad", -6.2832, 6.2832, kAngle, "a whole turn"),
+      plain("gripper.finger[].offset_m", "offset of a finger", "m", 0.0, 0.3, kLength, "openings of grippers"),
       plain("gripper.force_step_N", "step of the force", "N", 0.0, 50.0, kForce, "data sheets of parallel jaws"),
   };
 }

@@ -7,13 +7,15 @@
 namespace unbruised::plausible {
 namespace {
 
-/// Grip force over the least that holds the product against gravity and the lift, m (g + a) / (2 friction).
+/// Grip force over the least that holds the product against gravity and the lift, m (g + a) over
+/// the friction of all fingers.
 void force_over_least(const Scenario& s, const MeasureVisit& visit) {
   const LatticeParameters& p = lattice_of(s);
   if (!has_gripper(s) || p.friction == 0.0) return;
   const auto& g = s.cell.gravity_m_s2;
   const double load_N = lattice_mass_kg(p) * (std::hypot(g[0], g[1], g[2]) + s.strategy.lift_acceleration_m_s2);
-  visit({"strategy.grip_force_N", s.strategy.grip_force_N, 2.0 * p.friction * s.strategy.grip_force_N / load_N});
+  visit({"strategy.grip_force_N", s.strategy.grip_force_N,
+         finger_count(s) * p.friction * s.strategy.grip_force_N / load_N});
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ std::vector<Rule> lattice_pad_rules();
 std::vector<Rule> network_rules();
 std::vector<Rule> gripper_rules();
 std::vector<Rule> pad_rules();
+std::vector<Rule> finger_rules();
 std::vector<Rule> motion_rules();
 std::vector<Rule> sensor_rules();
 std::vector<Rule> surface_rules();

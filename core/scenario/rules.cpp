@@ -30,8 +30,8 @@ const std::vector<Rule>& scenario_rules() {
   static const std::vector<Rule> table = [] {
     std::vector<Rule> all;
     for (const auto& part :
-         {lattice_rules(), network_rules(), gripper_rules(), pad_rules(), lattice_pad_rules(), holding_rules(),
-          motion_rules(), sensor_rules(), surface_rules(), turn_rules(), guard_rules()}) {
+         {lattice_rules(), network_rules(), gripper_rules(), finger_rules(), pad_rules(), lattice_pad_rules(),
+          holding_rules(), motion_rules(), sensor_rules(), surface_rules(), turn_rules(), guard_rules()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -3,6 +3,7 @@
 
 #include "core/scenario/attitude.hpp"
 #include "core/scenario/contact_set.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/rule_tables.hpp"
@@ -94,6 +95,10 @@ void surfaces_clear_of_product(const Scenario& s, Violations& out) {
 
 /// What the product meets the cell with, where it is asked for.
 void set_serves(const Scenario& s, Violations& out) {
+  if (lists_fingers(s) && s.simulation.contact_set == ContactSet::six_sides) {
+    out.push_back({"simulation.contact_set", "six sides",
+                   "does not serve [[gripper.finger]], which meet the product with any place of it"});
+  }
   if (s.simulation.contact_set != ContactSet::pads_and_support) return;
   if (!std::holds_alternative<LatticeParameters>(s.product)) return;
   const auto refuse = [&out](const std::string& why) {
@@ -102,6 +107,7 @@ void set_serves(const Scenario& s, Violations& out) {
   if (!s.cell.surface.empty()) refuse("[[cell.surface]], which is met with any place of the product");
   if (starts_in_the_air(s.product) && s.cell.support) refuse("a product that falls or turns onto its support");
   if (has_gripper(s) && lands_otherwise(s)) refuse("a product that is put down on another side");
+  if (lists_fingers(s)) refuse("[[gripper.finger]], which meet the product with any place of it");
 }
 
 void target_is_there(const Scenario& s, Violations& out) {
@@ -127,7 +133,7 @@ std::vector<Rule> surface_rules() {
        "rises; as many times as path_m has places"},
       {{"simulation.contact_set", "cell.surface", "cell.support", "gripper", "product.initial_rotation_rad",
         "product.initial_spin_rad_s", "product.initial_height_m", "strategy.waypoint[].rotation_rad",
-        "strategy.waypoint[].quaternion"},
+        "strategy.waypoint[].quaternion", "gripper.finger"},
        "\"pads and support\" only where the product stays upright and [[cell.surface]] lists nothing",
        set_serves},
       {{"cell.target_plane", "cell.surface", "gripper"}, "false needs [[cell.surface]]", target_is_there},

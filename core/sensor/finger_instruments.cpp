@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/chance/philox.hpp"
+#include "core/scenario/gripper.hpp"
 #include "core/sensor/sample_clock.hpp"
 
 namespace unbruised {
@@ -37,6 +38,7 @@ std::optional<double> falls_below(double bound, double before, double after) {
 FingerInstruments::FingerInstruments(const Scenario& scenario) {
   const auto* jaw = parallel_jaw(scenario);
   if (jaw == nullptr) return;
+  finger_count_ = static_cast<std::size_t>(finger_count(scenario));
   range_ = jaw->range;
   force_rate_Hz_ = jaw->force_rate_Hz;
   const StrategyParameters& s = scenario.strategy;
@@ -60,7 +62,7 @@ double FingerInstruments::reading_m(std::size_t finger, std::int64_t sample, dou
 void FingerInstruments::start(const FingerSigns& now) {
   last_ = now;
   if (!has_range()) return;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < finger_count_; ++f) {
     range_m_[f] = reading_m(f, 0, now.distance_m[f]);
     if (guard_range_m_ && range_m_[f] < *guard_range_m_) see_guard(0.0);
   }
@@ -78,7 +80,7 @@ void FingerInstruments::sample_ranges(const Step& step) {
   const std::int64_t last = clock.last(step.end_s);
   for (std::int64_t k = clock.last(step.start_s) + 1; k <= last; ++k) {
     const double time_s = clock.time_s(k);
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
+    for (std::size_t f = 0; f < finger_count_; ++f) {
       range_m_[f] = reading_m(f, k, between(last_.distance_m[f], step.now.distance_m[f], step.share(time_s)));
       if (guard_range_m_ && !guard_s_ && range_m_[f] < *guard_range_m_) see_guard(time_s);
     }
@@ -86,7 +88,7 @@ void FingerInstruments::sample_ranges(const Step& step) {
 }
 
 void FingerInstruments::read_ranges(const Step& step) {
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < finger_count_; ++f) {
     const double before_m = range_m_[f];
     range_m_[f] = reading_m(f, 0, step.now.distance_m[f]);
     if (!guard_range_m_) continue;
@@ -98,13 +100,13 @@ void FingerInstruments::read_ranges(const Step& step) {
 void FingerInstruments::watch_forces(const Step& step) {
   const auto force = [&](double share) {
     double largest_N = 0.0;
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
+    for (std::size_t f = 0; f < finger_count_; ++f) {
       largest_N = std::max(largest_N, between(last_.force_N[f], step.now.force_N[f], share));
     }
     return largest_N;
   };
   if (!force_rate_Hz_) {
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
+    for (std::size_t f = 0; f < finger_count_; ++f) {
       const auto share = falls_below(-*guard_force_N_, -last_.force_N[f], -step.now.force_N[f]);
       if (share) see_guard(step.time_s(*share));
     }

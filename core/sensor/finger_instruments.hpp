@@ -16,8 +16,8 @@ namespace unbruised {
 
 /// What there is to read at the end of a step.
 struct FingerSigns {
-  std::array<double, kFingerCount> distance_m{};  ///< along the rays; infinite where they pass the product
-  std::array<double, kFingerCount> force_N{};     ///< normal force of each finger
+  std::array<double, kMostFingers> distance_m{};  ///< along the rays; infinite where they pass the product
+  std::array<double, kMostFingers> force_N{};     ///< normal force of each finger
 };
 
 class FingerInstruments {
@@ -34,7 +34,7 @@ class FingerInstruments {
   void observe(double start_s, double end_s, const FingerSigns& now);
 
   /// The held readings of the range sensors [m].
-  [[nodiscard]] const std::array<double, kFingerCount>& range_m() const { return range_m_; }
+  [[nodiscard]] const std::array<double, kMostFingers>& range_m() const { return range_m_; }
   /// When an instrument first showed what the guard waits for; none: not yet, or there is no guard.
   [[nodiscard]] const std::optional<double>& guard_s() const { return guard_s_; }
 
@@ -46,11 +46,12 @@ class FingerInstruments {
   void watch_forces(const Step& step);
   void see_guard(double time_s);
 
+  std::size_t finger_count_ = kJawFingers;
   RangeSensorParameters range_;
   std::optional<double> force_rate_Hz_;
   std::optional<double> guard_range_m_, guard_force_N_;  ///< what the guard waits for
   FingerSigns last_;                                     ///< at the end of the last step
-  std::array<double, kFingerCount> range_m_{};
+  std::array<double, kMostFingers> range_m_{};
   std::optional<double> guard_s_;
 };
 

@@ -5,15 +5,15 @@
 
 namespace unbruised {
 
-std::array<Ray, kFingerCount> finger_rays(const Scenario& scenario, const std::array<double, 3>& middle_m,
-                                          const CarrierMotion& carriers, const GripperLanes& gripper, int lane) {
-  std::array<Ray, kFingerCount> rays{};
+std::array<Ray, kJawFingers> finger_rays(const Scenario& scenario, const std::array<double, 3>& middle_m,
+                                         const CarrierMotion& carriers, const GripperLanes& gripper, int lane) {
+  std::array<Ray, kJawFingers> rays{};
   const auto* jaw = parallel_jaw(scenario);
   if (jaw == nullptr) return rays;
   const Attitude palm = attitude_of(of_lane(carriers.palm_rotation_rad, lane));
   // The palm turns about the middle between the pads.
   const std::array<double, 3> from_product = {0.0, scenario.cell.grip_offset_m, scenario.cell.grip_height_m};
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < kJawFingers; ++f) {
     const double sign = normal_sign(static_cast<int>(f));
     std::array<double, 3> start = ray_start_m(scenario, *jaw);
     start[0] = sign * (start[0] + gripper.way(static_cast<int>(f))[lane]);

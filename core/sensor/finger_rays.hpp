@@ -14,7 +14,7 @@ namespace unbruised {
 
 /// Of one lane, at the end of a step.
 /// @param middle_m of the product's shape at rest
-std::array<Ray, kFingerCount> finger_rays(const Scenario& scenario, const std::array<double, 3>& middle_m,
-                                          const CarrierMotion& carriers, const GripperLanes& gripper, int lane);
+std::array<Ray, kJawFingers> finger_rays(const Scenario& scenario, const std::array<double, 3>& middle_m,
+                                         const CarrierMotion& carriers, const GripperLanes& gripper, int lane);
 
 }  // namespace unbruised

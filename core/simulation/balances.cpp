@@ -44,9 +44,10 @@ std::array<double, 3> angular_momentum(const BodyModel& body, const BodyState& s
 
 PadLoad pad_load(const LaneView& view) {
   PadLoad load;
-  for (int surface = 0; surface < kFingerCount; ++surface) {
-    const SurfaceTally& tally = view.contact.tally()[surface];
-    const std::array<Lane, 3> force = tally.force(surface);
+  for (const int surface : view.model.contact.surface) {
+    if (!is_pad(surface)) continue;
+    const SurfaceTally& tally = view.contact.tally()[static_cast<std::size_t>(surface)];
+    const LaneVector force = view.contact.carrier_force(surface);
     for (std::size_t i = 0; i < 3; ++i) {
       load.force[i] += force[i];
       load.moment[i] += tally.torque[i];
@@ -96,7 +97,8 @@ void Balances::book_step(const LaneView& view, const std::array<Lane, 3>& old_ma
     palm += Lane(0.5) * (palm_force_[i] + load.force[i]) * (after.palm[i].place_m - before.palm[i].place_m);
     palm_force_[i] = load.force[i];
   }
-  for (int surface = kSupport; surface < view.model.contact.surface_count; ++surface) {
+  for (const int surface : view.model.contact.surface) {
+    if (is_pad(surface)) continue;
     const auto at = static_cast<std::size_t>(surface);
     const std::array<Lane, 3> force = view.contact.tally()[at].force(surface);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -119,8 +121,7 @@ void Balances::book_impulse(int lane, const LaneView& view) {
     if (const FrameLanes* frame = view.body.frame()) {
       force += frame->outer_force_N()[i][lane];
     } else {
-      for (int surface = 0; surface < view.model.contact.surface_count; ++surface)
-        force += view.contact.surface_force(surface, lane)[i];
+      for (const int surface : view.model.contact.surface) force += view.contact.surface_force(surface, lane)[i];
     }
     account.impulse[i] += 0.5 * view.model.wilson->dt * (account.outer_force_N[i] + force);
     account.outer_force_N[i] = force;

@@ -19,15 +19,15 @@ void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, Ca
 
 /// Tells the drives of a lane what the plan wants at `time_s`.
 /// @param carriers at that time
-void command_drives(int lane, const MotionPlan& plan, double time_s, const GripperLanes& gripper,
-                    const CarrierMotion& carriers, DriveCommand& command);
+void command_drives(int lane, const Scenario& scenario, const MotionPlan& plan, double time_s,
+                    const GripperLanes& gripper, const CarrierMotion& carriers, DriveCommand& command);
 
 /// What accelerates each pad that is a body in the axes of the palm: gravity, less what its middle is accelerated
 /// by as the palm moves and turns.
 /// @param turns does any palm turn?
-std::array<LaneVector, kFingerCount> pad_accelerations(const CarrierMotion& carriers,
-                                                       const std::array<Lane, 3>& gravity_m_s2,
-                                                       const PadLanes& pads, const GripperLanes& gripper,
-                                                       bool turns);
+std::array<LaneVector, kJawFingers> pad_accelerations(const CarrierMotion& carriers,
+                                                      const std::array<Lane, 3>& gravity_m_s2,
+                                                      const PadLanes& pads, const GripperLanes& gripper,
+                                                      bool turns);
 
 }  // namespace unbruised

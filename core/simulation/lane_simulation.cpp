@@ -54,7 +54,7 @@ struct LaneSimulation::Impl {
   [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
   /// Null: the pads are layers.
   [[nodiscard]] const PadLanes* padded() const { return pads ? &*pads : nullptr; }
-  [[nodiscard]] std::array<LaneVector, kFingerCount> outer_of_pads() const {
+  [[nodiscard]] std::array<LaneVector, kJawFingers> outer_of_pads() const {
     return pad_accelerations(theta, body.gravity(), *pads, gripper, parts.frame == ProductFrame::floating);
   }
   [[nodiscard]] LaneRun& run_of(int lane) {
@@ -104,7 +104,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       base(3 * parts.contact.node_count()) {
   yield_ratio.fill(Lane(0.0));
   if (parts.pad) pads.emplace(*parts.pad, w);
-  const auto listed = static_cast<std::size_t>(parts.contact.surface_count - kFirstCellSurface);
+  const auto listed = static_cast<std::size_t>(std::ranges::count_if(parts.contact.surface, is_of_cell_list));
   for (CarrierMotion* motion : {&now, &theta, &next}) motion->listed.resize(listed);
 }
 
@@ -187,7 +187,7 @@ void LaneSimulation::Impl::follow_plans() {
     set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
     command_mount(lane, r.scenario, theta, next, mounts);
     if (!has_gripper(r.scenario)) continue;
-    command_drives(lane, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
+    command_drives(lane, r.scenario, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
   }
 }
 
@@ -302,14 +302,14 @@ void LaneSimulation::Impl::advance_state() {
 }
 
 void LaneSimulation::Impl::advance_pads() {
-  for (int pad = 0; pad < kFingerCount; ++pad) {
+  for (int pad = 0; pad < kJawFingers; ++pad) {
     pads->advance(pad, contact.pad_face_force(pad), gripper.way_at_theta(pad, contact.sweep().pad_force()),
                   running);
   }
 }
 
 void LaneSimulation::Impl::observe_lanes() {
-  for (int s = 0; s < parts.contact.surface_count; ++s) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
+  for (const int s : parts.contact.surface) yield_ratio[s] = contact.yield_ratio(s, yield_stress);
   ++times.steps;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (run_of(lane).busy) observe_lane(lane);
@@ -363,7 +363,7 @@ StepObservation LaneSimulation::Impl::see(int lane, double time_s) {
   const LaneRun& r = run_of(lane);
   StepObservation seen = view.observe(lane, r.scenario, time_s);
   if (!r.instruments) return seen;
-  for (std::size_t f = 0; f < kFingerCount; ++f) seen.finger[f].range_m = r.instruments->range_m()[f];
+  for (std::size_t f = 0; f < kMostFingers; ++f) seen.finger[f].range_m = r.instruments->range_m()[f];
   return seen;
 }
 

@@ -65,8 +65,9 @@ std::array<PatchDamage, kSurfaceCount> LaneView::damage_below_patches(int lane, 
   const std::optional<FlowLaw> law = flow_law(scenario.product);
   if (!law) return damage;
   const double bruised_strain = scenario.limits.plastic_strain.value_or(kBruisedStrain);
-  for (std::size_t s = 0; s < static_cast<std::size_t>(model.contact.surface_count); ++s) {
-    const PatchForm& form = contact.patch_form(static_cast<int>(s), lane);
+  for (const int surface : model.contact.surface) {
+    const auto s = static_cast<std::size_t>(surface);
+    const PatchForm& form = contact.patch_form(surface, lane);
     const SurfaceTally& tally = contact.tally()[s];
     const double traction_N = std::hypot(tally.tangent[0][lane], tally.tangent[1][lane]);
     const PatchLoad load = patch_load(form, *law, yield_ratio[s][lane], tally.normal[lane], traction_N);
@@ -92,42 +93,45 @@ StepObservation LaneView::observe(int lane, const Scenario& scenario, double tim
   }
   seen.plastic_strain = material.largest_plastic_strain()[lane];
   seen.absorbed_energy_J = material.plastic_work()[lane];
-  for (std::size_t s = kSupport; s < static_cast<std::size_t>(model.contact.surface_count); ++s) {
+  for (const int surface : model.contact.surface) {
+    if (is_pad(surface)) continue;
+    const auto s = static_cast<std::size_t>(surface);
     seen.support_N += contact.tally()[s].normal[lane];
     seen.support_yield_ratio = std::max(seen.support_yield_ratio, yield_ratio[s][lane]);
   }
   seen.patch = damage_below_patches(lane, scenario);
   seen.layer_strain = contact.layer_strain()[lane];
   if (!has_gripper(scenario)) return seen;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const SurfaceTally& tally = contact.tally()[f];
+  seen.finger_count = model.contact.finger_count();
+  for (std::size_t f = 0; f < seen.finger_count; ++f) {
+    const int pad = model.contact.surface[f];
+    const SurfaceTally& tally = contact.tally()[static_cast<std::size_t>(pad)];
     FingerObservation& finger = seen.finger[f];
     finger.normal_N = tally.normal[lane];
     finger.tangent_N = {tally.tangent[0][lane], tally.tangent[1][lane]};
     finger.closed_contacts = tally.closed[lane];
     finger.sliding_contacts = tally.sliding[lane];
-    finger.slip_m = contact.slip(static_cast<int>(f)).way_m(lane);
-    finger.slip_rad = contact.slip(static_cast<int>(f)).angle_rad(lane);
-    finger.yield_ratio = yield_ratio[f][lane];
-    const double touched = contact.touched(static_cast<int>(f))[lane],
-                 left = contact.left(static_cast<int>(f))[lane];
+    finger.slip_m = contact.slip(f).way_m(lane);
+    finger.slip_rad = contact.slip(f).angle_rad(lane);
+    finger.yield_ratio = yield_ratio[static_cast<std::size_t>(pad)][lane];
+    const double touched = contact.touched(f)[lane], left = contact.left(f)[lane];
     if (touched <= 1.0) finger.touched_s = time_s + (touched * w.theta - 1.0) * w.dt;
     if (left >= 0.0) finger.left_s = time_s + (left * w.theta - 1.0) * w.dt;
-    const std::array<double, 3> force_N = contact.surface_force(static_cast<int>(f), lane);
+    const std::array<double, 3> force_N = contact.surface_force(pad, lane);
     for (std::size_t i = 0; i < 3; ++i) {
       seen.force_N[i] += force_N[i];
       seen.torque_N_m[i] += tally.torque[i][lane];
     }
   }
   seen.patch_pressure_Pa = contact.patch_pressure()[lane];
-  seen.compression_m = gripper.closing()[lane] - kFingerCount * approach_gap_m(scenario);
+  seen.compression_m = gripper.closing()[lane] - static_cast<double>(seen.finger_count) * approach_gap_m(scenario);
   seen.end_of_stroke = gripper.at_end_of_stroke()[lane];
   return seen;
 }
 
 double LaneView::lean_in_grip_rad(int lane, const Scenario& scenario) const {
   const FrameLanes* frame = body.frame();
-  if (frame == nullptr || !has_gripper(scenario)) return 0.0;
+  if (frame == nullptr || !has_gripper(scenario) || model.contact.lists_fingers()) return 0.0;
   const LaneRotation back = rotation_by(Lane(-1.0) * carriers.palm_rotation_rad);
   const LaneVector axis = (back * frame->attitude()).axis;
   return 2.0 * std::asin(std::min(1.0, std::hypot(axis[1][lane], axis[2][lane])));
@@ -135,7 +139,8 @@ double LaneView::lean_in_grip_rad(int lane, const Scenario& scenario) const {
 
 bool LaneView::sinks_through(int lane, const Scenario& scenario) const {
   if (contact_set(scenario) != ContactSet::six_sides) return false;
-  for (int surface = kSupport; surface < model.contact.surface_count; ++surface) {
+  for (const int surface : model.contact.surface) {
+    if (is_pad(surface)) continue;
     const std::optional<FacedPlane> plane = contact.faced_plane(surface, lane, carriers);
     if (!plane) continue;
     const std::array<double, 3> down = {-plane->normal[0], -plane->normal[1], -plane->normal[2]};
@@ -150,11 +155,13 @@ bool LaneView::sinks_through(int lane, const Scenario& scenario) const {
 
 FingerSigns LaneView::finger_signs(int lane, const Scenario& scenario, bool with_range) const {
   FingerSigns signs;
-  for (std::size_t f = 0; f < kFingerCount; ++f) signs.force_N[f] = contact.tally()[f].normal[lane];
+  for (std::size_t f = 0; f < model.contact.finger_count(); ++f) {
+    signs.force_N[f] = contact.tally()[static_cast<std::size_t>(model.contact.surface[f])].normal[lane];
+  }
   if (!with_range || !model.carried_surface) return signs;
   const BodyPose pose = pose_of(body, model.body, lane);
   const auto rays = finger_rays(scenario, model.body.center_m(), carriers, gripper, lane);
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < kJawFingers; ++f) {
     signs.distance_m[f] = model.carried_surface->distance_m(rays[f], pose, body.u(), lane)
                               .value_or(std::numeric_limits<double>::infinity());
   }
@@ -167,20 +174,24 @@ TraceRow LaneView::trace_row(int lane, const Scenario& scenario, double time_s) 
   row.gripper = has_gripper(scenario);
   row.yields = can_yield(scenario);
   row.ranged = has_range_sensors(scenario);
-  row.surface_count = model.contact.surface_count;
-  for (std::size_t surface = 0; surface < static_cast<std::size_t>(row.surface_count); ++surface) {
-    row.surface_force_N[surface] = contact.surface_force(static_cast<int>(surface), lane);
-    if (is_pad(static_cast<int>(surface))) turn_by_palm(carriers, lane, row.surface_force_N[surface]);
-    row.closed[surface] = contact.tally()[surface].closed[lane];
-    row.sliding[surface] = contact.tally()[surface].sliding[lane];
+  const auto torques = contact.surface_torques(lane, body, carriers);
+  row.surface_count = model.contact.surface.size();
+  row.finger_count = model.contact.finger_count();
+  for (std::size_t s = 0; s < row.surface_count; ++s) {
+    const int surface = model.contact.surface[s];
+    const auto at = static_cast<std::size_t>(surface);
+    row.surface_force_N[s] = contact.surface_force(surface, lane);
+    if (is_pad(surface)) turn_by_palm(carriers, lane, row.surface_force_N[s]);
+    row.surface_torque_N_m[s] = torques[at];
+    row.closed[s] = contact.tally()[at].closed[lane];
+    row.sliding[s] = contact.tally()[at].sliding[lane];
   }
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < row.finger_count; ++f) {
     row.finger_way_m[f] = gripper.way(static_cast<int>(f))[lane];
     row.finger_speed_m_s[f] = gripper.speed(static_cast<int>(f))[lane];
   }
   for (std::size_t i = 0; i < 3; ++i) row.palm_m[i] = carriers.palm[i].place_m[lane];
   row.palm_rotation_rad = of_lane(carriers.palm_rotation_rad, lane);
-  row.surface_torque_N_m = contact.surface_torques(lane, body, carriers);
   row.plastic_strain = material.largest_plastic_strain()[lane];
   row.stored = stored_energy(lane, scenario);
   row.plastic_work_J = material.plastic_work()[lane];

@@ -33,7 +33,7 @@ void TraceRecorder::record(const LaneStep& step) {
   row.dissipated = Balances::dissipated(step.lane, step.view, step.scenario);
   row.work = balances_.work_done(step.lane, step.view, step.scenario);
   const double friction = product_friction(step.scenario.product);
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < step.seen.finger_count; ++f) {
     FingerObservation finger = step.seen.finger[f];
     row.yield_ratio[f] = finger.yield_ratio;
     row.range_m[f] = finger.range_m;

@@ -90,7 +90,7 @@ void put_energies(const TraceRow& row, SignalWriter& signals) {
 void put_surfaces(const TraceRow& row, SignalWriter& signals) {
   for (const auto* vectors : {&row.surface_force_N, &row.surface_torque_N_m}) {
     std::vector<double> values;
-    for (std::size_t s = 0; s < static_cast<std::size_t>(row.surface_count); ++s) {
+    for (std::size_t s = 0; s < row.surface_count; ++s) {
       values.insert(values.end(), (*vectors)[s].begin(), (*vectors)[s].end());
     }
     signals.put(values);
@@ -104,20 +104,22 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
   trace.particle_count = static_cast<int>(position_m.size());
   for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
   declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});
-  const int surfaces = surface_count(scenario);
-  declare(trace, "contact_count", "1", "closed contacts per surface: " + surface_codes(surfaces), {"surface"},
+  const std::string codes_of_surfaces = surface_codes(surfaces_of(scenario));
+  const auto surfaces = static_cast<int>(surfaces_of(scenario).size());
+  declare(trace, "contact_count", "1", "closed contacts per surface: " + codes_of_surfaces, {"surface"},
           {surfaces});
-  declare(trace, "sliding_count", "1", "sliding contacts per surface", {"surface"}, {surfaces});
+  declare(trace, "sliding_count", "1", "sliding contacts per surface: " + codes_of_surfaces, {"surface"},
+          {surfaces});
   declare(trace, "plastic_strain_max", "1", "largest accumulated equivalent plastic strain", {}, {});
   declare(trace, "absorbed_energy_J", "J", "plastic work done in the product", {}, {});
   declare(trace, "stored_energy_J", "J",
           "kinetic and elastic energy of product, contact layers, fingers and what a sensor carries", {}, {});
   declare(trace, "contact_energy_J", "J", "elastic energy of the contact layers", {}, {});
   declare_energies(trace, scenario);
-  declare(trace, "surface_force_N", "N", "force of each surface on the product: " + surface_codes(surfaces),
+  declare(trace, "surface_force_N", "N", "force of each surface on the product: " + codes_of_surfaces,
           {"surface", "component"}, {surfaces, 3});
   declare(trace, "surface_torque_N_m", "N m",
-          "torque of each surface on the product about its centre of mass: " + surface_codes(surfaces),
+          "torque of each surface on the product about its centre of mass: " + codes_of_surfaces,
           {"surface", "component"}, {surfaces, 3});
   if (can_yield(scenario)) {
     declare(trace, "support_yield_ratio", "1",
@@ -136,10 +138,11 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
             "the same without weight and inertia of what the sensor carries itself", {"wrench"}, {6});
   }
   if (!has_gripper(scenario)) return;
+  const int fingers = finger_count(scenario);
   declare(trace, "finger_force_N", "N", "force of each finger on the product", {"finger", "component"},
-          {kFingerCount, 3});
-  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {kFingerCount});
-  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {kFingerCount});
+          {fingers, 3});
+  declare(trace, "finger_way_m", "m", "closing way of each finger since the start", {"finger"}, {fingers});
+  declare(trace, "finger_speed_m_s", "m s-1", "closing speed of each finger", {"finger"}, {fingers});
   declare(trace, "palm_position_m", "m", "motion of the palm since the start", {"component"}, {3});
   if (product_frame(scenario) == ProductFrame::floating) {
     declare(trace, "palm_rotation_rad", "rad", "rotation of the palm from upright, about the vector by its length",
@@ -149,26 +152,26 @@ void start_trace(const std::vector<std::array<double, 3>>& position_m, const Sce
           {}, {});
   declare(trace, "slip_m", "m",
           "way that the product has slipped past each finger's pad since the start of the lift", {"finger"},
-          {kFingerCount});
+          {fingers});
   declare(trace, "slip_rad", "rad",
           "angle that the product has turned against each finger's pad since the start of the lift", {"finger"},
-          {kFingerCount});
+          {fingers});
   declare(trace, "friction_margin", "1",
           "friction coefficient x normal force / tangential force of each finger - 1; while a finger slides as a "
           "whole, how much of the slip limits it has used up, negative",
-          {"finger"}, {kFingerCount});
+          {"finger"}, {fingers});
   declare(trace, "phase", "1", "phase of the cycle: " + codes(kCyclePhaseWords), {}, {});
   if (has_range_sensors(scenario)) {
-    declare(trace, "range_m", "m", "last reading of each finger's range sensor", {"finger"}, {kFingerCount});
+    declare(trace, "range_m", "m", "last reading of each finger's range sensor", {"finger"}, {fingers});
   }
   if (!can_yield(scenario)) return;
   declare(trace, "contact_yield_ratio", "1",
           "mean pressure of each finger's contact patch over the one at first yield below it", {"finger"},
-          {kFingerCount});
+          {fingers});
 }
 
 /// Appends values to a row of a trace.
-void append(const std::vector<double>& values, std::vector<double>& to) {
+void append(std::span<const double> values, std::vector<double>& to) {
   to.insert(to.end(), values.begin(), values.end());
 }
 
@@ -178,9 +181,8 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
   append(state.velocity_m_s, trace.velocity_m_s);
   append(state.acceleration_m_s2, trace.acceleration_m_s2);
   SignalWriter signals(trace);
-  const auto surfaces = static_cast<std::size_t>(row.surface_count);
-  signals.put(row.surface_force_N[kSupport]);
-  for (const auto* counts : {&row.closed, &row.sliding}) signals.put(std::span(*counts).first(surfaces));
+  signals.put(row.surface_force_N[row.finger_count]);  // of the support, after the pads
+  for (const auto* counts : {&row.closed, &row.sliding}) signals.put(std::span(*counts).first(row.surface_count));
   signals.put(row.plastic_strain);
   signals.put(row.absorbed_energy_J);
   signals.put(row.stored.total);
@@ -197,22 +199,21 @@ void append_row(const TraceRow& row, const BodyState& state, Trace& trace) {
     signals.put(row.sensor->compensated);
   }
   if (!row.gripper) return;
-  std::array<double, 3 * kFingerCount> fingers{};
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    for (std::size_t i = 0; i < 3; ++i) fingers[3 * f + i] = row.surface_force_N[f][i];
-  }
-  signals.put(fingers);
-  signals.put(row.finger_way_m);
-  signals.put(row.finger_speed_m_s);
+  const auto of_fingers = [&row](const auto& values) { return std::span(values).first(row.finger_count); };
+  std::vector<double> forces;
+  for (const std::array<double, 3>& force : of_fingers(row.surface_force_N)) append(force, forces);
+  signals.put(forces);
+  signals.put(of_fingers(row.finger_way_m));
+  signals.put(of_fingers(row.finger_speed_m_s));
   signals.put(row.palm_m);
   if (row.attitude) signals.put(row.palm_rotation_rad);
   signals.put(row.patch_pressure_Pa);
-  signals.put(row.slip_m);
-  signals.put(row.slip_rad);
-  signals.put(row.friction_margin);
+  signals.put(of_fingers(row.slip_m));
+  signals.put(of_fingers(row.slip_rad));
+  signals.put(of_fingers(row.friction_margin));
   signals.put(static_cast<double>(row.phase));
-  if (row.ranged) signals.put(row.range_m);
-  if (row.yields) signals.put(row.yield_ratio);
+  if (row.ranged) signals.put(of_fingers(row.range_m));
+  if (row.yields) signals.put(of_fingers(row.yield_ratio));
 }
 
 }  // namespace unbruised

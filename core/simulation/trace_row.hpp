@@ -27,13 +27,14 @@ struct TraceRow {
   bool gripper = false;
   bool yields = false;  ///< the product can keep a deformation
   bool ranged = false;  ///< there are range sensors
-  int surface_count = 0;
+  std::size_t surface_count = 0, finger_count = kJawFingers;
+  /// In the order of traces: pads, support, what the cell lists.
   std::array<std::array<double, 3>, kSurfaceCount> surface_force_N{}, surface_torque_N_m{};
   std::array<double, kSurfaceCount> closed{}, sliding{};
-  std::array<double, kFingerCount> finger_way_m{}, finger_speed_m_s{};
+  std::array<double, kMostFingers> finger_way_m{}, finger_speed_m_s{};
   std::array<double, 3> palm_m{}, palm_rotation_rad{};
   CyclePhase phase = CyclePhase::approach;
-  std::array<double, kFingerCount> yield_ratio{}, slip_m{}, slip_rad{}, range_m{};
+  std::array<double, kMostFingers> yield_ratio{}, slip_m{}, slip_rad{}, range_m{};
   double support_yield_ratio = 0;
   double patch_pressure_Pa = 0;
   double plastic_strain = 0;
@@ -42,7 +43,7 @@ struct TraceRow {
   StoredEnergy stored;
   Dissipated dissipated;
   WorkDone work;
-  std::array<double, kFingerCount> friction_margin{};
+  std::array<double, kMostFingers> friction_margin{};
   /// Where the product has a floating frame: a unit quaternion w, x, y, z, and the angular velocity of the whole.
   std::optional<std::array<double, 4>> attitude;
   std::array<double, 3> spin_rad_s{};

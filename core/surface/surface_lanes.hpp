@@ -35,8 +35,8 @@ struct SurfaceLane {
   Lane rest_place_m{0.0};    ///< along the normal axis, where neither carrier nor finger has moved
   std::array<Lane, 2> center_m{Lane(0.0), Lane(0.0)};  ///< along the tangent axes
   std::array<Lane, 2> size_m{Lane(1.0), Lane(1.0)};    ///< along the tangent axes
-  /// From x, y, z to the axes of a surface that the cell lists, and its origin; of all others the axes of the
-  /// cell.
+  /// From the axes of its carrier to those of a surface that is listed, and its origin: of a pad from the middle
+  /// of the grip, along the axes of the palm. All others have the axes of their carrier.
   LaneMatrix axes = identity_lanes();
   LaneVector origin_m;
 };
@@ -44,7 +44,7 @@ struct SurfaceLane {
 /// Where the product stands between the surfaces of one lane.
 struct ProductPlace {
   std::array<double, 3> center_m{};
-  std::array<double, kFingerCount> pole_m{};  ///< outermost place along the normal axis of each pad
+  std::array<double, kJawFingers> pole_m{};  ///< outermost place along the normal axis of each pad
 };
 
 class SurfaceLanes {
@@ -60,6 +60,8 @@ class SurfaceLanes {
   [[nodiscard]] const SurfaceLane& operator[](int surface) const { return surface_[surface]; }
   /// The face of the pads of a lane.
   [[nodiscard]] const PadFace& face(int lane) const { return face_[static_cast<std::size_t>(lane)]; }
+  /// The middle of the grip where the palm has not moved.
+  [[nodiscard]] const LaneVector& grip_m() const { return grip_m_; }
 
   /// Place along the normal axis.
   /// @param way that its finger has closed; not looked at where no finger carries it
@@ -73,15 +75,18 @@ class SurfaceLanes {
 
  private:
   static void load_listed(int lane, const CellSurfaceParameters& parameters, SurfaceLane& surface);
+  void load_fingers(int lane, const Scenario& scenario, double layer_N_m3);
 
   std::array<SurfaceLane, kSurfaceCount> surface_;
   std::array<PadFace, kLanes> face_;
+  LaneVector grip_m_;
 };
 
 /// How the carrier of a surface moves.
 inline const std::array<AxisMotion, 3>& carrier_of(int surface, const CarrierMotion& carriers) {
-  if (surface >= kFirstCellSurface) return carriers.listed[static_cast<std::size_t>(surface - kFirstCellSurface)];
-  return is_pad(surface) ? carriers.palm : carriers.cell;
+  if (is_pad(surface)) return carriers.palm;
+  if (surface == kSupport) return carriers.cell;
+  return carriers.listed[static_cast<std::size_t>(surface - kFirstCellSurface)];
 }
 
 // Asked for in every sweep over every contact.

@@ -70,9 +70,10 @@ struct Assembler {
     }
   }
 
-  /// A study that lists particles, springs or loads replaces the whole list of the product's file.
+  /// A study that lists particles, springs, loads or fingers replaces the whole list of the library file.
   void resolve_lists() {
-    for (const std::string_view list : {"product.particle[", "product.spring[", "product.load["}) {
+    for (const std::string_view list :
+         {"product.particle[", "product.spring[", "product.load[", "gripper.finger["}) {
       const auto lists = [&](const LayeredEntry& item) {
         return item.layer == Layer::study && item.entry->path.starts_with(list);
       };

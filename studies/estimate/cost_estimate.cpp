@@ -55,7 +55,7 @@ double pad_factor_entries(const Scenario& scenario) {
   if (!has_lattice_pads(scenario)) return 0.0;
   const auto cells = lattice_cell_count(pad_lattice(*parallel_jaw(scenario)));
   const double face = (cells[1] + 1.0) * (cells[2] + 1.0);
-  return kFingerCount * estimated_factor_entries(3.0 * cells[0] * face);
+  return kJawFingers * estimated_factor_entries(3.0 * cells[0] * face);
 }
 
 }  // namespace

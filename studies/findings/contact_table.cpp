@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/surface/surfaces.hpp"
 #include "studies/findings/table_text.hpp"
+#include "studies/findings/trace_curves.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -52,7 +52,7 @@ std::optional<ResultTable> contact_table(const Trace& trace) {
   std::vector<double> first, last, longest;
   for (auto& [surface, record] : surfaces) {
     if (record.closed > 0.0) record.part(trace.time_s.back());
-    names.push_back(surface_name(surface));
+    names.push_back(surface_word(trace, surface));
     for (std::size_t kind = 0; kind < counts.size(); ++kind) counts[kind].push_back(record.count[kind]);
     first.push_back(record.first_s);
     last.push_back(record.last_s);

@@ -48,12 +48,20 @@ std::string curve_name(const TraceSignal& signal, std::size_t entry) {
     std::string part = dimension + " " + std::to_string(at + 1);
     if (dimension == "component" && extent == 3) part = kAxes[at];
     if (dimension == "surface") part = surface_name(static_cast<int>(at));
-    if (dimension == "cause" || dimension == "source") {
+    if (dimension == "cause" || dimension == "source" || dimension == "surface") {
       if (std::string word = coded_word(signal.long_name, at); !word.empty()) part = std::move(word);
     }
     text = text.empty() ? part : part + ", " + text;
   }
   return text;
+}
+
+std::string surface_word(const Trace& trace, int number) {
+  const auto counts = std::find_if(trace.signals.begin(), trace.signals.end(),
+                                   [](const TraceSignal& signal) { return signal.name == "contact_count"; });
+  std::string word;
+  if (counts != trace.signals.end()) word = coded_word(counts->long_name, static_cast<std::size_t>(number));
+  return word.empty() ? surface_name(number) : word;
 }
 
 ResultTable trace_as_table(const Trace& trace) {

@@ -23,6 +23,9 @@ bool is_whole(const Trace& trace, const TraceSignal& signal);
 /// "finger 1, x" for an entry of a signal with the dimensions finger and component; empty for a single curve.
 std::string curve_name(const TraceSignal& signal, std::size_t entry);
 
+/// Of the surface that a trace gives this number: "left pad", "gripper.finger.2".
+std::string surface_word(const Trace& trace, int number);
+
 /// A row per recorded time: time_s and every curve, e.g. "finger_force_N [finger 1, x]". The particles' motion
 /// stays in the results file.
 ResultTable trace_as_table(const Trace& trace);

@@ -89,7 +89,17 @@ class TraceWriter {
   std::map<std::string, std::size_t> extents_;
 };
 
-void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
+/// The numbers and names of the surfaces of a trace.
+std::string surface_codes_in(const Trace& trace) {
+  for (const TraceSignal& signal : trace.signals) {
+    const std::size_t codes = signal.long_name.find(": ");
+    if (signal.name == "contact_count" && codes != std::string::npos) return signal.long_name.substr(codes + 2);
+  }
+  return surface_codes({kLeftPad, kRightPad, kSupport});
+}
+
+void write_events(Hdf5File& file, const Trace& trace) {
+  const std::vector<ContactEvent>& events = trace.events;
   const Dimension dimension{"/contact_events/event", events.size()};
   write_scale(file, dimension, "number of the event in the order of time");
   write_column(file, "/contact_events/time_s", dimension,
@@ -108,12 +118,10 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
     describe(file, name, "", long_name);
     file.attach_scale(name, dimension.scale, 0);
   };
-  int surfaces = kFirstCellSurface;
-  for (const ContactEvent& event : events) surfaces = std::max(surfaces, event.surface + 1);
   write_index("/contact_events/node", &ContactEvent::node, "index of the particle");
   write_index("/contact_events/contact", &ContactEvent::contact,
               "number of the contact: a particle, or a place of the true surface, before one surface");
-  write_index("/contact_events/surface", &ContactEvent::surface, surface_codes(surfaces));
+  write_index("/contact_events/surface", &ContactEvent::surface, surface_codes_in(trace));
   file.write("/contact_events/kind",
              column_of(events, [](const ContactEvent& e) { return static_cast<std::int8_t>(e.kind); }),
              {events.size()}, 0);
@@ -126,7 +134,7 @@ void write_events(Hdf5File& file, const std::vector<ContactEvent>& events) {
 void write_trace(Hdf5File& file, const Trace& trace) {
   file.make_group("/trace");
   TraceWriter(file, trace).write();
-  write_events(file, trace.events);
+  write_events(file, trace);
 }
 
 }  // namespace unbruised::studies

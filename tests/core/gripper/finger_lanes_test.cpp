@@ -14,7 +14,7 @@ namespace {
 constexpr int kLane = 5;
 /// Of the end stop [N/m]: steel on steel.
 constexpr double kStop_N_m = 1e7;
-using Forces = std::array<double, kFingerCount>;
+using Forces = std::array<double, kJawFingers>;
 
 /// One jaw in one lane, stepped under commands and contact forces that hold at t + theta dt.
 class Jaw {
@@ -26,8 +26,14 @@ class Jaw {
     command_.set_speed_m_s.set(kLane, closing_speed_m_s);
   }
   void set_speed(double speed_m_s) { command_.set_speed_m_s.set(kLane, speed_m_s); }
-  void palm_acceleration(double a_m_s2) { command_.palm_acceleration_x_m_s2.set(kLane, a_m_s2); }
-  void spin_across(double rad_s) { command_.centrifugal_1_s2.set(kLane, rad_s * rad_s); }
+  void palm_acceleration(double a_m_s2) {
+    for (int f = 0; f < kJawFingers; ++f) {
+      command_.palm_acceleration_m_s2[static_cast<std::size_t>(f)].set(kLane, normal_sign(f) * a_m_s2);
+    }
+  }
+  void spin_across(double rad_s) {
+    for (Lane& square : command_.centrifugal_1_s2) square.set(kLane, rad_s * rad_s);
+  }
   void begin() { fingers.begin_step(w, command_); }
   void end(const Forces& contact_N) { fingers.advance(w, lanes(contact_N), running_); }
   void step(const Forces& contact_N = {}) {
@@ -45,10 +51,10 @@ class Jaw {
   FingerLanes fingers;
 
  private:
-  static std::array<Lane, kFingerCount> lanes(const Forces& contact_N) {
-    std::array<Lane, kFingerCount> all;
+  static FingerForces lanes(const Forces& contact_N) {
+    FingerForces all;
     all.fill(Lane(0.0));
-    for (std::size_t f = 0; f < kFingerCount; ++f) all[f].set(kLane, contact_N[f]);
+    for (std::size_t f = 0; f < kJawFingers; ++f) all[f].set(kLane, contact_N[f]);
     return all;
   }
   Mask running_{false};
@@ -73,17 +79,17 @@ TEST(FingerLanes, StartInTheSteadyMotionThatTheirDriveKeepsUp) {
   for (const FingerCoupling coupling : kCouplings) {
     Jaw jaw(jaw_with(coupling), 0.05, 10.0);
     for (int k = 0; k < 100; ++k) jaw.step();
-    for (int f = 0; f < kFingerCount; ++f) {
+    for (int f = 0; f < kJawFingers; ++f) {
       // Rounding of a hundred steps.
       EXPECT_NEAR(jaw.speed(f), steady, 1e-13);
       EXPECT_NEAR(jaw.way(f), 0.1 * steady, 1e-14);
       EXPECT_NEAR(jaw.acceleration(f), 0.0, 1e-10);
     }
     // The drive's work goes into the guides: c v^2 t for each finger.
-    const double guided_J = kFingerCount * 20.0 * steady * steady * 0.1;
+    const double guided_J = kJawFingers * 20.0 * steady * steady * 0.1;
     EXPECT_NEAR(jaw.fingers.work()[kLane], guided_J, 1e-12 * guided_J);
     EXPECT_NEAR(jaw.fingers.dissipated()[kLane], guided_J, 1e-12 * guided_J);
-    EXPECT_NEAR(jaw.fingers.energy()[kLane], kFingerCount * 0.5 * 0.1 * steady * steady, 1e-14);
+    EXPECT_NEAR(jaw.fingers.energy()[kLane], kJawFingers * 0.5 * 0.1 * steady * steady, 1e-14);
   }
 }
 
@@ -155,7 +161,7 @@ TEST(FingerLanes, YieldToContactForcesByTheComplianceTheySay) {
     Jaw jaw(jaw_with(coupling), 0.0, 0.0);  // without drive it is linear
     jaw.begin();
     const double compliance = jaw.fingers.compliance()[kLane];
-    for (int f = 0; f < kFingerCount; ++f) {
+    for (int f = 0; f < kJawFingers; ++f) {
       Forces own{};
       own[static_cast<std::size_t>(f)] = 2.0;
       const double moved = jaw.way_at_theta(f, own) - jaw.way_at_theta(f, {});
@@ -174,13 +180,13 @@ TEST(FingerLanes, RestAgainstTheEndOfTheirStrokePressedInByTheDrive) {
     EXPECT_FALSE(jaw.fingers.at_end_of_stroke()[kLane]);
     for (int k = 0; k < 400; ++k) jaw.step();
     const double depth = limit_N / kStop_N_m;
-    for (int f = 0; f < kFingerCount; ++f) {
+    for (int f = 0; f < kJawFingers; ++f) {
       // The impact has died away to rounding of the way over the length of a step.
       EXPECT_NEAR(jaw.way(f), p.stroke_m + depth, 1e-9 * p.stroke_m);
       EXPECT_NEAR(jaw.speed(f), 0.0, 1e-9);
     }
     EXPECT_TRUE(jaw.fingers.at_end_of_stroke()[kLane]);
-    const double stored_J = kFingerCount * 0.5 * kStop_N_m * depth * depth;
+    const double stored_J = kJawFingers * 0.5 * kStop_N_m * depth * depth;
     EXPECT_NEAR(jaw.fingers.energy()[kLane], stored_J, 1e-6 * stored_J);
     // What the contacts carry the stop need not.
     for (int k = 0; k < 400; ++k) jaw.step({20.0, 20.0});
@@ -199,7 +205,7 @@ TEST(FingerLanes, StayWhereTheyAreInSpaceWhileAnAcceleratedPalmLeavesThem) {
     jaw.palm_acceleration(jerk * (k - 1 + jaw.w.theta) * jaw.w.dt);
     jaw.step();
     const double t = k * jaw.w.dt;
-    for (int f = 0; f < kFingerCount; ++f) {
+    for (int f = 0; f < kJawFingers; ++f) {
       EXPECT_NEAR(jaw.way(f), -normal_sign(f) * jerk * t * t * t / 6.0, 1e-11 * jerk * t) << k;
     }
     EXPECT_NEAR(jaw.fingers.closing()[kLane], 0.0, 1e-15);
@@ -217,7 +223,7 @@ TEST(FingerLanes, FlyApartFromATurningPalmThatNothingHoldsThemTo) {
   for (int k = 0; k < steps; ++k) jaw.step();
   const double expected_m = opened_m * std::cosh(spin_rad_s * steps * jaw.w.dt);
   // The pull is taken at the start of a step: theta Omega dt = 1 % late.
-  for (int f = 0; f < kFingerCount; ++f) EXPECT_NEAR(opened_m - jaw.way(f), expected_m, 0.01 * expected_m);
+  for (int f = 0; f < kJawFingers; ++f) EXPECT_NEAR(opened_m - jaw.way(f), expected_m, 0.01 * expected_m);
 }
 
 TEST(FingerLanes, OnARackMoveAsOneUnderTheMeanOfTheirContactForces) {
@@ -269,7 +275,7 @@ TEST(FingerLanes, WithoutAJawStayAtRest) {
   const WilsonTheta w(1e-3, 1.4);
   fingers.begin_step(w, {});
   fingers.advance(w, {Lane(0.0), Lane(0.0)}, Mask(true));
-  for (int f = 0; f < kFingerCount; ++f) EXPECT_EQ(fingers.way(f)[kLane], 0.0);
+  for (int f = 0; f < kJawFingers; ++f) EXPECT_EQ(fingers.way(f)[kLane], 0.0);
   EXPECT_EQ(fingers.energy()[kLane], 0.0);
 }
 

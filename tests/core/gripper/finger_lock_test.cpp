@@ -95,7 +95,7 @@ TEST(FingerLock, OnARackHoldsBothFingersUnderTheMeanOfTheirForces) {
   const double way = jaw.way(0);
   jaw.lock(1.0);
   for (int k = 0; k < 1000; ++k) jaw.step_under({kLimit_N + 3.0, kLimit_N - 1.0});
-  for (int f = 0; f < kFingerCount; ++f) EXPECT_NEAR(jaw.way(f), way - 1.0 / 1e4, 1e-9);
+  for (int f = 0; f < kJawFingers; ++f) EXPECT_NEAR(jaw.way(f), way - 1.0 / 1e4, 1e-9);
 }
 
 TEST(FingerLock, LetsGoWhenItOpens) {

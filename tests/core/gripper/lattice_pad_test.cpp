@@ -162,7 +162,7 @@ TEST(LatticePads, AreCarriedByTheirFingers) {
     for (int step = 0; step < kSteps; ++step) {
       pads.begin_step(gripper, {}, running);
       gripper.begin_step(w, command, &pads.on_fingers());
-      for (int f = 0; f < kFingerCount; ++f) {
+      for (int f = 0; f < kJawFingers; ++f) {
         pads.advance(f, nullptr, gripper.way_at_theta(f, without_force()), running);
       }
       gripper.advance(w, without_force(), running);
@@ -195,7 +195,7 @@ TEST(LatticePads, HangAtRestOnFingersUnderGravity) {
   for (int step = 0; step < 100; ++step) {
     pads.begin_step(gripper, {down, down}, Mask(true));
     gripper.begin_step(w, {}, &pads.on_fingers());
-    for (int f = 0; f < kFingerCount; ++f) {
+    for (int f = 0; f < kJawFingers; ++f) {
       pads.advance(f, nullptr, gripper.way_at_theta(f, without_force()), Mask(true));
     }
     gripper.advance(w, without_force(), Mask(true));

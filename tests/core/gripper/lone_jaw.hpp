@@ -13,7 +13,7 @@ namespace unbruised::testing {
 class LoneJaw {
  public:
   static constexpr int kLane = 3;
-  using Forces = std::array<double, kFingerCount>;
+  using Forces = std::array<double, kJawFingers>;
 
   LoneJaw(const ParallelJawParameters& jaw, double closing_speed_m_s, double force_limit_N,
           double time_step_s = 1e-3)
@@ -49,7 +49,7 @@ class LoneJaw {
   /// Of the account of energy: what is missing at its end [J].
   [[nodiscard]] double booked_J() const {
     double springs_J = 0.0;
-    for (int f = 0; f < kFingerCount; ++f)
+    for (int f = 0; f < kJawFingers; ++f)
       springs_J += 0.5 * contact_N(f) * contact_N(f) / std::max(spring_N_m, 1.0);
     return fingers.work()[kLane] + start_J_ - fingers.energy()[kLane] - fingers.dissipated()[kLane] - springs_J;
   }
@@ -60,10 +60,10 @@ class LoneJaw {
 
  private:
   [[nodiscard]] double spring_force_N(double way_m) const { return std::max(0.0, spring_N_m * (way_m - touch_m)); }
-  static std::array<Lane, kFingerCount> lanes(const Forces& contact_N) {
-    std::array<Lane, kFingerCount> all;
+  static std::array<Lane, kJawFingers> lanes(const Forces& contact_N) {
+    std::array<Lane, kJawFingers> all;
     all.fill(Lane(0.0));
-    for (std::size_t f = 0; f < kFingerCount; ++f) all[f].set(kLane, contact_N[f]);
+    for (std::size_t f = 0; f < kJawFingers; ++f) all[f].set(kLane, contact_N[f]);
     return all;
   }
   /// Forces with which springs and fingers meet at t + theta dt, by bisection: the more they press the less the

@@ -194,7 +194,7 @@ TEST(PadFaces, GiveBothBodiesTheSameWrench) {
   const PadBody pad = make_pad(0.01, 0.49, 0.00333);
   const PressedBlock block = make_block(0.02, 0.0483, 0.0069);
   const PadFaces faces = pad_faces(block.contact, pad, WilsonTheta(1e-3, 1.4), {0.0, 0.5 * 0.0483});
-  for (int surface = 0; surface < kFingerCount; ++surface) {
+  for (int surface = 0; surface < kJawFingers; ++surface) {
     const PadFaces::Face& face = faces.face[static_cast<std::size_t>(surface)];
     for (std::size_t k = 0; k < face.candidate.size(); ++k) {
       const ContactCandidate& candidate = block.contact.candidate[static_cast<std::size_t>(face.candidate[k])];

@@ -47,7 +47,7 @@ TEST(PositionHold, KeepsTheWaysFromTheLiftToTheRelease) {
     const ScenarioResult result = run(scenario, &trace);
     EXPECT_EQ(result.outcome, Outcome::held) << result.cause;
     const double lift_s = result.metrics[Metric::lift_time_s];
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
+    for (std::size_t f = 0; f < kJawFingers; ++f) {
       const auto way = column(trace, "finger_way_m", f), speed = column(trace, "finger_speed_m_s", f);
       const std::size_t first = row_at(scenario, lift_s) + 2;
       // The cycle ends with the fingers open: opening takes gap / release speed.
@@ -104,7 +104,7 @@ TEST(PositionHold, KeepsTheForceThatTheSqueezeOfAnElasticBlockNeeds) {
 
 /// Change of a finger's force and way while the palm is accelerated along x.
 struct Jerked {
-  std::array<double, kFingerCount> force_N{}, way_m{};
+  std::array<double, kJawFingers> force_N{}, way_m{};
 };
 
 Jerked jerked(const Scenario& scene) {
@@ -112,7 +112,7 @@ Jerked jerked(const Scenario& scene) {
   const ScenarioResult result = run(scene, &trace);
   const std::size_t before = row_at(scene, result.metrics[Metric::lift_time_s] + 0.05), during = before + 230;
   Jerked change;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
+  for (std::size_t f = 0; f < kJawFingers; ++f) {
     const auto force = column(trace, "finger_force_N", 3 * f), way = column(trace, "finger_way_m", f);
     change.force_N[f] = std::abs(force[during]) - std::abs(force[before]);
     change.way_m[f] = way[during] - way[before];

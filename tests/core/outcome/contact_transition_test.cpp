@@ -21,7 +21,7 @@ Scenario scene() {
   return scenario;
 }
 
-using Fingers = std::array<TouchObservation, kFingerCount>;
+using Fingers = std::array<TouchObservation, kJawFingers>;
 
 /// The metrics of what the fingers show at the end of each step, until `end_s`.
 Metrics metrics_of(const std::function<Fingers(double)>& fingers, double end_s = 0.5) {

@@ -156,7 +156,7 @@ TEST(HandlingRecord, AProductThatPushesOneFingerBackFromTheOtherSlips) {
     return record_of(scene(), [way_m](StepObservation& seen) {
       if (seen.time_s < 0.35) return;
       seen.finger[1].closed_contacts = 0.0;
-      seen.compression_m = -kFingerCount * way_m;
+      seen.compression_m = -kJawFingers * way_m;
     });
   };
   EXPECT_EQ(leaving(0.99e-3).outcome, Outcome::held);

@@ -183,6 +183,7 @@ bool trips(const PlausibleRow& row, const Scenario& scenario) {
 bool can_be_tripped(const PlausibleRow& row) {
   Scenario grip = usual_grip();
   jaw_of(grip).opening_m = 0.08;
+  jaw_of(grip).finger.resize(1);
   grip.strategy.waypoint = {{.place_m = std::array<double, 3>{}, .rotation_rad = std::array<double, 3>{}}};
   grip.cell.surface.resize(1);
   grip.cell.surface[0].size_m = {0.1, 0.1};

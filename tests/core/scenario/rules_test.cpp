@@ -179,7 +179,6 @@ std::vector<Breach> lattice_pad_breaches() {
       {"gripper.pad.kind", "does not go with a sensor at the wrist", lattice_pads,
        [](S s) { s.sensor.at = SensorMount::wrist; }},
       {"gripper.pad.kind", "does not go with a belt", lattice_pads, [](S s) { s.cell.conveyor.speed_m_s = 0.1; }},
-      {"gripper.pad.kind", "goes with the two fingers", lattice_pads, [](S s) { jaw_of(s).finger.resize(3); }},
   };
 }
 
@@ -214,6 +213,65 @@ std::vector<Breach> surface_breaches() {
          s.simulation.contact_set = ContactSet::pads_and_support;
        }},
       {"cell.target_plane", "needs [[cell.surface]]", usual_grip, [](S s) { s.cell.target_plane = false; }},
+  };
+}
+
+/// Three fingers about the vertical.
+Scenario three_jaw() {
+  Scenario scenario = usual_grip();
+  lattice_in(scenario).shape = Shape::sphere;
+  for (const double angle_rad : {0.0, 2.1, 4.2}) jaw_of(scenario).finger.emplace_back().angle_rad = angle_rad;
+  jaw_of(scenario).pad_size_m = {0.02, 0.02};
+  return scenario;
+}
+
+std::vector<Breach> finger_breaches() {
+  return {
+      {"gripper.finger", "must be 2 to 8 tables", three_jaw, [](S s) { jaw_of(s).finger.resize(1); }},
+      {"gripper.finger", "must be 2 to 8 tables", three_jaw,
+       [](S s) { jaw_of(s).finger.resize(9, jaw_of(s).finger.front()); }},
+      {"gripper.finger", "needs a product with a shape", usual_network,
+       [](S s) {
+         s.gripper = ParallelJawParameters{};
+         jaw_of(s).finger = jaw_of(three_jaw()).finger;
+       }},
+      {"gripper.finger", "press the product away between them", three_jaw,
+       [](S s) { jaw_of(s).finger[2].angle_rad = 1.0; }},
+      {"gripper.finger", "press alike where", three_jaw,
+       [](S s) {
+         jaw_of(s).coupling = FingerCoupling::independent;
+         jaw_of(s).finger[2].angle_rad = 3.8;
+       }},
+      {"gripper.finger", "does not go with gripper.range", three_jaw,
+       [](S s) { jaw_of(s).range.maximum_m = 0.05; }},
+      {"gripper.finger", "does not go with sensor.at", three_jaw,
+       [](S s) {
+         s.sensor.at = SensorMount::wrist;
+         s.sensor.position_m = {0.0, 0.0, 0.1};
+       }},
+      {"gripper.finger", "does not go with gripper.pad", three_jaw,
+       [](S s) {
+         jaw_of(s).pad.shape = PadShape::sphere;
+         jaw_of(s).pad.radius_m = 0.01;
+       }},
+      {"gripper.finger[1].angle_rad", "missing", three_jaw, [](S s) { jaw_of(s).finger[1].angle_rad.reset(); }},
+      {"gripper.finger[1].angle_rad", "excludes direction", three_jaw,
+       [](S s) {
+         jaw_of(s).finger[1].direction = {1.0, 0.0, 0.0};
+       }},
+      {"gripper.finger[1].direction", "must not be zero", three_jaw,
+       [](S s) {
+         jaw_of(s).finger[1].angle_rad.reset();
+         jaw_of(s).finger[1].direction = {0.0, 0.0, 0.0};
+       }},
+      {"gripper.finger[1].angle_rad", "its pad meets that of gripper.finger[0]", three_jaw,
+       [](S s) {
+         jaw_of(s).pad_size_m = {0.1, 0.02};
+       }},
+      {"gripper.opening_m", "must be > 0.05 m, twice what the product reaches", three_jaw,
+       [](S s) { jaw_of(s).opening_m = 0.04; }},
+      {"simulation.contact_set", "does not serve [[gripper.finger]]", three_jaw,
+       [](S s) { s.simulation.contact_set = ContactSet::six_sides; }},
   };
 }
 
@@ -535,8 +593,9 @@ std::vector<Breach> guard_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), pad_breaches(), lattice_pad_breaches(), surface_breaches(),
-                           sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches()}) {
+  for (const auto& part :
+       {lattice_breaches(), pad_breaches(), lattice_pad_breaches(), finger_breaches(), surface_breaches(),
+        sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -614,7 +673,8 @@ TEST(Rules, NameKnownFields) {
                                             "product.kind",      "product.particle[].fixed",
                                             "gripper",           "gripper.coupling",
                                             "gripper.hold",      "gripper.pad.shape",
-                                            "gripper.pad.along", "cell.support",
+                                            "gripper.pad.along", "gripper.pad.kind",
+                                            "gripper.finger",    "cell.support",
                                             "strategy.pick",     "cell.surface",
                                             "cell.target_plane", "simulation.contact_set",
                                             "strategy.guard",    "strategy.ramp_from_start",

@@ -32,9 +32,10 @@ SurfaceLanes loaded() {
 }
 
 TEST(Surfaces, ArePadsOfFingersInTheirOrderThenTheSupport) {
-  for (int f = 0; f < kFingerCount; ++f) EXPECT_TRUE(is_pad(f));
+  for (int f = 0; f < kJawFingers; ++f) EXPECT_TRUE(is_pad(f));
   EXPECT_FALSE(is_pad(kSupport));
-  EXPECT_EQ(surface_codes(4), "0 left pad, 1 right pad, 2 support, 3 cell.surface.0");
+  EXPECT_EQ(surface_codes({0, 1, 2, 3}), "0 left pad, 1 right pad, 2 support, 3 cell.surface.0");
+  EXPECT_EQ(surface_codes({kFirstListedPad, kSupport}), "0 gripper.finger.0, 1 support");
 }
 
 CarrierMotion at_rest() { return {}; }

@@ -267,6 +267,21 @@ std::vector<Arrival> strategy_arrivals() {
   };
 }
 
+/// Of a study with two fingers that are listed.
+std::vector<Arrival> finger_arrivals() {
+  return {
+      {"gripper.finger[1].angle_rad", "3.15", [](S s) { return jaw_of(s).finger[1].angle_rad == 3.15; }},
+      {"gripper.finger[0].direction", "[-2.0, 0.0, 0.0]",
+       [](S s) {
+         return jaw_of(s).finger[0].direction == A3{-2.0, 0.0, 0.0};
+       }},
+      {"gripper.finger[0].offset_m", "[0.0, 0.002, -0.003]",
+       [](S s) {
+         return jaw_of(s).finger[0].offset_m == A3{0.0, 0.002, -0.003};
+       }},
+  };
+}
+
 /// Of a study with one surface beside the product.
 std::vector<Arrival> surface_arrivals() {
   return {
@@ -528,6 +543,12 @@ TEST(ScenarioKeys, EveryKeyOfASurfaceReachesTheFieldItNames) {
                   gripped_block("simulate") + "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\nfriction = 0.25\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfAListedFingerReachesTheFieldItNames) {
+  expect_arrivals(finger_arrivals(), gripped_block("simulate") +
+                                         "[[gripper.finger]]\ndirection = [-1.0, 0.0, 0.0]\n"
+                                         "[[gripper.finger]]\nangle_rad = 3.14\n");
+}
+
 TEST(ScenarioKeys, EveryKeyOfASensorReachesTheFieldItNames) {
   expect_arrivals(sensor_arrivals(),
                   gripped_block("simulate") + "[sensor]\nat = \"wrist\"\nposition_m = [0.0, 0.0, 0.1]\n");
@@ -538,7 +559,7 @@ TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(netw
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
   for (const auto& list : {lattice_arrivals(), surface_arrivals(), sensor_arrivals(), waypoint_arrivals(),
-                           flight_arrivals(), network_arrivals()}) {
+                           flight_arrivals(), finger_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -1,0 +1,98 @@
+#pragma once
+
+/// @file
+/// The parameters of products. Plain data in SI; the inequality a value takes part in stands above it.
+
+#include <array>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace unbruised {
+
+enum class Shape { box, sphere, ellipsoid, cylinder };
+enum class Axis { x = 0, y = 1, z = 2 };
+
+/// A solid product as a lattice of particles, springs and dampers (docs/theory.md, "Lattice").
+/// It stands centred on x = y = 0 with the lowest point of its true shape on z = 0.
+struct LatticeParameters {
+  Shape shape = Shape::box;
+  /// > 0 each; full extents. A sphere has three equal ones.
+  std::array<double, 3> size_m{0.05, 0.05, 0.05};
+  /// Axis of a cylinder.
+  Axis axis = Axis::z;
+  /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two, whose
+  /// sides may differ by 22 %.
+  double cell_size_m = 0.005;
+  /// > 0. Exactly one of mass_kg and density_kg_m3 is given.
+  std::optional<double> mass_kg;
+  /// > 0; times the volume of the true shape.
+  std::optional<double> density_kg_m3;
+  /// > 0
+  double youngs_modulus_Pa = 1e6;
+  /// 0 <= poisson_ratio < 0.5
+  double poisson_ratio = 0.25;
+  /// > 0; none: the product stays elastic.
+  std::optional<double> yield_stress_Pa;
+  /// 0 < tangent_modulus_Pa < youngs_modulus_Pa; required with yield_stress_Pa.
+  std::optional<double> tangent_modulus_Pa;
+  /// >= 0. Damping is stiffness-proportional, C = relaxation_time K. Either relaxation_time_s, or
+  /// loss_ratio with at_frequency_Hz: relaxation_time = loss_ratio / (2 pi frequency).
+  std::optional<double> relaxation_time_s;
+  std::optional<double> loss_ratio;
+  std::optional<double> at_frequency_Hz;
+  /// >= 0; Coulomb coefficient against the pads.
+  double friction = 0.5;
+  std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
+  /// Angular velocity at the start, deformed as it is by that; all zero with a gripper.
+  std::array<double, 3> initial_spin_rad_s{0.0, 0.0, 0.0};
+  /// Attitude at the start, about this vector by its length, up to half a turn; all zero with a gripper.
+  std::array<double, 3> initial_rotation_rad{0.0, 0.0, 0.0};
+  /// >= 0; of its lowest place above the support's plane at the start; 0 with a gripper.
+  double initial_height_m = 0.0;
+};
+
+struct NetworkParticle {
+  std::array<double, 3> position_m{0.0, 0.0, 0.0};
+  /// > 0 unless all three freedoms are fixed
+  double mass_kg = 0.0;
+  std::array<bool, 3> fixed{false, false, false};
+  std::array<double, 3> initial_displacement_m{0.0, 0.0, 0.0};
+  std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
+  /// >= 0; > 0: the particle touches the support plane through a layer of this stiffness.
+  double contact_stiffness_N_m = 0.0;
+};
+
+struct NetworkSpring {
+  std::array<int, 2> between{0, 0};
+  /// >= 0
+  double stiffness_N_m = 0.0;
+  /// >= 0
+  double damping_N_s_m = 0.0;
+  /// > 0; default: the distance of the particles, so that the spring starts without force.
+  std::optional<double> rest_length_m;
+  /// > 0, needs stiffness_N_m > 0; |force| at first yield. None: the spring stays elastic.
+  std::optional<double> yield_force_N;
+  /// >= 0; yield force grows by hardening_ratio x stiffness x plastic elongation.
+  double hardening_ratio = 0.0;
+};
+
+struct NetworkLoad {
+  int particle = 0;
+  /// not decreasing, as long as force_N; linear between points, constant outside; a repeated time is a jump.
+  std::vector<double> time_s;
+  std::vector<std::array<double, 3>> force_N;
+};
+
+/// Particles, springs, dampers, masses and loads written out one by one.
+struct NetworkParameters {
+  std::vector<NetworkParticle> particle;
+  std::vector<NetworkSpring> spring;
+  std::vector<NetworkLoad> load;
+  /// >= 0; Coulomb coefficient against pads (unused while only the support is touched).
+  double friction = 0.5;
+};
+
+using ProductParameters = std::variant<LatticeParameters, NetworkParameters>;
+
+}  // namespace unbruised

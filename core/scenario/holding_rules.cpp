@@ -28,26 +28,24 @@ void curve_falls(const Scenario& s, Violations& out) {
   const auto* jaw = parallel_jaw(s);
   if (jaw == nullptr) return;
   const std::vector<double>&speed = jaw->curve_speed_m_s, &force = jaw->curve_force_N;
-  const auto refuse = [&out](const std::string& key, std::size_t i, double value, const std::string& rule) {
-    out.push_back({"gripper." + key + "[" + std::to_string(i) + "]", spelled(value), rule});
+  const auto refuse = [&out](const std::string& key, const std::string& rule) {
+    out.push_back({"gripper." + key, "", rule});
   };
   if (speed.size() != force.size() || speed.size() == 1) {
-    out.push_back({"gripper.curve_force_N", "",
-                   "must have as many elements as gripper.curve_speed_m_s, two at least; they have " +
-                       std::to_string(force.size()) + " and " + std::to_string(speed.size())});
+    refuse("curve_force_N", "must have as many elements as gripper.curve_speed_m_s, two at least; they have " +
+                                std::to_string(force.size()) + " and " + std::to_string(speed.size()));
     return;
   }
   if (speed.empty()) return;
-  if (speed.front() != 0.0) refuse("curve_speed_m_s", 0, speed.front(), "must be 0: a curve starts at rest");
-  if (!(force.front() > 0.0)) refuse("curve_force_N", 0, force.front(), "must be > 0: at rest the drive presses");
+  if (speed.front() != 0.0)
+    refuse("curve_speed_m_s", "must begin with 0, not " + spelled(speed.front()) + ": at rest");
+  if (!(force.front() > 0.0)) refuse("curve_force_N", "must begin with more than 0: at rest the drive presses");
   for (std::size_t i = 1; i < speed.size(); ++i) {
-    if (!(speed[i] > speed[i - 1])) {
-      refuse("curve_speed_m_s", i, speed[i], "must be > the speed before it, " + spelled(speed[i - 1]));
-    }
+    if (!(speed[i] > speed[i - 1]))
+      refuse("curve_speed_m_s", "must rise: " + spelled(speed[i]) + " follows " + spelled(speed[i - 1]));
     if (force[i] > force[i - 1]) {
-      refuse("curve_force_N", i, force[i],
-             "must be <= the force before it, " + spelled(force[i - 1]) +
-                 ": a drive does not press harder the faster it goes");
+      refuse("curve_force_N", "must not rise: " + spelled(force[i]) + " follows " + spelled(force[i - 1]) +
+                                  ", and no drive presses harder the faster it goes");
     }
   }
 }

@@ -395,15 +395,15 @@ std::vector<Breach> handling_breaches() {
          jaw_of(s).curve_speed_m_s = {0.0, 0.1, 0.2};
          jaw_of(s).curve_force_N = {100.0, 0.0};
        }},
-      {"gripper.curve_speed_m_s[0]", "must be 0: a curve starts at rest", curved_grip,
+      {"gripper.curve_speed_m_s", "must begin with 0, not 0.01", curved_grip,
        [](S s) { jaw_of(s).curve_speed_m_s[0] = 0.01; }},
-      {"gripper.curve_speed_m_s[2]", "must be > the speed before it, 0.3", curved_grip,
+      {"gripper.curve_speed_m_s", "must rise: 0.2 follows 0.3", curved_grip,
        [](S s) { jaw_of(s).curve_speed_m_s[2] = 0.2; }},
-      {"gripper.curve_force_N[0]", "must be > 0: at rest the drive presses", curved_grip,
+      {"gripper.curve_force_N", "must begin with more than 0", curved_grip,
        [](S s) {
          jaw_of(s).curve_force_N = {0.0, 0.0, 0.0};
        }},
-      {"gripper.curve_force_N[1]", "must be <= the force before it, 100.0", curved_grip,
+      {"gripper.curve_force_N", "must not rise: 110.0 follows 100.0", curved_grip,
        [](S s) { jaw_of(s).curve_force_N[1] = 110.0; }},
       {"gripper.max_force_N", "must be <= gripper.curve_force_N[0] = 100.0", curved_grip,
        [](S s) { jaw_of(s).max_force_N = 120.0; }},

@@ -49,7 +49,7 @@ TEST(GripperLibrary, IsReadAndPlausible) {
     EXPECT_LT(jaw.min_force_N, jaw.max_force_N) << file;
     EXPECT_LE(jaw.max_speed_m_s, 0.2) << file << ": of one finger";
     EXPECT_LE(jaw.stroke_m, 0.1) << file << ": of one finger";
-    if (jaw.opening_m) EXPECT_LE(2.0 * jaw.stroke_m, *jaw.opening_m + 1e-9) << file;
+    EXPECT_LE(2.0 * jaw.stroke_m, jaw.opening_m.value_or(1.0) + 1e-9) << file;
     // What it may carry is what its force holds at a friction of 0.1 to 1, the makers' safety factors beside.
     if (!jaw.payload_kg) continue;
     const double friction = *jaw.payload_kg * 9.81 / (2.0 * jaw.max_force_N);

@@ -13,6 +13,7 @@
 #include <ctime>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -362,4 +363,10 @@ int run() {
 }  // namespace
 }  // namespace unbruised::benchmarks
 
-int main() { return unbruised::benchmarks::run(); }
+/// With the word "pads" only what pads that are bodies add.
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "pads") {
+    return unbruised::benchmarks::compare_pads() ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  return unbruised::benchmarks::run();
+}

@@ -36,7 +36,6 @@ struct LaneSimulation::Impl {
   void solve_step();
   void solve_contacts_and_product(const Mask& lanes);
   void advance_state();
-  void advance_pads();
   void observe_lanes();
 
   void abort_lanes(const Mask& lanes, const char* cause);
@@ -54,9 +53,6 @@ struct LaneSimulation::Impl {
   [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
   /// Null: the pads are layers.
   [[nodiscard]] const PadLanes* padded() const { return pads ? &*pads : nullptr; }
-  [[nodiscard]] std::array<LaneVector, kJawFingers> outer_of_pads() const {
-    return pad_accelerations(theta, body.gravity(), *pads, gripper, parts.frame == ProductFrame::floating);
-  }
   [[nodiscard]] LaneRun& run_of(int lane) {
     require(is_lane(lane), "LaneSimulation: there is no such lane");
     return run[static_cast<std::size_t>(lane)];
@@ -164,7 +160,10 @@ void LaneSimulation::Impl::step() {
   contact.forget_events();
   timer = PartTimer(timing);
   follow_plans();
-  if (pads) pads->begin_step(gripper, outer_of_pads(), running);
+  if (pads) {
+    const bool turns = parts.frame == ProductFrame::floating;
+    pads->begin_step(gripper, pad_accelerations(theta, body.gravity(), *pads, gripper, turns), running);
+  }
   gripper.begin_step(w, command, pads ? &pads->on_fingers() : nullptr);
   if (mounts.any()) mounts.begin_step(w);
   body.begin_step(running);
@@ -291,7 +290,10 @@ void LaneSimulation::Impl::advance_state() {
   } else {
     body.advance(running);
   }
-  if (pads) advance_pads();
+  for (int pad = 0; pads && pad < kFingerCount; ++pad) {
+    const Lane way_theta = gripper.way_at_theta(pad, contact.sweep().pad_force());
+    pads->advance(pad, contact.pad_face_force(pad), way_theta, running);
+  }
   gripper.advance(w, contact.sweep().pad_force(), running);
   if (pads) pads->book_step(gripper, running);
   if (mounts.any()) mounts.advance(w, contact.mount_wrench(), running);
@@ -299,13 +301,6 @@ void LaneSimulation::Impl::advance_state() {
   material->end_step(w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
-}
-
-void LaneSimulation::Impl::advance_pads() {
-  for (int pad = 0; pad < kJawFingers; ++pad) {
-    pads->advance(pad, contact.pad_face_force(pad), gripper.way_at_theta(pad, contact.sweep().pad_force()),
-                  running);
-  }
 }
 
 void LaneSimulation::Impl::observe_lanes() {
@@ -397,14 +392,6 @@ void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
 void LaneSimulation::record_trace(int lane, Trace& trace) {
   impl_->contact.note_events(lane);
   watch(lane, std::make_unique<TraceRecorder>(trace, impl_->balances));
-}
-
-ScenarioResult simulate(const std::shared_ptr<const Model>& model, const Scenario& scenario, Trace* trace) {
-  LaneSimulation simulation(model);
-  simulation.load(0, scenario);
-  if (trace != nullptr) simulation.record_trace(0, *trace);
-  while (simulation.busy(0)) simulation.step();
-  return simulation.finished().front().result;
 }
 
 }  // namespace unbruised

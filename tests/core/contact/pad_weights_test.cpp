@@ -95,7 +95,7 @@ TEST_P(Meshings, GiveEachForceToThePadInItsOwnPlace) {
 
 INSTANTIATE_TEST_SUITE_P(PadWeights, Meshings,
                          ::testing::Values(Meshes{7, 7, 1.0, 0.0}, Meshes{7, 5, 1.0, 0.0}, Meshes{5, 12, 1.0, 0.0},
-                                           Meshes{7, 7, 0.6, 0.0}, Meshes{7, 4, 0.6, 0.15}, Meshes{6, 9, 0.5, 0.7},
+                                           Meshes{7, 7, 0.6, 0.0}, Meshes{7, 4, 0.6, 0.1}, Meshes{6, 9, 0.5, 0.7},
                                            Meshes{3, 8, 1.4, 0.0}, Meshes{8, 3, 1.3, -0.2}));
 
 TEST(PadWeights, OfASliverUnderThePadsEdgeStayPositive) {

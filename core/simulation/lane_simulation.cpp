@@ -290,7 +290,7 @@ void LaneSimulation::Impl::advance_state() {
   } else {
     body.advance(running);
   }
-  for (int pad = 0; pads && pad < kFingerCount; ++pad) {
+  for (int pad = 0; pads && pad < kJawFingers; ++pad) {
     const Lane way_theta = gripper.way_at_theta(pad, contact.sweep().pad_force());
     pads->advance(pad, contact.pad_face_force(pad), way_theta, running);
   }

@@ -72,13 +72,6 @@ void drive_gets_there(std::string_view field, double speed_m_s, const Scenario& 
                  "must be < " + spelled(most) + ", the speed at which gripper.curve_force_N has fallen to 0"});
 }
 
-void safety_is_safe(const Scenario& s, Violations& out) {
-  const auto* jaw = parallel_jaw(s);
-  if (jaw == nullptr || !jaw->safety_factor || *jaw->safety_factor >= 1.0) return;
-  out.push_back({"gripper.safety_factor", spelled(*jaw->safety_factor),
-                 "must be >= 1: it multiplies the force that just holds"});
-}
-
 }  // namespace
 
 std::vector<Rule> holding_rules() {
@@ -104,7 +97,6 @@ std::vector<Rule> holding_rules() {
        [](const Scenario& s, Violations& out) {
          drive_gets_there("strategy.release_speed_m_s", s.strategy.release_speed_m_s, s, out);
        }},
-      {{"gripper.safety_factor"}, ">= 1", safety_is_safe},
   };
 }
 

@@ -1,6 +1,7 @@
 // The sizing sheet: what makers' rules ask for beside what was simulated, and what else the gripper has to bear.
 // Every number and sentence comes from the table `sizing`; here they are only drawn, on one page of paper.
 
+import { judgesDamage } from "./claims.js";
 import { h, scrollBox, select } from "./dom.js";
 import { keyColumns, rowsOf, textAttribute } from "./tables.js";
 import { number, quantity, valuesText } from "./words.js";
@@ -16,9 +17,13 @@ const LIMITS = ["margin", "largest_force", "payload", "jaw_moment"];
 /** Which verdict is good, which asks for a look, which is bad. */
 const TONES = { inside: "met", holds: "met", held: "met", within: "met", "too weak": "broken", "too strong": "broken", slips: "broken", beyond: "broken" };
 
+/** What is not told where nobody looked at damage. */
+const OF_DAMAGE = ["damage", "margin"];
+
 /** The items of one strategy, by name. */
-function itemsOf(table, strategy) {
-  const rows = rowsOf(table).filter((row) => table.at("strategy", row) === strategy);
+function itemsOf(study, table, strategy) {
+  const told = (row) => judgesDamage(study) || !OF_DAMAGE.includes(table.at("item", row));
+  const rows = rowsOf(table).filter((row) => table.at("strategy", row) === strategy && told(row));
   const item = (row) => Object.fromEntries(["value", "units", "together", "limit", "verdict", "says"].map((name) => [name, table.at(name, row)]));
   return new Map(rows.map((row) => [table.at("item", row), item(row)]));
 }
@@ -100,7 +105,7 @@ export function sizing(study) {
   const known = rowsOf(strategies);
   const best = known.find((row) => strategies.at("best", row) === 1) ?? known.find((row) => strategies.at("exists", row) === 1) ?? 0;
   const body = h("div", {});
-  const show = (row) => body.replaceChildren(...sheet(study, itemsOf(found, row), textAttribute(found, "note")).filter(Boolean));
+  const show = (row) => body.replaceChildren(...sheet(study, itemsOf(study, found, row), textAttribute(found, "note")).filter(Boolean));
   const title = h("p", { class: "sheet-title" });
   const choose = (row) => {
     title.textContent = known.length > 1 ? `At ${strategyName(strategies, row)}` : "";

@@ -165,11 +165,10 @@ class Sheet {
               strategy_.hold_is_bound ? "simulated: the least force tried holds already"
                                       : "simulated: holds from there on");
     add_force("set_point", strategy_.set_point.force_N, strategy_.set_point.sentence);
-    const bool no_upper = std::isnan(strategy_.damage_force_N);
+    if (std::isnan(strategy_.damage_force_N)) return;  // nobody judged it
     add_force("damage", strategy_.damage_force_N,
-              no_upper                    ? "damage was not judged"
-              : strategy_.damage_is_bound ? "simulated: the greatest force tried does not mark it"
-                                          : "simulated: marks beyond it");
+              strategy_.damage_is_bound ? "simulated: the greatest force tried does not mark it"
+                                        : "simulated: marks beyond it");
     const double margin = strategy_.damage_force_N / strategy_.hold_force_N;
     add({.item = "margin",
          .value = margin,

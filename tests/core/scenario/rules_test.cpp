@@ -411,7 +411,6 @@ std::vector<Breach> handling_breaches() {
        curved_grip, [](S s) { s.strategy.approach_speed_m_s = 0.5; }},
       {"strategy.release_speed_m_s", "must be < 0.5, the speed at which gripper.curve_force_N has fallen to 0",
        curved_grip, [](S s) { s.strategy.release_speed_m_s = 0.5; }},
-      {"gripper.safety_factor", "must be >= 1", usual_grip, [](S s) { jaw_of(s).safety_factor = 0.5; }},
       {"gripper.opening_m", "must be > product.size_m[0]", usual_grip, [](S s) { jaw_of(s).opening_m = 0.04; }},
       {"cell.approach_gap_m", "contradicts", usual_grip,
        [](S s) {

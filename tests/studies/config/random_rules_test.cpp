@@ -115,6 +115,7 @@ class Writer {
     for (const KeySpec& spec : key_table()) {
       if (!spec.path.starts_with(table) || spec.field == nullptr || spec.path.find("[]") != std::string_view::npos)
         continue;
+      if (spec.type == KeyType::series) continue;  // lists that have to fit each other
       if (std::find(written.begin(), written.end(), spec.path) != written.end() || !is_chosen(spec, share))
         continue;
       std::string value;

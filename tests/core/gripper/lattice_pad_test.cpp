@@ -7,6 +7,7 @@
 
 #include "core/gripper/pad_lanes.hpp"
 #include "core/scenario/pad_lattice.hpp"
+#include "tests/core/gripper/pad_stiffness.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -98,6 +99,67 @@ TEST(LatticePads, SlipWhereFrictionSaysSo) {
   }
   EXPECT_NEAR(found / wanted, 1.0, 0.03);
   std::cout << "[ measured ] slips up to " << found / wanted << " of m (g + a) / (2 mu)\n";
+}
+
+TEST(LatticePads, AreShearedByTheWeightThatHangsOnThem) {
+  // Firm and square, so that the faces of the pads stay plane: each carries half of the weight.
+  Scenario scenario = small_box();
+  lattice_of(scenario).youngs_modulus_Pa = 1e7;
+  const double side_m = 0.02, modulus_Pa = 1e5, thickness_m = 0.008;
+  make_pads(scenario, side_m, thickness_m, 0.004, modulus_Pa, 0.45);
+  scenario.cell.transfer_m = {0.0, 0.0};
+  scenario.strategy.grip_force_N = 1.0;
+  scenario.strategy.hold_s = 0.5;
+  Trace trace;
+  const ScenarioResult result = run(scenario, &trace);
+  ASSERT_EQ(result.outcome, Outcome::held) << result.cause;
+  const std::vector<double> palm = column(trace, "palm_position_m", 2);
+  std::size_t at = 0;  // the last moment of the hold
+  for (std::size_t i = 0; i < palm.size(); ++i) {
+    if (palm[i] == largest(palm)) at = i;
+  }
+  ASSERT_GT(at, 0U);
+  const auto height = [&](std::size_t row) {
+    double sum = 0.0;
+    for (int p = 0; p < trace.particle_count; ++p) {
+      sum += trace.displacement_m[3 * (row * static_cast<std::size_t>(trace.particle_count) +
+                                       static_cast<std::size_t>(p)) + 2];
+    }
+    return sum / trace.particle_count;
+  };
+  const double sag_m = palm[at] - (height(at) - height(0));
+  std::string error;
+  const auto pad = build_pad(jaw_of(scenario), WilsonTheta(1e-3, 1.4), error);
+  ASSERT_TRUE(pad.has_value()) << error;
+  const double skin = kPadSkin * modulus_Pa / thickness_m / 3.0 * side_m * side_m;
+  const double expected_m =
+      0.5 * 0.008 * kGravity * (1.0 / stiffness_N_m(*pad, 2, true) + 1.0 / skin);
+  EXPECT_NEAR(sag_m / expected_m, 1.0, 0.02);
+  std::cout << "[ measured ] sags " << 1e6 * sag_m << " um, expected " << 1e6 * expected_m << " um\n";
+}
+
+/// Way of each finger in the grip, pressed and not moved.
+double pressed_m(double product_cell_m, double pad_cell_m) {
+  Scenario scenario = soft_grip();
+  lattice_of(scenario).cell_size_m = product_cell_m;
+  jaw_of(scenario).pad.cell_size_m = pad_cell_m;
+  only_grip(scenario);
+  scenario.strategy.grip_force_N = 1.0;
+  scenario.strategy.recover_s = 0.0;
+  return 0.5 * run(scenario).metrics[Metric::compression_max_m];
+}
+
+TEST(LatticePads, ConvergeWithEitherMesh) {
+  const double base = pressed_m(0.005, 0.004);
+  const double pad_2 = pressed_m(0.005, 0.00267), pad_3 = pressed_m(0.005, 0.002);
+  EXPECT_LT(std::abs(pad_3 - pad_2), 0.6 * std::abs(pad_2 - base));
+  EXPECT_LT(std::abs(pad_3 - pad_2), 0.02 * pad_3);
+  const double coarse = pressed_m(0.01, 0.004), fine = pressed_m(0.0033, 0.004);
+  EXPECT_LT(std::abs(fine - base), 0.6 * std::abs(base - coarse));
+  EXPECT_LT(std::abs(fine - base), 0.02 * base);
+  std::cout << "[ measured ] pad cells of 4, 2.67, 2 mm: " << 1e3 * base << ", " << 1e3 * pad_2 << ", "
+            << 1e3 * pad_3 << " mm; product cells of 10, 5, 3.3 mm: " << 1e3 * coarse << ", " << 1e3 * base << ", "
+            << 1e3 * fine << " mm\n";
 }
 
 TEST(LatticePads, CloseTheAccountOfEnergyTheBetterTheShorterTheStep) {

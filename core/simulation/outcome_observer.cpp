@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/scenario/layer_reach.hpp"
 #include "core/scenario/pad_meeting.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/words.hpp"
@@ -29,6 +30,18 @@ bool belt_has_ended(const LaneStep& step) {
   return place[0] * along[0] + place[1] * along[1] > *conveyor.length_m;
 }
 
+static_assert(kLargestLayerStrain == kFollowedLayerStrain);
+
+std::string pressed_too_deep(const Scenario& scenario) {
+  const auto* jaw = parallel_jaw(scenario);
+  const bool by_points = jaw != nullptr && !jaw->pad.law_depth_m.empty();
+  return std::string(by_points
+                         ? "a pad is pressed in deeper than its law was measured, or the support or a surface "
+                           "of the cell"
+                         : "a pad, the support or a surface of the cell is pressed in") +
+         " by more than " + in_per_cent(kLargestLayerStrain) + " of its thickness";
+}
+
 /// What of a state the model does not describe; nothing where it describes it.
 std::optional<std::string> beyond_model(const LaneStep& step) {
   const LaneView& view = step.view;
@@ -52,8 +65,7 @@ std::optional<std::string> beyond_model(const LaneStep& step) {
   }
   if (belt_has_ended(step)) return "the belt carries the product beyond cell.conveyor.length_m before the lift";
   if (step.seen.layer_strain > kLargestLayerStrain) {
-    return "a pad, the support or a surface of the cell is pressed in by more than " +
-           in_per_cent(kLargestLayerStrain) + " of its thickness";
+    return pressed_too_deep(step.scenario);
   }
   if (view.contact.meets_rim()[step.lane]) {
     return "the product meets the rim of a [[cell.surface]], which is touched on its face only";

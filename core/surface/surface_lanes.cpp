@@ -2,6 +2,7 @@
 
 #include "core/door/require.hpp"
 #include "core/scenario/cell_surface.hpp"
+#include "core/scenario/layer_reach.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/pad_meeting.hpp"
@@ -26,7 +27,8 @@ void load_pad(int lane, const ParallelJawParameters& jaw, double layer_N_m3, Sur
     surface.curve.set(lane, *law, layer_N_m3 * jaw.pad_size_m[0] * jaw.pad_size_m[1]);
   }
   surface.edge_radius_m.set(lane, jaw.pad_edge_radius_m);
-  surface.thickness_m.set(lane, jaw.pad_thickness_m);
+  surface.thickness_m.set(
+      lane, jaw.pad.law_depth_m.empty() ? jaw.pad_thickness_m : jaw.pad.law_depth_m.back() / kFollowedLayerStrain);
   surface.relaxation_s.set(lane, is_layer ? jaw.pad_relaxation_time_s : 0.0);
 }
 

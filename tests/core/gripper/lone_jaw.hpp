@@ -60,9 +60,8 @@ class LoneJaw {
 
  private:
   [[nodiscard]] double spring_force_N(double way_m) const { return std::max(0.0, spring_N_m * (way_m - touch_m)); }
-  static std::array<Lane, kJawFingers> lanes(const Forces& contact_N) {
-    std::array<Lane, kJawFingers> all;
-    all.fill(Lane(0.0));
+  static FingerForces lanes(const Forces& contact_N) {
+    FingerForces all = without_force();
     for (std::size_t f = 0; f < kJawFingers; ++f) all[f].set(kLane, contact_N[f]);
     return all;
   }

@@ -126,7 +126,7 @@ PressedBlock make_block(double size_x_m, double side_m, double cell_m) {
   auto body = build_held_body(block, WilsonTheta(1e-3, 1.4), error);
   EXPECT_TRUE(body.has_value()) << error;
   ContactModel contact =
-      lattice_contact(block, *body->lattice, {ContactSet::pads_and_support, kFirstCellSurface, 0.01});
+      lattice_contact(block, *body->lattice, {.set = ContactSet::pads_and_support, .pressure_patch_m = 0.01});
   return {block, std::move(*body), std::move(contact)};
 }
 

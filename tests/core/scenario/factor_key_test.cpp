@@ -7,6 +7,7 @@
 
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
+#include "core/scenario/pad_face.hpp"
 #include "core/scenario/product_frame.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "tests/core/simulation/scenes.hpp"
@@ -51,6 +52,7 @@ class Perturbation {
   }
   template <class T>
   static void change(std::vector<T>& values) {
+    if (values.empty()) values.emplace_back();
     change(values.back());
   }
 
@@ -144,10 +146,11 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
                      [&](std::string_view, int, auto& parameters) { visit_fields(parameters, perturbation); });
     if (!perturbation.happened()) break;
     const bool key_changed = factor_key(changed) != factor_key(base);
-    // A rotation of the gripper that becomes one lets the product turn, a height to fall from lets it roll.
-    const bool decides = perturbation.decides() == Decides::model ||
-                         product_frame(changed) != product_frame(base) ||
-                         contact_set(changed) != contact_set(base);
+    // A rotation of the gripper that becomes one lets the product turn, a height to fall from lets it roll; the
+    // faces of shaped pads are met at places.
+    const bool decides =
+        perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base) ||
+        contact_set(changed) != contact_set(base) || has_shaped_pads(changed) != has_shaped_pads(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.
     const auto other = Model::build(changed, error);

@@ -13,16 +13,16 @@ constexpr double kFriction = 0.3;
 /// Without gravity: pads that turn about their axis faster than friction can drag the product along.
 Scenario wrenched(const std::array<double, 3>& size_m, double cell_size_m, double youngs_modulus_Pa,
                   double grip_force_N) {
-  Scenario scenario = tilted_block({1.0, 0.0, 0.0}, grip_force_N, 2.5e-4);
+  Scenario scenario = tilted_block({1.0, 0.0, 0.0}, grip_force_N, 5e-4);
   make_product(scenario, size_m, cell_size_m, 0.2, youngs_modulus_Pa).friction = kFriction;
   jaw_of(scenario).pad_relaxation_time_s = 1e-3;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
   scenario.strategy.lift_acceleration_m_s2 = 20.0;
   scenario.strategy.tilt_speed_rad_s = 50.0;
-  scenario.strategy.tilt_acceleration_rad_s2 = 2000.0;
-  scenario.strategy.hold_s = 0.0;
+  scenario.strategy.tilt_acceleration_rad_s2 = 700.0;
   scenario.limits.slip_rad = 0.2;
+  scenario.simulation.duration_s = 0.4;  // to within the turn
   return scenario;
 }
 
@@ -43,7 +43,7 @@ double friction_lever_m(const Scenario& scenario) {
     force += std::abs(of_finger[0]) + std::abs(of_finger[3]);
     ++rows;
   }
-  EXPECT_GT(rows, 10);
+  EXPECT_GT(rows, 6);
   return torque / (kFriction * force);
 }
 
@@ -53,7 +53,7 @@ TEST(Torsion, OfAnEvenlyPressedPatchIsFrictionTimesTheMeanDistanceFromItsMiddle)
   Scenario square = wrenched({0.01, 0.04, 0.04}, 0.0025, 2e7, 2.0);
   jaw_of(square).pad_size_m = {0.03, 0.03};
   EXPECT_NEAR(friction_lever_m(square) / (0.03 * (std::sqrt(2.0) + std::asinh(1.0)) / 6.0), 1.0, 0.03);
-  Scenario disc = wrenched({0.01, 0.03, 0.03}, 0.0015, 2e7, 2.0);
+  Scenario disc = wrenched({0.01, 0.03, 0.03}, 0.002, 2e7, 2.0);
   lattice_of(disc).shape = Shape::cylinder;
   lattice_of(disc).axis = Axis::x;
   jaw_of(disc).pad_size_m = {0.04, 0.04};
@@ -65,11 +65,10 @@ TEST(Torsion, OfAHertzianPatchIsThreePiSixteenthsOfItsRadius) {
   constexpr double kRadius_m = 0.02, kPatch_m = 0.3 * kRadius_m, kModulus_Pa = 2e5;
   const double plane_Pa = kModulus_Pa / (1.0 - 0.25 * 0.25);
   const double force_N = 4.0 * plane_Pa * kPatch_m * kPatch_m * kPatch_m / (3.0 * kRadius_m);
-  Scenario sphere = wrenched({0.04, 0.04, 0.04}, 0.04 / 24, kModulus_Pa, force_N);
+  Scenario sphere = wrenched({0.04, 0.04, 0.04}, 0.002, kModulus_Pa, force_N);
   lattice_of(sphere).shape = Shape::sphere;
   jaw_of(sphere).pad_modulus_Pa = 1e7;
   jaw_of(sphere).pad_thickness_m = 1e-3;
-  sphere.strategy.settle_s = 0.3;
   EXPECT_NEAR(friction_lever_m(sphere) / (3.0 * std::numbers::pi / 16.0 * kPatch_m), 1.0, 0.03);
 }
 
@@ -97,17 +96,18 @@ double share_at_arm(double side_m, double arm_m) {
   return friction_about(far_m)[0];
 }
 
-/// A stiff block of 60 mm and 0.1 kg, lifted slowly and held by pads of 30 mm beside its middle.
+/// A stiff block of 50 mm and 0.1 kg, lifted slowly and held by pads of 30 mm beside its middle.
 Scenario beside_its_middle(double offset_m, double share_of_limit) {
   Scenario scenario = tilted_block({}, 1.0, 2e-3);
-  LatticeParameters& block = make_product(scenario, {0.06, 0.06, 0.06}, 0.005, 0.1, 2e7);
+  LatticeParameters& block = make_product(scenario, {0.05, 0.05, 0.05}, 0.005, 0.1, 2e7);
   block.friction = 0.6;
   scenario.cell.grip_offset_m = offset_m;
-  scenario.cell.lift_height_m = 0.1;
+  scenario.cell.lift_height_m = 0.05;
   scenario.strategy.profile = ProfileKind::minimum_jerk;
   scenario.strategy.lift_acceleration_m_s2 = 0.2;
   scenario.strategy.settle_s = 0.2;
   scenario.strategy.hold_s = 1.0;
+  scenario.simulation.duration_s = 2.6;
   scenario.limits.slip_rad = 0.02;
   scenario.limits.slip_m = 5e-4;
   const double weight_N = 0.1 * (kGravity + scenario.strategy.lift_acceleration_m_s2);
@@ -119,7 +119,7 @@ Scenario beside_its_middle(double offset_m, double share_of_limit) {
 TEST(Torsion, AProductGrippedBesideItsMiddleTurnsWhenAndOnlyWhenItsPatchesCannotCarryIt) {
   std::vector<Scenario> scenarios;
   std::vector<double> shares;
-  for (const double offset_m : {0.005, 0.010, 0.015}) {
+  for (const double offset_m : {0.005, 0.010}) {
     for (const double share : {0.9, 0.97, 1.03, 1.1}) {
       scenarios.push_back(beside_its_middle(offset_m, share));
       shares.push_back(share);

@@ -11,12 +11,24 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/grippers.md"
 BEGIN, END = "<!-- made by scripts/gripper_table.py -->", "<!-- end -->"
-MADE_UP = ("force_limited", "independent_fingers", "parallel_jaw", "parallel_jaw_firm")
+MADE_UP = {"bare_aluminium", "foam_10kPa", "foam_2kPa", "foam_5kPa", "foam_pads", "force_limited", "independent_fingers",
+           "jaw_convex", "jaw_cradle", "jaw_groove", "jaw_sphere", "parallel_jaw", "parallel_jaw_firm", "soft_silicone_pads",
+           "three_jaw"}
+
+
+def flat(table, before=""):
+    """A table of tables by its dotted keys."""
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from flat(value, before + key + ".")
+        else:
+            yield before + key, value
 
 
 def read(path):
     with path.open("rb") as file:
-        return tomllib.load(file)
+        gripper = tomllib.load(file)
+    return gripper | {"source": dict(flat(gripper.get("source", {})))}
 
 
 def standing(gripper, key):

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Presses a cube between two square pads that end within its faces, with brick elements of its own (Debian: python3-scipy).
 
 One eighth of the cube: bricks with eight corners and incompatible modes, small strains, no friction; the pads are rigid

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Boundary elements of a pad that presses an elastic half-space through a layer (Debian: python3-numpy).
 
 Pressures on a grid of squares, the deflection by fast Fourier transforms, no friction, conjugate gradients on what

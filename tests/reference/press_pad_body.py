@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Stiffness of a block of rubber between a bonded back and a face that is pressed in as a whole, by finite elements
 that share nothing with the lattice: bricks of 27 nodes, 27 integration points, a quarter of the block.
 

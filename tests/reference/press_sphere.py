@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Presses a sphere of yielding flesh against a layer of springs, with CalculiX (Debian: calculix-ccx).
 
 One half of the sphere, axisymmetric quadratic elements with reduced integration (CAX8R), J2 plasticity with linear

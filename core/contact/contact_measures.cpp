@@ -11,6 +11,9 @@ namespace {
 
 /// Of a cell's face that a contact must cover for its depth to count; a corner of a face covers a quarter.
 constexpr double kLeastCover = 0.2;
+/// Peak of a pressure over the yield stress where the body below it first yields, of Hertz's on a sphere (Johnson
+/// 1985, section 6.1); flatter ones take a tenth more.
+constexpr double kPeakAtFirstYield = 1.6;
 /// A force that has no place [N].
 constexpr double kLeastForce_N = 1e-12;
 
@@ -34,6 +37,10 @@ void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
     pressed += max0(back);
   }
   layer_strain_ = max(layer_strain_, select(measures, pressed / surface.thickness_m, Lane(0.0)));
+  if (!surface.curve.any()) return;
+  const Lane deepest_Pa = surface.stiffness_N_m3 * of_layer * surface.curve.at(depth);
+  Lane& so_far = tally_[candidate.surface].deepest_Pa;
+  so_far = max(so_far, select(measures & surface.curve.lanes(), deepest_Pa, Lane(0.0)));
 }
 
 /// Notes when within the step a pad's contact closed.
@@ -137,6 +144,9 @@ Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
                            surfaces_[surface], is_pad(surface) || !model_.has_places(surface)};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));
   }
+  // Under a cushion that closes up the pressure has a peak which a mean over its patch does not show.
+  if (surfaces_[surface].curve.any())
+    ratio = max(ratio, tally_[surface].deepest_Pa / (Lane(kPeakAtFirstYield) * yield_stress));
   return ratio;
 }
 

@@ -156,18 +156,13 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   const Mask below = penetration <= contacts_.least_relief(c);
   const Lane from = select(below, Lane(0.0), old_normal);
   const Lane at = select(below, penetration + compliance * old_normal, penetration);
-  const Lane rate = rate_slope * at - viscous_.get(c);
-  LayerLaw law;
-  Lane down;
+  const LayerLaw law = layer_law(candidate, at, rate_slope * at - viscous_.get(c), rate_slope, contacts_.cover(c));
+  const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
+  Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
   if (surface.curve.any()) {
-    law = curved_layer_law(candidate, at, rate, rate_slope, contacts_.cover(c), surface.curve);
-    const Lane steepest = surface.curve.steepest(max0(penetration + compliance * old_normal));
-    down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) * steepest : law.slope;
-  } else {
-    law = layer_law(candidate, at, rate, rate_slope, contacts_.cover(c));
-    down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
+    const Lane by_law = force_by_law(c, penetration + compliance * old_normal, compliance);
+    wanted = select(surface.curve.lanes(), by_law, wanted);
   }
-  const Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
   const Lane normal = select(active, max0(wanted), old_normal);
   contacts_.normal_theta.put(c, normal);
   return normal - old_normal;

@@ -110,6 +110,8 @@ class ContactSweep {
   template <class Mounting>
   void update_shaped(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
                      TurnedNode& node);
+  /// Force of a layer with a law of its own that stands at `unloaded_m` without it.
+  [[nodiscard]] Lane force_by_law(std::size_t candidate, const Lane& unloaded_m, const Lane& compliance) const;
   Lane press(std::size_t candidate, const Lane& gap, const Lane& compliance, const Mask& active, Slope slope);
   std::array<Lane, 2> drag(std::size_t candidate, const std::array<Lane, 2>& r, const Lane& relaxed,
                            const Mask& active);

@@ -15,7 +15,7 @@ namespace unbruised {
 /// With depths d_q = p - relief_q and rate = tau p', force = (1/Q) sum_q [d_q > 0] (d_q + clamp(rate, -d_q, d_q)):
 /// the viscous part is never larger than the elastic one, so that the force is continuous where a place touches
 /// and never pulls. @param rate_slope d rate / d p
-/// A layer with a law of its own has e(d) for d and e'(d) rate for the rate.
+/// A layer with a law of its own has e(d) / d times that.
 struct LayerLaw {
   Lane force{0.0}, slope{0.0};
 
@@ -27,11 +27,12 @@ struct LayerLaw {
     slope += select(depth > Lane(0.0), Lane(1.0) + viscous_slope, Lane(0.0));
   }
   void add_place(const Lane& depth, const Lane& rate, const Lane& rate_slope, const LayerCurve& curve) {
-    const Lane d = max0(depth), steep = curve.slope(d);
-    LayerLaw bent;
-    bent.add_place(select(depth > Lane(0.0), curve.at(d), depth), steep * rate, rate_slope);
-    force += bent.force;
-    slope += steep * bent.slope;
+    // e(d) / d of a straight layer's: continuous where the law has a kink.
+    const Lane d = max(depth, Lane(1e-300)), secant = curve.at(d) / d;
+    LayerLaw straight;
+    straight.add_place(depth, rate, rate_slope);
+    force += secant * straight.force;
+    slope += (curve.slope(d) - secant) / d * straight.force + secant * straight.slope;
   }
 };
 

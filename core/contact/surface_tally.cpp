@@ -41,7 +41,7 @@ PlaceMoments place_moments(const ContactCandidate& candidate, const PressedPiece
 }  // namespace
 
 void SurfaceTally::clear_lane(int lane) {
-  for (Lane* value : {&normal, &closed, &sliding}) value->set(lane, 0.0);
+  for (Lane* value : {&normal, &closed, &sliding, &deepest_Pa}) value->set(lane, 0.0);
   for (Lane& value : tangent) value.set(lane, 0.0);
   for (Lane& value : first) value.set(lane, 0.0);
   for (Lane& value : second) value.set(lane, 0.0);

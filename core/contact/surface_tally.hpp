@@ -29,6 +29,7 @@ struct SurfaceTally {
   std::array<Lane, 2> first{Lane(0.0), Lane(0.0)};              ///< moments of the normal force over the plane
   std::array<Lane, 3> second{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< yy, zz, yz
   std::array<Lane, 3> torque{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< about the palm centre, on the product
+  Lane deepest_Pa{0.0};  ///< pressure where a layer with a law of its own is pressed in deepest
 
   /// Force on the product along x, y, z.
   [[nodiscard]] std::array<Lane, 3> force(int surface) const;

@@ -17,28 +17,26 @@ class LayerCurve {
  public:
   /// Has any lane a law?
   [[nodiscard]] bool any() const { return lanes_ > 0; }
+  /// Which ones?
+  [[nodiscard]] const Mask& lanes() const { return has_; }
   /// Forgets the law of a lane.
   void clear(int lane) {
-    if (has_[static_cast<std::size_t>(lane)]) --lanes_;
-    has_[static_cast<std::size_t>(lane)] = false;
+    if (has_[lane]) --lanes_;
+    has_.set(lane, false);
     for (std::size_t i = 0; i < kMostLawTerms; ++i) term_[i].set(lane, i == 0 ? 1.0 : 0.0);
     for (Knot& knot : knot_) knot.slope.set(lane, 0.0);
-    steepest_.set(lane, 1.0);
   }
   /// @param force_per_depth_N_m of the pad at e(d) = d
   void set(int lane, const PadLaw& law, double force_per_depth_N_m) {
     clear(lane);
     ++lanes_;
-    has_[static_cast<std::size_t>(lane)] = true;
+    has_.set(lane, true);
     for (std::size_t i = 0; i < kMostLawTerms; ++i) term_[i].set(lane, law.term_N[i] / force_per_depth_N_m);
     if (knot_.size() < law.knot_m.size()) knot_.resize(law.knot_m.size());
-    double slope = law.term_N[0], steepest = slope;
     for (std::size_t j = 0; j < law.knot_m.size(); ++j) {
       knot_[j].depth.set(lane, law.knot_m[j]);
       knot_[j].slope.set(lane, law.slope_N_m[j] / force_per_depth_N_m);
-      steepest = std::max(steepest, slope += law.slope_N_m[j]);
     }
-    steepest_.set(lane, steepest / force_per_depth_N_m);
   }
 
   /// e(d). @param d >= 0
@@ -67,13 +65,6 @@ class LayerCurve {
     }
     return sum;
   }
-  /// No slope up to a depth is larger.
-  [[nodiscard]] Lane steepest(const Lane& d) const {
-    Lane slope(0.0);
-    for (std::size_t i = kMostLawTerms; i-- > 1;)
-      slope = slope * d + Lane(static_cast<double>(i + 1)) * abs(term_[i]);
-    return steepest_ + slope * d;
-  }
 
  private:
   struct Knot {
@@ -81,8 +72,7 @@ class LayerCurve {
   };
   std::array<Lane, kMostLawTerms> term_{Lane(1.0), Lane(0.0), Lane(0.0), Lane(0.0)};
   std::vector<Knot> knot_;
-  Lane steepest_{1.0};
-  std::array<bool, kLanes> has_{};
+  Mask has_{false};
   int lanes_ = 0;
 };
 

@@ -98,7 +98,7 @@ Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
   const Lane speed = a1_ * way_theta - state_[finger].viscous;
   const Lane wanted = gain_ * (command_.set_speed_m_s - speed);
   Lane least = state_[finger].least, most = command_.force_limit_N;
-  if (any(curve_.given())) {
+  if (curve_.any_given()) {
     least = max(least, -curve_.force_N(-speed));
     most = min(most, curve_.force_N(speed));
   }
@@ -160,7 +160,7 @@ Lane FingerLanes::driven_way_at_theta(int finger, const Lane& contact) const {
   Lane way = free_way_at_theta(finger, contact);
   const Mask stopped = way > stroke_;
   if (any(stopped)) way = select(stopped, stopped_way_at_theta(finger, contact), way);
-  if (any(curve_.given())) way = select(curve_.given(), curved_way_at_theta(finger, contact), way);
+  if (curve_.any_given()) way = select(curve_.given(), curved_way_at_theta(finger, contact), way);
   return way;
 }
 

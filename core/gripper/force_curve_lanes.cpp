@@ -5,6 +5,7 @@ namespace unbruised {
 void ForceCurveLanes::load(int lane, std::span<const double> speed_m_s, std::span<const double> force_N) {
   const std::size_t count = force_N.size();
   given_.set(lane, count > 0);
+  any_given_ = any(given_);
   if (piece_.size() < count) piece_.resize(count, piece_.back());
   for (std::size_t i = 0; i < piece_.size(); ++i) {
     const std::size_t at = i < count ? i : count - 1;  // where there is one

@@ -20,8 +20,9 @@ class ForceCurveLanes {
 
   /// @param speed_m_s ascending from 0 @param force_N as many, not rising; none: no limit
   void load(int lane, std::span<const double> speed_m_s, std::span<const double> force_N);
-  /// Has a lane a curve?
+  /// Lanes that have a curve, and is there one?
   [[nodiscard]] const Mask& given() const { return given_; }
+  [[nodiscard]] bool any_given() const { return any_given_; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return piece_; }
   /// Largest force at a speed along it.
   [[nodiscard]] Lane force_N(const Lane& speed_m_s) const;
@@ -31,6 +32,7 @@ class ForceCurveLanes {
   static constexpr double kUnlimited = 1e200;
 
   Mask given_{false};
+  bool any_given_ = false;
   std::vector<Piece> piece_ = std::vector<Piece>(1);
 };
 

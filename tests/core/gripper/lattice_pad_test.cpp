@@ -123,7 +123,8 @@ TEST(LatticePads, AreShearedByTheWeightThatHangsOnThem) {
     double sum = 0.0;
     for (int p = 0; p < trace.particle_count; ++p) {
       sum += trace.displacement_m[3 * (row * static_cast<std::size_t>(trace.particle_count) +
-                                       static_cast<std::size_t>(p)) + 2];
+                                       static_cast<std::size_t>(p)) +
+                                  2];
     }
     return sum / trace.particle_count;
   };
@@ -132,8 +133,7 @@ TEST(LatticePads, AreShearedByTheWeightThatHangsOnThem) {
   const auto pad = build_pad(jaw_of(scenario), WilsonTheta(1e-3, 1.4), error);
   ASSERT_TRUE(pad.has_value()) << error;
   const double skin = kPadSkin * modulus_Pa / thickness_m / 3.0 * side_m * side_m;
-  const double expected_m =
-      0.5 * 0.008 * kGravity * (1.0 / stiffness_N_m(*pad, 2, true) + 1.0 / skin);
+  const double expected_m = 0.5 * 0.008 * kGravity * (1.0 / stiffness_N_m(*pad, 2, true) + 1.0 / skin);
   EXPECT_NEAR(sag_m / expected_m, 1.0, 0.02);
   std::cout << "[ measured ] sags " << 1e6 * sag_m << " um, expected " << 1e6 * expected_m << " um\n";
 }

@@ -143,6 +143,7 @@ double pressed_m(double product_cell_m, double pad_cell_m) {
   Scenario scenario = soft_grip();
   lattice_of(scenario).cell_size_m = product_cell_m;
   jaw_of(scenario).pad.cell_size_m = pad_cell_m;
+  scenario.simulation.time_step_s = 2e-3;
   only_grip(scenario);
   scenario.strategy.grip_force_N = 1.0;
   scenario.strategy.recover_s = 0.0;

@@ -86,19 +86,32 @@ PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const s
   return form_of(patch_area(product, axis, tangent), product, axis, tangent, center_m);
 }
 
-PatchForm form_under_pad(const Scenario& scenario, const PatchForm& before_plane) {
-  const auto* product = std::get_if<LatticeParameters>(&scenario.product);
-  const auto* jaw = parallel_jaw(scenario);
-  if (product == nullptr || jaw == nullptr) return before_plane;
-  const PadFace face(*jaw);
-  PatchForm form = form_of(pad_patch_area(*product, face), *product, 0, {1, 2},
+namespace {
+
+PatchForm under_pad(const NetworkParameters& /*product*/, const ParallelJawParameters& /*jaw*/,
+                    const PatchForm& before_plane) {
+  return before_plane;
+}
+
+PatchForm under_pad(const LatticeParameters& product, const ParallelJawParameters& jaw,
+                    const PatchForm& before_plane) {
+  const PadFace face(jaw);
+  PatchForm form = form_of(pad_patch_area(product, face), product, 0, {1, 2},
                            {0.0, before_plane.middle_m[0], before_plane.middle_m[1]});
   form.bounded = true;
-  if (jaw->pad.shape == PadShape::v_groove) {
+  if (jaw.pad.shape == PadShape::v_groove) {
     form.patches = 2.0;
     form.share = 0.5 / face.groove_cosine();
   }
   return form;
+}
+
+}  // namespace
+
+PatchForm form_under_pad(const Scenario& scenario, const PatchForm& before_plane) {
+  const auto* jaw = parallel_jaw(scenario);
+  if (jaw == nullptr) return before_plane;
+  return std::visit([&](const auto& product) { return under_pad(product, *jaw, before_plane); }, scenario.product);
 }
 
 }  // namespace unbruised

@@ -151,7 +151,7 @@ template <FieldsOf<PadParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [kind, shape, along, radius_m, half_angle_rad, profile_place_m, profile_height_m, law_depth_m, law_force_N,
          law_coefficients, cell_size_m, density_kg_m3] = p;
-  visit({"kind", Decides::model}, kind);
+  visit({"kind", Decides::run}, kind);  // bodies add what they are made of: factor_key.cpp
   visit({"shape", Decides::run}, shape);
   visit({"along", Decides::run}, along);
   visit({"radius_m", Decides::run, kAnyNumber}, radius_m);

@@ -8,6 +8,7 @@
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/pad_face.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product_frame.hpp"
 #include "core/simulation/model_parts.hpp"
 #include "tests/core/simulation/scenes.hpp"
@@ -150,7 +151,8 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
     // faces of shaped pads are met at places.
     const bool decides =
         perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base) ||
-        contact_set(changed) != contact_set(base) || has_shaped_pads(changed) != has_shaped_pads(base);
+        contact_set(changed) != contact_set(base) || has_shaped_pads(changed) != has_shaped_pads(base) ||
+        has_lattice_pads(changed) != has_lattice_pads(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.
     const auto other = Model::build(changed, error);

@@ -264,7 +264,7 @@ std::vector<Breach> finger_breaches() {
          jaw_of(s).finger[1].angle_rad.reset();
          jaw_of(s).finger[1].direction = {0.0, 0.0, 0.0};
        }},
-      {"gripper.finger[1].angle_rad", "its pad meets that of gripper.finger[0]", three_jaw,
+      {"gripper.finger[2].angle_rad", "its pad meets that of gripper.finger[0]", three_jaw,
        [](S s) {
          jaw_of(s).pad_size_m = {0.1, 0.02};
        }},

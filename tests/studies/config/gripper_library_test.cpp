@@ -14,8 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Grippers that nobody makes.
-const std::set<std::string> kMadeUp = {"force_limited", "independent_fingers", "parallel_jaw",
-                                       "parallel_jaw_firm"};
+const std::set<std::string> kMadeUp = {
+    "bare_aluminium",      "foam_10kPa",         "foam_2kPa",   "foam_5kPa",   "foam_pads",    "force_limited",
+    "jaw_convex",          "jaw_cradle",         "jaw_groove",  "jaw_sphere",  "parallel_jaw", "parallel_jaw_firm",
+    "independent_fingers", "soft_silicone_pads", "soft_tip_v1", "soft_tip_v2", "three_jaw"};
 
 std::vector<fs::path> real_grippers() {
   std::vector<fs::path> files;

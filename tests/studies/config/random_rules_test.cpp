@@ -102,7 +102,8 @@ class Writer {
     const std::set<Use> conditional = {Use::network,       Use::cylinder,   Use::tracking,    Use::stop,
                                        Use::range,         Use::guard,      Use::range_guard, Use::force_guard,
                                        Use::position_hold, Use::not_gripper};
-    return chance(conditional.contains(spec.use) ? 0.15 * share : share);
+    const bool is_rare = conditional.contains(spec.use) || spec.path.starts_with("gripper.pad.");
+    return chance(is_rare ? 0.15 * share : share);
   }
 
   /// Some keys of a table.

@@ -50,10 +50,10 @@ double friction_lever_m(const Scenario& scenario) {
 // Uniform pressure: the mean distance from the middle, 2/3 R of a disc and (sqrt 2 + ln(1 + sqrt 2)) / 6 of the
 // side of a square.
 TEST(Torsion, OfAnEvenlyPressedPatchIsFrictionTimesTheMeanDistanceFromItsMiddle) {
-  Scenario square = wrenched({0.01, 0.04, 0.04}, 0.0025, 2e7, 2.0);
+  Scenario square = wrenched({0.01, 0.0375, 0.0375}, 0.00375, 2e7, 2.0);
   jaw_of(square).pad_size_m = {0.03, 0.03};
   EXPECT_NEAR(friction_lever_m(square) / (0.03 * (std::sqrt(2.0) + std::asinh(1.0)) / 6.0), 1.0, 0.03);
-  Scenario disc = wrenched({0.01, 0.03, 0.03}, 0.002, 2e7, 2.0);
+  Scenario disc = wrenched({0.01, 0.03, 0.03}, 0.003, 2e7, 2.0);
   lattice_of(disc).shape = Shape::cylinder;
   lattice_of(disc).axis = Axis::x;
   jaw_of(disc).pad_size_m = {0.04, 0.04};

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/scenario/conveyor.hpp"
+#include "core/scenario/pad_face.hpp"
+#include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -57,6 +59,7 @@ bool hangs_off_centre(const Scenario& scenario) {
   constexpr double kCentred = 0.05;
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   if (lattice == nullptr || !has_gripper(scenario) || turns_product(scenario)) return false;
+  if (has_shaped_pads(scenario) || has_lattice_pads(scenario)) return false;
   return std::abs(scenario.cell.grip_offset_m) > kCentred * lattice->size_m[1] ||
          std::abs(scenario.cell.grip_height_m) > kCentred * lattice->size_m[2];
 }

@@ -36,7 +36,7 @@ std::vector<PalmStop> palm_stops(const Scenario& scenario);
 /// Does the palm turn the product?
 bool turns_product(const Scenario& scenario);
 /// Do the pads of a palm that stays upright hold the product beside its middle, by more than a twentieth of its
-/// extent? Weight and haste may then turn it between them.
+/// extent? Weight and haste may then turn it between them. Of flat pads with a layer: others know where it stands.
 bool hangs_off_centre(const Scenario& scenario);
 /// How the product is put down: the last of its stops where that is a waypoint, else upright over the place where
 /// the lift ended.

@@ -18,7 +18,7 @@ struct StoredEnergy {
 struct Dissipated {
   double damping = 0, plastic_flow = 0;  ///< of the product; what hardening stores is not lost
   double layer_viscosity = 0, friction = 0, layers_left = 0;
-  double gripper = 0;  ///< guides, end stop and pads that are bodies
+  double gripper = 0;  ///< guides, end stop, locks and pads that are bodies
   double mount = 0;    ///< a sensor's spring
 };
 

@@ -69,11 +69,19 @@ def draw_windows(axes, window):
     names = [NAMES.get(stem(text), stem(text)) for text in window["inputs"][USE]["values"]]
     hold, damage = window["hold_force_N"], window["damage_force_N"]
     for row, (low, high) in enumerate(zip(hold, damage)):
-        if high > low:
-            axes.barh(row, high - low, left=low, height=0.5, color="#1b9e77", alpha=0.7, lw=0)
-        for force, side in ((low, "right"), (high, "left")):
+        open_end = np.isnan(low)  # held at the least force looked at
+        if high > (0.0 if open_end else low):
+            axes.barh(row, high - (0.0 if open_end else low), left=0.0 if open_end else low, height=0.5,
+                      color="#1b9e77", alpha=0.7, lw=0)
+        elif not (np.isnan(low) or np.isnan(high)) or np.isnan(high):
+            axes.annotate("no window", (np.nanmax([low, high]), row), (10, 0), textcoords="offset points",
+                          va="center", fontsize=9, color=SOFT)
+            continue
+        for force, side in ((low, "left"), (high, "right")):
+            if np.isnan(force):
+                continue
             axes.plot([force, force], [row - 0.32, row + 0.32], color=INK, lw=1.2)
-            axes.annotate(f"{force:.3g}", (force, row), (-4 if side == "right" else 4, 0), textcoords="offset points",
+            axes.annotate(f"{force:.3g}", (force, row), (4 if side == "left" else -4, 0), textcoords="offset points",
                           ha=side, va="center", fontsize=8, color=INK)
     axes.set_yticks(range(len(names)), names)
     axes.invert_yaxis()

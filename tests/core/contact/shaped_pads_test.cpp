@@ -177,6 +177,7 @@ TEST(ShapedPads, TheFacesOfAGrooveShareTheForce) {
   pad_of(s).shape = PadShape::v_groove;
   pad_of(s).along = PadAlong::z;
   pad_of(s).half_angle_rad = half_angle;
+  jaw_of(s).pad_size_m[0] = 0.04;  // both patches lie within it
   s.strategy.grip_force_N = F;
   const AtRest groove = press(s);
   const double k = 1e6, L = 0.02, share = F / (2.0 * std::cos(alpha));

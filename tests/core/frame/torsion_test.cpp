@@ -10,7 +10,8 @@ using namespace testing;
 
 constexpr double kFriction = 0.3;
 
-/// Without gravity: pads that turn about their axis faster than friction can drag the product along.
+/// Without gravity: pads that turn about their axis faster than friction can drag the product along, after next to
+/// no lift.
 Scenario wrenched(const std::array<double, 3>& size_m, double cell_size_m, double youngs_modulus_Pa,
                   double grip_force_N) {
   Scenario scenario = tilted_block({1.0, 0.0, 0.0}, grip_force_N, 5e-4);
@@ -18,11 +19,12 @@ Scenario wrenched(const std::array<double, 3>& size_m, double cell_size_m, doubl
   jaw_of(scenario).pad_relaxation_time_s = 1e-3;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
-  scenario.strategy.lift_acceleration_m_s2 = 20.0;
+  scenario.cell.lift_height_m = 0.01;
+  scenario.strategy.lift_acceleration_m_s2 = 2.0;  // a third of what friction holds
   scenario.strategy.tilt_speed_rad_s = 50.0;
   scenario.strategy.tilt_acceleration_rad_s2 = 700.0;
   scenario.limits.slip_rad = 0.2;
-  scenario.simulation.duration_s = 0.4;  // to within the turn
+  scenario.simulation.duration_s = 0.5;  // to within the turn
   return scenario;
 }
 
@@ -34,9 +36,11 @@ double friction_lever_m(const Scenario& scenario) {
   const std::vector<double> angle_rad = column(trace, "slip_rad");
   double torque = 0.0, force = 0.0;
   int rows = 0;
-  for (std::size_t row = 0; row < trace.time_s.size(); ++row) {
-    // Beyond the angle at which all but the middle slides, and before the pads have turned far on the face.
-    if (!(angle_rad[row] > 0.04) || !(angle_rad[row] < 0.10)) continue;
+  for (std::size_t row = 1; row < trace.time_s.size(); ++row) {
+    // While the pads run ahead: from the angle on at which all but the middle slides, and before they have turned
+    // far on the face.
+    if (!(angle_rad[row] > 0.02) || !(angle_rad[row] < 0.10) || !(angle_rad[row] > angle_rad[row - 1] + 1e-3))
+      continue;
     const double* of_surface = signal(trace, "surface_torque_N_m").values.data() + 9 * row;
     const double* of_finger = signal(trace, "finger_force_N").values.data() + 6 * row;
     torque += of_surface[0] + of_surface[3];

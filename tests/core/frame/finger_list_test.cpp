@@ -85,11 +85,13 @@ TEST(FingerList, AxesOfAPadAreThoseOfItsFinger) {
   }
 }
 
-// Two listed fingers are a jaw whose product is met by places: the same forces, the same yield.
+// Two listed fingers are a jaw whose product is met by places: the same forces, the same yield, the better the
+// finer the cells. On cells of 8 mm the round one differs by 4, 20, 8 and 12 % in what is looked at.
 TEST(FingerList, TwoThatFaceEachOtherAreAParallelJaw) {
   for (const Shape shape : {Shape::cylinder, Shape::box}) {
     Scenario listed = round_block({std::numbers::pi, 0.0}, 1.0);
     lattice_of(listed).shape = shape;
+    lattice_of(listed).cell_size_m = 0.004;
     lattice_of(listed).yield_stress_Pa = 1e5;
     lattice_of(listed).tangent_modulus_Pa = 1e5;
     Scenario jaw = listed;
@@ -98,7 +100,7 @@ TEST(FingerList, TwoThatFaceEachOtherAreAParallelJaw) {
     EXPECT_EQ(a.outcome, Outcome::held) << a.cause;
     EXPECT_EQ(b.outcome, Outcome::held) << b.cause;
     for (const auto& [metric, share] :
-         {std::pair{Metric::peak_finger_force_N, 0.01}, std::pair{Metric::contact_yield_ratio_max, 0.03},
+         {std::pair{Metric::peak_finger_force_N, 0.03}, std::pair{Metric::contact_yield_ratio_max, 0.03},
           std::pair{Metric::friction_margin_min, 0.03}, std::pair{Metric::cycle_time_s, 0.01},
           std::pair{Metric::compression_max_m, 0.05}}) {
       EXPECT_NEAR(a.metrics[metric] / b.metrics[metric], 1.0, share)

@@ -1,34 +1,26 @@
 #include "core/algebra/lane_solve.hpp"
 
-#include <algorithm>
-
 #include "core/algebra/lane_solve_kernels.hpp"
 
 namespace unbruised {
-namespace {
-
-/// Two registers of it: with six rows, twelve accumulators.
-using Pack = LanePack<std::min(kLanes, 2 * static_cast<int>(Lane::Native::size()))>;
-
-}  // namespace
 
 void solve_forward(const SupernodalFactor& factor, double* x) {
-  for (const Supernode& s : factor.supernode) kernels::forward_supernode<Pack, kLanes>(factor, s, x);
+  for (const Supernode& s : factor.supernode) kernels::forward_supernode<Lane>(factor, s, x);
 }
 
 void solve_backward(const SupernodalFactor& factor, double* x) {
   for (std::size_t i = factor.supernode.size(); i-- > 0;) {
-    kernels::backward_supernode<Pack, kLanes>(factor, factor.supernode[i], x);
+    kernels::backward_supernode<Lane>(factor, factor.supernode[i], x);
   }
 }
 
 void solve_forward(const SupernodalFactor& factor, std::span<const int> reach, double* x) {
-  for (int s : reach) kernels::forward_supernode<Pack, kLanes>(factor, factor.supernode[s], x);
+  for (int s : reach) kernels::forward_supernode<Lane>(factor, factor.supernode[s], x);
 }
 
 void solve_backward(const SupernodalFactor& factor, std::span<const int> reach, double* x) {
   for (std::size_t i = reach.size(); i-- > 0;) {
-    kernels::backward_supernode<Pack, kLanes>(factor, factor.supernode[reach[i]], x);
+    kernels::backward_supernode<Lane>(factor, factor.supernode[reach[i]], x);
   }
 }
 

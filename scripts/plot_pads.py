@@ -35,25 +35,28 @@ def read_runs(path):
                 metrics["peak_pressure_Pa"][...], file["scenarios/outcome"][...])
 
 
-def draw_windows(axes, window):
+def draw_windows(axes, window, most_N):
     names = window["inputs"][KEY]["values"]
     for row, name in enumerate(names):
         label, colour = pads_of(name)
         low, high = window["hold_force_N"][row], window["damage_force_N"][row]
+        is_open = not np.isfinite(high)  # no damage up to the largest force that was tried
+        high = most_N if is_open else high
         axes.barh(row, high - low, left=low, height=0.55, color=colour, alpha=0.85)
         for place, side in ((low, "right"), (high, "left")):
-            axes.text(place + (-0.08 if side == "right" else 0.08), row, f"{place:.2g}", va="center", ha=side, fontsize=9)
+            text = f"above {place:.2g}" if is_open and side == "left" else f"{place:.2g}"
+            axes.text(place + (-0.08 if side == "right" else 0.08), row, text, va="center", ha=side, fontsize=9)
     axes.set_yticks(range(len(names)), [pads_of(name)[0] for name in names])
     axes.invert_yaxis()
-    axes.set_xlim(0, 1.15 * np.nanmax(window["damage_force_N"]))
+    axes.set_xlim(0, 1.25 * most_N)
     axes.set_xlabel("window of the grip force [N]")
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def draw_pressures(axes, runs):
+def draw_pressures(axes, runs, held_N):
     names, force, pressure, _ = runs
     for name in dict.fromkeys(names):
-        chosen = np.array([other == name for other in names]) & np.isfinite(pressure)
+        chosen = np.array([other == name for other in names]) & np.isfinite(pressure) & (force >= held_N)
         order = np.argsort(force[chosen])
         label, colour = pads_of(name)
         axes.plot(force[chosen][order], 1e-3 * pressure[chosen][order], "o-", color=colour, ms=3.5, lw=1.3, label=label)
@@ -70,8 +73,9 @@ def draw(path):
     if KEY not in data["window"]["inputs"]:
         raise Unsuitable(f"no column {KEY}: not the results of configs/soft_pads.toml")
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.4, 3.5))
-    draw_windows(left, data["window"])
-    draw_pressures(right, read_runs(path))
+    runs = read_runs(path)
+    draw_windows(left, data["window"], runs[1].max())
+    draw_pressures(right, runs, data["window"]["hold_force_N"].max())
     figure.tight_layout(w_pad=2.5)
     return figure
 

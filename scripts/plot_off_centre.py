@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
-from plot_tilt import share_at_arm
+from plot_tilt import even_square, share_at_arm
 from window_tables import Unsuitable, read_results
 
 KEY = "cell.grip_offset_m"
@@ -24,18 +24,13 @@ LOAD_N, FRICTION, PAD_M = 0.1 * (9.80665 + 0.3), 0.6, 0.020
 HELD = "#1b9e77"
 
 
-def even_square(count=300):
-    """Places along an edge of an evenly pressed pad, and the share of the force at each."""
-    return PAD_M * ((np.arange(count) + 0.5) / count - 0.5), np.full(count, 1.0 / count)
-
-
 def draw(data):
     window = data["window"]
     if KEY not in window["inputs"]:
         raise Unsuitable(f"no column {KEY}: not the results of configs/off_centre.toml")
     offsets_mm = 1e3 * np.asarray(window["inputs"][KEY]["values"])
     fine = np.linspace(0.0, 0.016, 65)
-    places = even_square()
+    places = even_square(PAD_M)
     low = np.array([0.5 * LOAD_N / FRICTION / share_at_arm(offset, places) for offset in fine])
     torque_alone = 0.5 * LOAD_N / FRICTION * fine / (0.3826 * PAD_M)
     figure, axes = plt.subplots(figsize=(7.2, 3.6))

@@ -23,9 +23,9 @@ WEIGHT_N, LIFT, FRICTION, PAD_M, ARM_M = 0.1 * 9.80665, 1 + 0.3 / 9.80665, 0.6, 
 HELD = "#1b9e77"
 
 
-def even_square(count=300):
+def even_square(pad_m, count=300):
     """Places along an edge of an evenly pressed pad, and the share of the force at each."""
-    return PAD_M * ((np.arange(count) + 0.5) / count - 0.5), np.full(count, 1.0 / count)
+    return pad_m * ((np.arange(count) + 0.5) / count - 0.5), np.full(count, 1.0 / count)
 
 
 def particles():
@@ -67,7 +67,7 @@ def draw(data):
     angles = np.degrees(window["inputs"][KEY]["values"])
     fine = np.linspace(0.0, np.pi, 91)
     figure, axes = plt.subplots(figsize=(7.2, 3.6))
-    axes.plot(np.degrees(fine), least_force(fine, even_square()), color=SOFT, lw=1.2, ls="--",
+    axes.plot(np.degrees(fine), least_force(fine, even_square(PAD_M)), color=SOFT, lw=1.2, ls="--",
               label="an evenly pressed square")
     low = least_force(fine, particles())
     axes.plot(np.degrees(fine), low, color=INK, lw=1.4, label="the 16 particles under a pad")

@@ -97,11 +97,14 @@ Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
 Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
   const Lane speed = a1_ * way_theta - state_[finger].viscous;
   const Lane wanted = gain_ * (command_.set_speed_m_s - speed);
-  Lane least = state_[finger].least, most = command_.force_limit_N;
-  if (curve_.any_given()) {
-    least = max(least, -curve_.force_N(-speed));
-    most = min(most, curve_.force_N(speed));
-  }
+  if (curve_.any_given()) return drive_on_curve(finger, speed, wanted);
+  return max(state_[finger].least, min(command_.force_limit_N, wanted));
+}
+
+// Apart, so that drives without curves stay one piece of code: the contact solve asks for them at every candidate.
+[[gnu::noinline]] Lane FingerLanes::drive_on_curve(int finger, const Lane& speed, const Lane& wanted) const {
+  const Lane least = max(state_[finger].least, -curve_.force_N(-speed));
+  const Lane most = min(command_.force_limit_N, curve_.force_N(speed));
   return max(least, min(most, wanted));
 }
 

@@ -97,6 +97,8 @@ class FingerLanes {
   [[nodiscard]] Lane drive_at_theta(int finger, const Lane& contact) const;
   /// The same once the way is known.
   [[nodiscard]] Lane drive_at_way(int finger, const Lane& way_theta) const;
+  /// Of a drive that wants to give a force at a speed, within its force-speed curve.
+  [[nodiscard]] Lane drive_on_curve(int finger, const Lane& speed, const Lane& wanted) const;
   /// The way at t + theta dt as if there were neither end stop nor lock.
   [[nodiscard]] Lane free_way_at_theta(int finger, const Lane& contact) const;
   /// The same against the end stop.

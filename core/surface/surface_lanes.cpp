@@ -21,7 +21,6 @@ void load_pad(int lane, const ParallelJawParameters& jaw, double layer_N_m3, Sur
   surface.stiffness_N_m3.set(lane, is_layer ? layer_N_m3 : springs);
   surface.backing_N_m3.set(lane, layer_N_m3);
   surface.springs_N_m3.set(lane, springs);
-  surface.curve.clear(lane);
   if (const auto law = pad_law(jaw.pad)) {
     surface.springs_N_m3.set(lane, layer_N_m3);
     surface.curve.set(lane, *law, layer_N_m3 * jaw.pad_size_m[0] * jaw.pad_size_m[1]);
@@ -82,6 +81,7 @@ void SurfaceLanes::load_fingers(int lane, const Scenario& scenario, double layer
   for (std::size_t f = 0; f < kMostFingers; ++f) {
     SurfaceLane& surface = surface_[kFirstListedPad + f];
     surface.present.set(lane, f < count);
+    surface.curve.clear(lane);
     if (f >= count) continue;
     const FingerParameters& finger = jaw->finger[f];
     const std::array<std::array<double, 3>, 3> axes = finger_axes(finger);

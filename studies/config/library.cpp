@@ -84,6 +84,33 @@ std::string_view without_byte_order_mark(std::string_view content) {
   return content.starts_with(kMark) ? content.substr(kMark.size()) : content;
 }
 
+/// The rows of a CSV file, but for empty ones and comments.
+class CsvRows {
+ public:
+  CsvRows(std::string_view content, std::shared_ptr<const std::string> file, int rank)
+      : rest_(without_byte_order_mark(content)), origin_{std::move(file), rank, 0} {}
+  /// Goes on to the next row. @return false: there is none
+  bool next() {
+    while (!rest_.empty()) {
+      const std::size_t end = rest_.find('\n');
+      const std::string_view line = rest_.substr(0, end);
+      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+      ++origin_.line;
+      if (trimmed(line).empty() || line.front() == '#') continue;
+      cells_ = cells_of(line);
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }
+  [[nodiscard]] const Origin& origin() const { return origin_; }
+
+ private:
+  std::string_view rest_;
+  std::vector<std::string> cells_;
+  Origin origin_;
+};
+
 /// "yz" as ["y", "z"].
 Value axes_value(const std::string& cell) {
   Value axes;
@@ -210,15 +237,10 @@ std::vector<Entry> profile_entries(std::string_view content, const std::shared_p
     list[i] = {"gripper.pad.profile_" + std::string(kColumns[i]), {}, {file, rank, 1}};
     list[i].value.kind = Value::Kind::array;
   }
-  std::string_view rest = without_byte_order_mark(content);
   bool has_header = false;
-  for (int line = 1; !rest.empty(); ++line) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view current = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    const Origin origin{file, rank, line};
-    if (trimmed(current).empty() || current.front() == '#') continue;
-    const std::vector<std::string> cells = cells_of(current);
+  for (CsvRows csv(content, file, rank); csv.next();) {
+    const Origin& origin = csv.origin();
+    const std::vector<std::string>& cells = csv.cells();
     if (!has_header) {
       has_header = cells.size() == 2 && cells[0] == kColumns[0] && cells[1] == kColumns[1];
       if (has_header) continue;
@@ -266,15 +288,10 @@ std::vector<Entry> csv_entries(std::string_view list, std::string_view content,
                                const std::shared_ptr<const std::string>& file, int rank, Problems& problems) {
   std::vector<Entry> out;
   std::vector<CsvColumn> columns;
-  std::string_view rest = without_byte_order_mark(content);
   int row = 0;
-  for (int line = 1; !rest.empty(); ++line) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view current = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    const Origin origin{file, rank, line};
-    if (trimmed(current).empty() || current.front() == '#') continue;
-    const std::vector<std::string> cells = cells_of(current);
+  for (CsvRows csv(content, file, rank); csv.next();) {
+    const Origin& origin = csv.origin();
+    const std::vector<std::string>& cells = csv.cells();
     if (columns.empty()) {
       for (const std::string& name : cells) {
         columns.push_back(csv_column(list, name));

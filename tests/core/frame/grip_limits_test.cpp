@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tests/core/frame/held_scenes.hpp"
+#include "tests/core/frame/patch_friction.hpp"
 
 namespace unbruised {
 namespace {
@@ -28,11 +29,6 @@ Scenario slowly_turned(const std::array<double, 3>& tilt_rad, double grip_force_
   return scenario;
 }
 
-/// A particle of a patch: from the middle of the pad, and its share of the force.
-struct PatchPlace {
-  double y_m, z_m, share;
-};
-
 /// A pad of 30 mm over particles 10 mm apart, pressed evenly: those at its edges carry half.
 std::vector<PatchPlace> places_under_the_pad() {
   std::vector<PatchPlace> places;
@@ -42,31 +38,6 @@ std::vector<PatchPlace> places_under_the_pad() {
     for (std::size_t j = 0; j < 4; ++j) places.push_back({kPlace_m[i], kPlace_m[j], kShare[i] * kShare[j]});
   }
   return places;
-}
-
-/// T / (mu N) at which a patch begins to turn that carries T along y at the arm d: from the point on z about which
-/// a rigid body turns against it, so that friction everywhere is mu N across the way to it.
-double share_at_arm(const std::vector<PatchPlace>& places, double arm_m) {
-  struct Sums {
-    double force = 0.0, moment_m = 0.0;
-  };
-  const auto friction_about = [&](double center_m) {
-    Sums sums;
-    for (const PatchPlace& place : places) {
-      const double arm = place.z_m - center_m, radius = std::hypot(place.y_m, arm);
-      sums.force += place.share * arm / radius;
-      sums.moment_m += place.share * (place.y_m * place.y_m + place.z_m * arm) / radius;
-    }
-    return sums;
-  };
-  // From sliding, the point far away, to turning about the middle.
-  double far_m = -1e3, near_m = -1e-6;
-  for (int round = 0; round < 100; ++round) {
-    const double middle_m = -std::sqrt(far_m * near_m);
-    const Sums sums = friction_about(middle_m);
-    (sums.moment_m > sums.force * arm_m ? near_m : far_m) = middle_m;
-  }
-  return friction_about(far_m).force;
 }
 
 TEST(GripLimits, TurnedAboutTheGripAxisHoldsAsLongAsThePatchesCarryForceAndMoment) {

@@ -2,6 +2,7 @@
 
 #include "core/scenario/product_frame.hpp"
 #include "tests/core/frame/held_scenes.hpp"
+#include "tests/core/frame/patch_friction.hpp"
 
 namespace unbruised {
 namespace {
@@ -76,30 +77,6 @@ TEST(Torsion, OfAHertzianPatchIsThreePiSixteenthsOfItsRadius) {
   EXPECT_NEAR(friction_lever_m(sphere) / (3.0 * std::numbers::pi / 16.0 * kPatch_m), 1.0, 0.03);
 }
 
-/// T / (mu N) at which an evenly pressed square begins to turn that carries T at an arm from its middle: from the
-/// point about which a rigid body turns against it.
-double share_at_arm(double side_m, double arm_m) {
-  constexpr int kPlaces = 200;
-  const auto friction_about = [&](double center_m) {
-    std::array<double, 2> force_and_moment{};
-    for (int i = 0; i < kPlaces * kPlaces; ++i) {
-      const double across = side_m * ((i % kPlaces + 0.5) / kPlaces - 0.5);
-      const double along = side_m * ((i / kPlaces + 0.5) / kPlaces - 0.5);
-      const double arm = along - center_m, radius = std::hypot(across, arm);
-      force_and_moment[0] += arm / radius / (kPlaces * kPlaces);
-      force_and_moment[1] += (across * across + along * arm) / radius / (kPlaces * kPlaces);
-    }
-    return force_and_moment;
-  };
-  double far_m = -1e3, near_m = -1e-6;
-  for (int round = 0; round < 60; ++round) {
-    const double middle_m = -std::sqrt(far_m * near_m);
-    const auto [force, moment] = friction_about(middle_m);
-    (moment > force * arm_m ? near_m : far_m) = middle_m;
-  }
-  return friction_about(far_m)[0];
-}
-
 /// A stiff block of 50 mm and 0.1 kg, lifted slowly and held by pads of 30 mm beside its middle.
 Scenario beside_its_middle(double offset_m, double share_of_limit) {
   Scenario scenario = tilted_block({}, 1.0, 2e-3);
@@ -115,7 +92,8 @@ Scenario beside_its_middle(double offset_m, double share_of_limit) {
   scenario.limits.slip_rad = 0.02;
   scenario.limits.slip_m = 5e-4;
   const double weight_N = 0.1 * (kGravity + scenario.strategy.lift_acceleration_m_s2);
-  scenario.strategy.grip_force_N = share_of_limit * 0.5 * weight_N / 0.6 / share_at_arm(0.03, offset_m);
+  scenario.strategy.grip_force_N =
+      share_of_limit * 0.5 * weight_N / 0.6 / share_at_arm(even_square(0.03), offset_m);
   return scenario;
 }
 

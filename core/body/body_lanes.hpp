@@ -13,6 +13,7 @@
 #include "core/body/body_state.hpp"
 #include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -24,6 +25,8 @@ class BodyLanes {
   BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright);
 
   void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
 
   /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
   void begin_step(const Mask& running);
@@ -100,7 +103,8 @@ class BodyLanes {
   std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> turn_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m r x u
-  Mask fresh_{false};                                          ///< loaded and not stepped yet
+  Mask running_{true};                                         ///< in the present step
+  Lane last_step_s_{0.0};                                      ///< 0: not stepped yet
   Lane damping_power_{0.0}, damped_{0.0};
 };
 

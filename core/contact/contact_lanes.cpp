@@ -78,6 +78,18 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   if (places_) over_.clear_lane(lane);
 }
 
+void ContactLanes::archive(LaneArchive& lane) {
+  surfaces_.archive(lane);
+  register_.archive(lane);
+  if (shaped_) shaped_->archive(lane);
+  lane(over_, dissipated_, losses_.friction, losses_.viscous, losses_.left);
+  for (WindowPressure& windows : window_) windows.archive(lane);
+  for (SurfaceTally& tally : tally_) lane.members(tally);
+  for (PadSlip& slip : slip_) lane.members(slip);
+  for (LaneArray& rows : place_theta_) lane(rows);
+  events_.archive(lane);
+}
+
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
   for (const int awake : awake_candidate_) {

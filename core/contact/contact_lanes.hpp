@@ -96,6 +96,8 @@ class ContactLanes {
 
   /// Opens all contacts of a lane and sets its surfaces up.
   void load(int lane, const Scenario& scenario);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane);
   void set_rest(int lane, const StaticRest& rest);
   /// Takes a surface away from the product of a lane; what its layer holds is lost.
   void leave(int surface, int lane);
@@ -145,6 +147,9 @@ class ContactLanes {
   [[nodiscard]] const Mask& meets_rim() const { return meets_rim_; }
   /// Lowest place of the product along the normal of a surface, per lane [m].
   [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
+  /// Least gap of a surface whose candidates are a side's particles at the start of the last step, in one lane
+  /// [m].
+  [[nodiscard]] double least_gap_m(int surface, int lane) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
   /// none.
   [[nodiscard]] Lane first_touch() const;

@@ -38,6 +38,19 @@ void ContactRegister::clear(int lane) {
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) rows->clear_lane(lane);
 }
 
+void ContactRegister::archive(LaneArchive& lane) {
+  lane(normal, tangent, normal_theta, tangent_theta, penetration, penetration_theta, viscous, stretch, anchor);
+  lane(share, edge_compliance, mean, mean_square, place_weight, relief, foremost);
+  lane(sliding, near, was_closed, was_sliding, gap_now, gap_free);
+  for (std::size_t c = 0; lane.puts() && c < cut.size(); ++c) {
+    for (const LaneArray& weight : place_weight) {
+      for (std::size_t k = 0; k < kReliefSide; ++k) {
+        if (weight.at(c * kReliefSide + k, lane.lane()) != 1.0) cut[c] = 1;
+      }
+    }
+  }
+}
+
 void ContactRegister::open(std::size_t c, int lane) {
   for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
                           &penetration, &penetration_theta, &viscous, &stretch[0], &stretch[1]}) {

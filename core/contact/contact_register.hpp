@@ -12,6 +12,7 @@
 #include "core/contact/place_cover.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/surface/surface_lanes.hpp"
 
 namespace unbruised {
@@ -28,6 +29,8 @@ class ContactRegister {
 
   /// Opens all contacts of a lane.
   void clear(int lane);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
   /// Takes all force from a contact of a lane.
   void open(std::size_t c, int lane);
   /// Puts the contacts of a product at rest on its support into a lane.

@@ -45,6 +45,18 @@ void CellPlasticity::load(int lane, const Scenario& scenario) {
   clear_account(lane);
 }
 
+void CellPlasticity::archive(LaneArchive& lane) {
+  Material::archive(lane);
+  double flown = 0.0;
+  for (std::size_t cell = 0; cell < touched_.size(); ++cell) flown += accumulated_.at(cell, lane.lane());
+  lane(flown);
+  if (!(flown > 0.0)) return;
+  lane(strain_, strain_theta_, accumulated_, accumulated_theta_, load_, load_theta_);
+  for (std::size_t cell = 0; lane.puts() && cell < touched_.size(); ++cell) {
+    if (accumulated_.at(cell, lane.lane()) > 0.0) touched_[cell] = 1;
+  }
+}
+
 void CellPlasticity::begin_step() { flowing_ = false; }
 
 void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6]) {

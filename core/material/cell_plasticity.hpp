@@ -21,6 +21,7 @@ class CellPlasticity final : public Material {
   CellPlasticity(const Lattice& lattice, const CellStiffness& cell, ProductFrame frame);
 
   void load(int lane, const Scenario& scenario) override;
+  void archive(LaneArchive& lane) override;
   [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
   void begin_step() override;
   /// Return mapping of every cell.

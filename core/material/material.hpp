@@ -11,6 +11,7 @@
 #include "core/body/body_model.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -21,6 +22,10 @@ class Material {
   virtual ~Material() = default;
 
   virtual void load(int lane, const Scenario& scenario) = 0;
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  virtual void archive(LaneArchive& lane) {
+    lane(largest_strain_, largest_cell_rotation_, largest_plastic_, plastic_work_, hardening_energy_);
+  }
 
   /// The load that holds at t + theta dt so far, rows 3 x particle + axis; null: there never is one.
   [[nodiscard]] virtual const LaneArray* load_theta() const = 0;

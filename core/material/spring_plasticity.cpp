@@ -77,6 +77,11 @@ void SpringPlasticity::yield_as_mounted(int lane, std::size_t i, const std::vect
   }
 }
 
+void SpringPlasticity::archive(LaneArchive& lane) {
+  Material::archive(lane);
+  lane(elongation_, elongation_theta_, accumulated_, accumulated_theta_, load_, load_theta_);
+}
+
 Mask SpringPlasticity::update(const LaneArray& u_theta, const Mask& active) {
   require(u_theta.rows() == load_.rows(), "SpringPlasticity::update: displacements of another body");
   Mask pending(false);

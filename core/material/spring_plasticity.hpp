@@ -18,6 +18,7 @@ class SpringPlasticity final : public Material {
   explicit SpringPlasticity(const BodyModel& body);
 
   void load(int lane, const Scenario& scenario) override;
+  void archive(LaneArchive& lane) override;
   [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
   void begin_step() override {}
   /// Return mapping of every spring. Plastic strain: accumulated plastic elongation over rest length.

@@ -5,12 +5,15 @@
 #include "core/lanes/part_timer.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/step_levels.hpp"
+#include "core/scenario/vectors.hpp"
 #include "core/simulation/balances.hpp"
 #include "core/simulation/initial_state.hpp"
 #include "core/simulation/lane_drives.hpp"
 #include "core/simulation/lane_mounts.hpp"
 #include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
+#include "core/simulation/parked_scenario.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
@@ -27,6 +30,10 @@ struct LaneSimulation::Impl {
   explicit Impl(std::shared_ptr<const Model> shared);
 
   void load(int lane, const Scenario& scenario);
+  void set_up(int lane, const LaneRun& r);
+  void archive(LaneArchive& lane);
+  std::unique_ptr<ParkedScenario> take(int lane);
+  void put(int lane, ParkedScenario& parked);
   void step();
 
   // The parts of a step, in order.
@@ -44,6 +51,7 @@ struct LaneSimulation::Impl {
   [[nodiscard]] StepObservation see(int lane, double time_s);
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   void observe_lane(int lane);
+  void choose_level(const LaneStep& step);
   void finish(const LaneStep& last);
   /// Null: a lane has none.
   [[nodiscard]] static const SixAxisInstrument* six_axis(const LaneRun& run) {
@@ -61,6 +69,7 @@ struct LaneSimulation::Impl {
   std::shared_ptr<const Model> model;
   const Model::Parts& parts;
   const WilsonTheta& w;
+  const StepClock& clock;
 
   std::array<LaneRun, kLanes> run;
   Mask running{false};
@@ -92,6 +101,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
     : model(std::move(shared)),
       parts(model->parts()),
       w(*parts.wilson),
+      clock(parts.clock),
       initial(parts),
       body(parts.body, w, parts.frame),
       material(make_material(parts.body, parts.frame)),
@@ -113,15 +123,10 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   r.busy = true;
   r.scenario = scenario;
   r.cycle = HandlingCycle(scenario);
+  r.level = LevelChoice(step_levels(scenario));
   set_carriers(lane, r.cycle.plan(), 0.0, r.plane, now);
   set_listed_surfaces(lane, scenario.cell, 0.0, now);
-  // The approach begins in steady motion, but for a grip that is ramped up from rest.
-  gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
-               r.cycle.plan().force_limit_N(0.0));
-  if (pads) pads->load(lane, scenario.cell.gravity_m_s2, opened_half_m(scenario));
-  contact.load(lane, scenario);
-  material->load(lane, scenario);
-  yield_stress.set(lane, yield_stress_Pa(scenario.product).value_or(1.0));
+  set_up(lane, r);
   const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
@@ -136,9 +141,57 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
     r.instruments = instruments;
   }
   balances.load(lane, view, scenario);
-  auto outcome = std::make_unique<OutcomeObserver>(scenario, balances);
+  auto outcome = std::make_unique<OutcomeObserver>(scenario);
   r.outcome = outcome.get();
   watch(lane, std::move(outcome));
+}
+
+/// Puts there what the scenario alone decides.
+void LaneSimulation::Impl::set_up(int lane, const LaneRun& r) {
+  const Scenario& scenario = r.scenario;
+  // The approach begins in steady motion, but for a grip that is ramped up from rest.
+  gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
+               r.cycle.plan().force_limit_N(0.0));
+  if (pads) pads->load(lane, scenario.cell.gravity_m_s2, opened_half_m(scenario));
+  contact.load(lane, scenario);
+  material->load(lane, scenario);
+  yield_stress.set(lane, yield_stress_Pa(scenario.product).value_or(1.0));
+}
+
+void LaneSimulation::Impl::archive(LaneArchive& lane) {
+  body.archive(lane);
+  material->archive(lane);
+  contact.archive(lane);
+  gripper.archive(lane);
+  mounts.archive(lane);
+  if (pads) pads->archive(lane);
+  balances.archive(lane);
+  now.archive(lane);
+}
+
+std::unique_ptr<ParkedScenario> LaneSimulation::Impl::take(int lane) {
+  LaneRun& r = run_of(lane);
+  require(r.busy, "LaneSimulation::take: the lane is free");
+  auto parked = std::make_unique<ParkedScenario>();
+  LaneArchive out = LaneArchive::out_of(lane, parked->content);
+  archive(out);
+  parked->run = std::move(r);
+  r = LaneRun{};
+  running.set(lane, false);
+  return parked;
+}
+
+void LaneSimulation::Impl::put(int lane, ParkedScenario& parked) {
+  LaneRun& r = run_of(lane);
+  require(!r.busy, "LaneSimulation::put: the lane is busy");
+  require(factor_key(parked.run.scenario) == parts.key, "LaneSimulation::put: a scenario of another model");
+  r = std::move(parked.run);
+  set_up(lane, r);
+  load_mount(lane, r.scenario, parts, nullptr, now, mounts);
+  LaneArchive into = LaneArchive::into(lane, parked.content);
+  archive(into);
+  for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
+  running.set(lane, true);
 }
 
 void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observer) {
@@ -150,6 +203,7 @@ void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observe
                    .cycle = r.cycle,
                    .seen = seen,
                    .view = view,
+                   .balances = balances,
                    .six_axis = six_axis(r)});
   r.observers.push_back(std::move(observer));
 }
@@ -180,13 +234,13 @@ void LaneSimulation::Impl::follow_plans() {
     const LaneRun& r = run_of(lane);
     if (!r.busy) continue;
     const SupportPlane plane = choose_support(lane);
-    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane, theta);
-    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane, next);
-    set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(w), theta);
-    set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
+    set_carriers(lane, r.cycle.plan(), r.theta_time_s(clock), plane, theta);
+    set_carriers(lane, r.cycle.plan(), r.end_time_s(clock), plane, next);
+    set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(clock), theta);
+    set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(clock), next);
     command_mount(lane, r.scenario, theta, next, mounts);
     if (!has_gripper(r.scenario)) continue;
-    command_drives(lane, r.scenario, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
+    command_drives(lane, r, clock, gripper, theta, command);
   }
 }
 
@@ -196,11 +250,11 @@ void LaneSimulation::Impl::follow_plans() {
 SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   LaneRun& r = run_of(lane);
   const MotionPlan& plan = r.cycle.plan();
-  const SupportPlane planned = plan.support_plane(r.end_time_s(w));
+  const SupportPlane planned = plan.support_plane(r.end_time_s(clock));
   if (planned == r.plane) return planned;
   const bool is_lifted = r.scenario.cell.lift_height_m > 0.0;
   const bool stands = contact.tally()[kSupport].closed[lane] > 0.0;
-  const double height_m = plan.support(planned, r.time_s(w)).position_m[2];
+  const double height_m = plan.support(planned, r.time_s(clock)).position_m[2];
   const bool has_target = r.scenario.cell.target_plane;
   const bool below = has_target && contact.lowest_place_m(kSupport, body.u())[lane] < height_m;
   if (is_lifted && (stands || below)) return r.plane;
@@ -208,7 +262,7 @@ SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   if (!has_target) contact.take_support_away(lane);
   balances.leave_support(lane);
   r.plane = planned;
-  set_support(lane, plan, r.time_s(w), planned, now);
+  set_support(lane, plan, r.time_s(clock), planned, now);
   return planned;
 }
 
@@ -217,8 +271,8 @@ void LaneSimulation::Impl::add_loads() {
     const LaneRun& r = run_of(lane);
     const ProductParameters& product = r.scenario.product;
     if (!r.busy || !has_loads(product)) continue;
-    const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(w));
-    const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(w), JumpSide::left);
+    const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(clock));
+    const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(clock), JumpSide::left);
     std::vector<double> at_theta(at_t.size());
     for (std::size_t i = 0; i < at_t.size(); ++i) at_theta[i] = at_t[i] + w.theta * (at_next[i] - at_t[i]);
     body.add_forces(lane, at_theta);
@@ -246,7 +300,7 @@ void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
   for (int lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     LaneRun& r = run_of(lane);
-    r.outcome->abort(cause, r.time_s(w));
+    r.outcome->abort(cause, r.time_s(clock));
   }
 }
 
@@ -314,15 +368,17 @@ void LaneSimulation::Impl::observe_lanes() {
 void LaneSimulation::Impl::observe_lane(int lane) {
   LaneRun& r = run_of(lane);
   ++times.lane_steps;
-  const double start = r.time_s(w);
+  const double start = r.time_s(clock);
   ++r.step;
-  const double time = r.time_s(w);
+  r.tick += clock.ticks;
+  const double time = r.time_s(clock);
   read_instruments(lane, start, time);
   tell_cycle(lane, start, time);
   const StepObservation seen = see(lane, time);
   balances.book_impulse(lane, view);
   const LaneStep step{.lane = lane,
                       .count = r.step,
+                      .tick = r.tick,
                       .start_s = start,
                       .time_s = time,
                       .contact_sweeps = sweeps[lane],
@@ -331,10 +387,24 @@ void LaneSimulation::Impl::observe_lane(int lane) {
                       .cycle = r.cycle,
                       .seen = seen,
                       .view = view,
+                      .balances = balances,
                       .six_axis = six_axis(r)};
-  bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * w.dt;
+  bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * clock.tick_s;
   for (const auto& observer : r.observers) goes_on = observer->observe(step) && goes_on;
-  if (!goes_on) finish(step);
+  if (!goes_on) return finish(step);
+  if (r.level.chooses()) choose_level(step);
+}
+
+void LaneSimulation::Impl::choose_level(const LaneStep& step) {
+  LaneRun& r = run_of(step.lane);
+  LevelSigns signs{.time_s = step.time_s, .cycle = r.cycle, .seen = step.seen};
+  signs.pad_gap_m = std::min(contact.least_gap_m(kLeftPad, step.lane), contact.least_gap_m(kRightPad, step.lane));
+  signs.support_gap_m = contact.least_gap_m(kSupport, step.lane);
+  for (int f = 0; f < kJawFingers; ++f) {
+    signs.closing_m_s = std::max(signs.closing_m_s, std::abs(gripper.speed(f)[step.lane]));
+  }
+  signs.weight_N = parts.body.total_mass_kg * length(r.scenario.cell.gravity_m_s2);
+  r.level.decide(clock, signs);
 }
 
 /// Tells the cycle what the step showed; slip counts from the start of the lift on.
@@ -382,6 +452,10 @@ int LaneSimulation::busy_count() const {
       std::count_if(impl_->run.begin(), impl_->run.end(), [](const LaneRun& r) { return r.busy; }));
 }
 void LaneSimulation::step() { impl_->step(); }
+int LaneSimulation::ticks() const { return impl_->clock.ticks; }
+int LaneSimulation::next_ticks(int lane) const { return impl_->run_of(lane).level.ticks(); }
+std::unique_ptr<ParkedScenario> LaneSimulation::take(int lane) { return impl_->take(lane); }
+void LaneSimulation::put(int lane, ParkedScenario& parked) { impl_->put(lane, parked); }
 const std::vector<LaneSimulation::Finished>& LaneSimulation::finished() const { return impl_->finished; }
 void LaneSimulation::enable_timing() { impl_->timing = true; }
 const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return impl_->times; }
@@ -391,7 +465,7 @@ void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
 }
 void LaneSimulation::record_trace(int lane, Trace& trace) {
   impl_->contact.note_events(lane);
-  watch(lane, std::make_unique<TraceRecorder>(trace, impl_->balances));
+  watch(lane, std::make_unique<TraceRecorder>(trace));
 }
 
 }  // namespace unbruised

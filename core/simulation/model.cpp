@@ -51,12 +51,14 @@ bool add_pads(const Scenario& scenario, Model::Parts& parts, std::string& error)
 Model::Model() : parts_(std::make_unique<Parts>()) {}
 Model::~Model() = default;
 
-std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string& error) {
+std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string& error, int ticks) {
   std::shared_ptr<Model> model(new Model());
   Parts& parts = *model->parts_;
   parts.key = factor_key(scenario);
   parts.frame = product_frame(scenario);
-  parts.wilson.emplace(scenario.simulation.time_step_s, scenario.simulation.theta);
+  const SimulationParameters& simulation = scenario.simulation;
+  parts.clock = {simulation.time_step_s, ticks, simulation.theta};
+  parts.wilson.emplace(parts.clock.step_s(), simulation.theta);
   try {
     std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario));
     if (!body) return nullptr;
@@ -71,6 +73,16 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   if (shape && parts.body.lattice) parts.carried_surface.emplace(*shape, *parts.body.lattice);
   if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
+}
+
+std::shared_ptr<const Model> Model::with_ticks(int ticks, const Scenario& scenario) const {
+  const std::lock_guard lock(longer_mutex_);
+  std::shared_ptr<const Model>& longer = longer_[ticks];
+  if (longer) return longer;
+  std::string error;
+  longer = build(scenario, error, ticks);
+  if (!longer) throw std::runtime_error("the model cannot be built for longer steps: " + error);
+  return longer;
 }
 
 std::size_t Model::particle_count() const { return parts_->body.particle_count; }

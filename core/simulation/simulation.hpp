@@ -2,11 +2,14 @@
 
 /// @file
 /// The simulator's door: an immutable `Model` per factor key, shared by all threads, and a mutable
-/// `LaneSimulation` per thread that advances `kLaneCount` scenarios of that key in lockstep.
+/// `LevelSimulation` per thread that advances scenarios of that key, each with steps of its own choice, in batches
+/// of `lane_count()` in lockstep, a `LaneSimulation` for each length of step.
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -38,7 +41,8 @@ ModelSize model_size(const Scenario& scenario);
 class Model {
  public:
   /// Assembles and factors. Returns nullptr and sets `error` when the matrix cannot be factored.
-  static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error);
+  /// @param ticks shortest steps of its scenarios that a step takes
+  static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error, int ticks = 1);
   ~Model();
 
   [[nodiscard]] std::size_t particle_count() const;
@@ -47,15 +51,22 @@ class Model {
   [[nodiscard]] std::size_t factor_entry_count() const;  ///< entries of L
   [[nodiscard]] double max_frequency_Hz() const;         ///< Gershgorin bound on the fastest mode
 
+  /// The same for longer steps; made when it is first asked for, and kept.
+  /// @param scenario of this factor key
+  [[nodiscard]] std::shared_ptr<const Model> with_ticks(int ticks, const Scenario& scenario) const;
+
   struct Parts;  ///< defined inside core
   [[nodiscard]] const Parts& parts() const { return *parts_; }
 
  private:
   Model();
   std::unique_ptr<Parts> parts_;
+  mutable std::mutex longer_mutex_;
+  mutable std::map<int, std::shared_ptr<const Model>> longer_;  ///< by ticks
 };
 
-class LaneObserver;  ///< lane_observer.hpp, inside core
+class LaneObserver;     ///< lane_observer.hpp, inside core
+struct ParkedScenario;  ///< parked_scenario.hpp, inside core
 
 /// `lane_count()` scenarios of one factor key advancing in lockstep. A lane's bits never depend on its
 /// position, on its neighbours, or on when it was loaded.
@@ -84,11 +95,22 @@ class LaneSimulation {
   /// Results of the lanes that ended in the last step, in lane order.
   [[nodiscard]] const std::vector<Finished>& finished() const;
 
+  /// How many of the shortest steps of its scenarios a step here is, and the scenario in a lane wants its next one
+  /// to be.
+  [[nodiscard]] int ticks() const;
+  [[nodiscard]] int next_ticks(int lane) const;
+  /// Takes a scenario out of its lane between two steps, and puts it into a free one, of this model or the same
+  /// for other steps. It goes on as if nothing had happened.
+  [[nodiscard]] std::unique_ptr<ParkedScenario> take(int lane);
+  void put(int lane, ParkedScenario& parked);
+
   /// Time spent per part, in seconds, for benchmarks.
   struct PartTimes {
     double right_hand_side_s = 0, solve_s = 0, contact_s = 0, plasticity_s = 0, update_s = 0;
     std::uint64_t lane_steps = 0;  ///< busy lanes summed over steps
     std::uint64_t steps = 0;
+
+    PartTimes& operator+=(const PartTimes& other);
   };
   /// Measures the parts of every step from now on.
   void enable_timing();
@@ -98,6 +120,46 @@ class LaneSimulation {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Scenarios of one factor key, each taking the steps that it wants (step_level.hpp): it has a batch for each
+/// length of step, and those that no batch has room for wait. A scenario's bits never depend on the others here.
+class LevelSimulation {
+ public:
+  explicit LevelSimulation(std::shared_ptr<const Model> model);
+  ~LevelSimulation();
+  LevelSimulation(const LevelSimulation&) = delete;
+  LevelSimulation& operator=(const LevelSimulation&) = delete;
+
+  /// Puts a scenario of the model's factor key into a free place, from 0 on, at its own t = 0.
+  void load(int place, const Scenario& scenario);
+  [[nodiscard]] bool busy(int place) const;
+  /// As those of LaneSimulation, right after load and while no more than `lane_count()` places are busy.
+  void watch(int place, std::unique_ptr<LaneObserver> observer);
+  void record_trace(int place, Trace& trace);
+
+  /// Advances the scenarios of one batch, the one with most to do, by one of its steps.
+  void step();
+  /// How many scenarios the last step advanced.
+  [[nodiscard]] int stepped() const;
+  struct Finished {
+    int place;
+    ScenarioResult result;
+  };
+  /// Results of the places that became free in the last step.
+  [[nodiscard]] const std::vector<Finished>& finished() const;
+
+  void enable_timing();
+  /// Of all batches together.
+  [[nodiscard]] LaneSimulation::PartTimes part_times() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Scenarios that are worth holding in one LevelSimulation: where they are spread over the step lengths, the batch
+/// with most to do is full.
+int level_place_count();
 
 /// Runs one scenario alone, in the same kernels as a batch.
 /// @param trace filled when not null.

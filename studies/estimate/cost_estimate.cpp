@@ -11,6 +11,8 @@
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/product_frame.hpp"
+#include "core/scenario/step_levels.hpp"
+#include "core/simulation/step_level.hpp"
 #include "core/surface/surfaces.hpp"
 #include "studies/execution/build_info.hpp"
 
@@ -73,6 +75,7 @@ double simulated_duration_s(const Scenario& scenario) {
 }
 
 double estimated_steps(const Scenario& scenario) {
+  if (step_levels(scenario).ticks.size() > 1) return planned_steps(scenario, planned_approach(scenario).time_s);
   return std::ceil(simulated_duration_s(scenario) / scenario.simulation.time_step_s);
 }
 

@@ -200,12 +200,15 @@ void LaneScheduler::drop_model(Group& group) {
   std::erase(idle_, group.index);
 }
 
-/// Up to `lane_count - busy` ids for a worker's free lanes.
+/// Ids for a worker's free places. Where others are without work it takes no more than its lanes can advance at
+/// once.
 void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::uint64_t>& taken) {
   taken.clear();
   const std::lock_guard lock(mutex_);
   if (stopping()) return;
-  const auto free = static_cast<std::size_t>(simulator_.lane_count() - busy);
+  const bool leaves_some = grows() && unassigned_workers_ > 0;
+  const int places = leaves_some ? simulator_.lane_count() : simulator_.place_count();
+  const auto free = static_cast<std::size_t>(std::max(0, places - busy));
   const std::size_t mine = grows() ? left_by_seniors(group, seat) : fair_share(group);
   const std::size_t count = std::min(free, mine);
   taken.assign(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));

@@ -8,13 +8,14 @@ namespace {
 class CoreLanes final : public LaneEngine {
  public:
   explicit CoreLanes(std::shared_ptr<const Model> model) : lanes_(std::move(model)) {}
-  void load(int lane, const Scenario& scenario) override { lanes_.load(lane, scenario); }
-  void record_trace(int lane, Trace& trace) override { lanes_.record_trace(lane, trace); }
+  void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
+  void record_trace(int place, Trace& trace) override { lanes_.record_trace(place, trace); }
   void step() override { lanes_.step(); }
-  const std::vector<LaneSimulation::Finished>& finished() const override { return lanes_.finished(); }
+  int stepped() const override { return lanes_.stepped(); }
+  const std::vector<Finished>& finished() const override { return lanes_.finished(); }
 
  private:
-  LaneSimulation lanes_;
+  LevelSimulation lanes_;
 };
 
 class CoreModel final : public SharedModel {
@@ -29,6 +30,7 @@ class CoreModel final : public SharedModel {
 class CoreSimulator final : public Simulator {
  public:
   int lane_count() const override { return unbruised::lane_count(); }
+  int place_count() const override { return level_place_count(); }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
   ModelOrReason build(const Scenario& scenario) const override {
     std::string error;

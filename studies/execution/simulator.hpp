@@ -14,15 +14,19 @@
 
 namespace unbruised::studies {
 
-/// Lanes that advance together; used by one thread at a time (see `LaneSimulation`).
+/// Scenarios of one factor key; used by one thread at a time (see `LevelSimulation`).
 class LaneEngine {
  public:
+  using Finished = LevelSimulation::Finished;
+
   virtual ~LaneEngine() = default;
-  virtual void load(int lane, const Scenario& scenario) = 0;
-  virtual void record_trace(int lane, Trace& trace) = 0;
+  virtual void load(int place, const Scenario& scenario) = 0;
+  virtual void record_trace(int place, Trace& trace) = 0;
   virtual void step() = 0;
-  /// Results of the lanes that ended in the last step, in lane order.
-  [[nodiscard]] virtual const std::vector<LaneSimulation::Finished>& finished() const = 0;
+  /// How many scenarios the last step advanced.
+  [[nodiscard]] virtual int stepped() const = 0;
+  /// Results of the places that became free in the last step.
+  [[nodiscard]] virtual const std::vector<Finished>& finished() const = 0;
 };
 
 /// What all scenarios of one factor key share; immutable, used by several threads.
@@ -38,7 +42,10 @@ using ModelOrReason = ValueOr<std::shared_ptr<const SharedModel>, std::string>;
 class Simulator {
  public:
   virtual ~Simulator() = default;
+  /// Scenarios that one step can advance.
   [[nodiscard]] virtual int lane_count() const = 0;
+  /// Scenarios that lanes of one maker can hold, `lane_count()` or more.
+  [[nodiscard]] virtual int place_count() const { return lane_count(); }
   [[nodiscard]] virtual std::string factor_key(const Scenario& scenario) const = 0;
   [[nodiscard]] virtual ModelOrReason build(const Scenario& scenario) const = 0;
 };

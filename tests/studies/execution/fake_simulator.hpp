@@ -79,9 +79,11 @@ class FakeLanes final : public LaneEngine {
   void step() override {
     ++record_.steps;
     finished_.clear();
+    stepped_ = 0;
     for (int lane = 0; lane < kFakeLanes; ++lane) {
       Slot& slot = slots_[static_cast<std::size_t>(lane)];
       if (!slot.scenario) continue;
+      ++stepped_;
       if (slot.scenario->strategy.grip_force_N == faults_.throws_in_step_at_N) throw std::bad_alloc();
       if (--slot.steps_left > 0) continue;
       finished_.push_back({lane, fake_result(*slot.scenario)});
@@ -90,7 +92,8 @@ class FakeLanes final : public LaneEngine {
     std::this_thread::yield();
   }
 
-  const std::vector<LaneSimulation::Finished>& finished() const override { return finished_; }
+  int stepped() const override { return stepped_; }
+  const std::vector<Finished>& finished() const override { return finished_; }
 
  private:
   struct Slot {
@@ -100,7 +103,8 @@ class FakeLanes final : public LaneEngine {
   FakeRecord& record_;
   const FakeFaults& faults_;
   std::vector<Slot> slots_ = std::vector<Slot>(kFakeLanes);
-  std::vector<LaneSimulation::Finished> finished_;
+  std::vector<Finished> finished_;
+  int stepped_ = 0;
 };
 
 class FakeModel final : public SharedModel {

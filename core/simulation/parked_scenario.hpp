@@ -1,0 +1,16 @@
+#pragma once
+
+/// @file
+/// A scenario between two steps, outside any lane.
+
+#include "core/lanes/lane_archive.hpp"
+#include "core/simulation/lane_run.hpp"
+
+namespace unbruised {
+
+struct ParkedScenario {
+  LaneRun run;
+  LaneContent content;
+};
+
+}  // namespace unbruised

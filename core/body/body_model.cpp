@@ -153,7 +153,7 @@ std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std
   add_inertia(body);
   std::vector<int> freedom;
   if (!factor_effective_stiffness(wilson, body, freedom, error)) return std::nullopt;
-  if (body.is_solid || can_yield(body.springs)) {
+  if (!body.statics && (body.is_solid || can_yield(body.springs))) {
     body.statics = StaticSolver::build(body.K, body.mass_kg, freedom, static_shift(body), error);
     if (!body.statics) return std::nullopt;
   }
@@ -163,8 +163,10 @@ std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std
 }  // namespace
 
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error, MassSpread spread) {
+                                    std::string& error, MassSpread spread,
+                                    std::shared_ptr<const StaticSolver> statics) {
   BodyModel body;
+  body.statics = std::move(statics);
   std::visit([&](const auto& kind) { add_product(kind, spread, body); }, product);
   return complete(std::move(body), wilson, error);
 }

@@ -42,10 +42,10 @@ struct BodyModel {
   std::vector<SpringGeometry> springs;  ///< networks
   std::vector<double> rest_force_N;     ///< networks, [3n]
 
-  SupernodalFactor factor;                ///< of K + a0 M + a1 C
-  std::vector<int> slot;                  ///< freedom (3 per particle) -> elimination position, -1: fixed
-  std::unique_ptr<StaticSolver> statics;  ///< solids, and networks that can yield
-  double max_frequency_Hz = 0;            ///< Gershgorin bound on the fastest mode
+  SupernodalFactor factor;                      ///< of K + a0 M + a1 C
+  std::vector<int> slot;                        ///< freedom (3 per particle) -> elimination position, -1: fixed
+  std::shared_ptr<const StaticSolver> statics;  ///< solids, and networks that can yield
+  double max_frequency_Hz = 0;                  ///< Gershgorin bound on the fastest mode
 
   /// Is any freedom held?
   [[nodiscard]] bool is_anchored() const;
@@ -59,9 +59,11 @@ struct BodyModel {
 };
 
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
+/// @param statics of the same product, which do not depend on the step; null: they are made
 /// @throws std::invalid_argument for products that break a rule
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error, MassSpread spread = MassSpread::cells);
+                                    std::string& error, MassSpread spread = MassSpread::cells,
+                                    std::shared_ptr<const StaticSolver> statics = nullptr);
 
 /// A lattice whose particles on its side -x are held.
 std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,

@@ -121,4 +121,7 @@ class MotionPlan {
   std::vector<double> jump_s_;  ///< of the palm's acceleration, ascending
 };
 
+/// When a scenario ends in which everything goes as planned, but for what the fingers compress [s].
+double planned_end_s(const Scenario& scenario);
+
 }  // namespace unbruised

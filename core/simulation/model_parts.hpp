@@ -26,7 +26,7 @@ struct Model::Parts {
   BodyModel body;
   ContactModel contact;
   std::optional<PadBody> pad;                     ///< where the pads are bodies
-  std::optional<SupportRest> rest;                ///< solids
+  std::optional<SupportRest> rest;                ///< solids that scenarios start with here
   std::optional<CarriedSurface> carried_surface;  ///< lattices
 };
 

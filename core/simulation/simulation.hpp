@@ -41,8 +41,7 @@ ModelSize model_size(const Scenario& scenario);
 class Model {
  public:
   /// Assembles and factors. Returns nullptr and sets `error` when the matrix cannot be factored.
-  /// @param ticks shortest steps of its scenarios that a step takes
-  static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error, int ticks = 1);
+  static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error);
   ~Model();
 
   [[nodiscard]] std::size_t particle_count() const;
@@ -60,6 +59,10 @@ class Model {
 
  private:
   Model();
+  /// @param ticks shortest steps of its scenarios that a step takes @param shorter what scenarios start in; null:
+  /// this
+  static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error, int ticks,
+                                            const Parts* shorter);
   std::unique_ptr<Parts> parts_;
   mutable std::mutex longer_mutex_;
   mutable std::map<int, std::shared_ptr<const Model>> longer_;  ///< by ticks

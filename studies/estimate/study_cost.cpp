@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/motion_plan.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/memory_need.hpp"
 #include "studies/kinds/kind_table.hpp"
@@ -46,7 +47,7 @@ KnownCost known_cost(const ScenarioSet& set) {
     ++group.count;
     group.steps += estimated_steps(scenario);
     cost.group_of.push_back(place->second);
-    cost.longest_run_s = std::max(cost.longest_run_s, simulated_duration_s(scenario));
+    cost.longest_run_s = std::max(cost.longest_run_s, planned_end_s(scenario));
   }
   return cost;
 }

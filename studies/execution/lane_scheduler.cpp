@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include <tbb/global_control.h>
@@ -44,15 +45,24 @@ WorkReport LaneScheduler::run() {
 }
 
 void LaneScheduler::add(std::span<const std::uint64_t> ids) {
-  std::vector<std::string> keys;
-  keys.reserve(ids.size());
-  for (const std::uint64_t id : ids) keys.push_back(simulator_.factor_key(order_.scenario(id)));
+  struct Added {
+    std::uint64_t id;
+    double duration_s;
+    std::string key;
+  };
+  std::vector<Added> added;
+  added.reserve(ids.size());
+  for (const std::uint64_t id : ids) {
+    const Scenario scenario = order_.scenario(id);
+    added.push_back({id, simulator_.duration_s(scenario), simulator_.factor_key(scenario)});
+  }
+  std::ranges::stable_sort(added, std::ranges::greater(), &Added::duration_s);
   {
     const std::lock_guard lock(mutex_);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const auto [place, is_new] = group_of_key_.try_emplace(std::move(keys[i]), groups_.size());
+    for (Added& each : added) {
+      const auto [place, is_new] = group_of_key_.try_emplace(std::move(each.key), groups_.size());
       if (is_new) groups_.emplace_back().index = place->second;
-      groups_[place->second].waiting.push_back(ids[i]);
+      groups_[place->second].waiting.push_back(each.id);
       open_.insert(place->second);
     }
   }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/motion/motion_plan.hpp"
+
 namespace unbruised::studies {
 namespace {
 
@@ -32,6 +34,7 @@ class CoreSimulator final : public Simulator {
   int lane_count() const override { return unbruised::lane_count(); }
   int place_count() const override { return level_place_count(); }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
+  double duration_s(const Scenario& scenario) const override { return planned_end_s(scenario); }
   ModelOrReason build(const Scenario& scenario) const override {
     std::string error;
     std::shared_ptr<const Model> model = Model::build(scenario, error);

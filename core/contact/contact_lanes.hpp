@@ -108,6 +108,9 @@ class ContactLanes {
   /// Lets a lane's slip begin from here.
   void forget_slip(int lane);
 
+  /// The coming step of a lane has another length than its last.
+  void forget_trend(int lane) { register_.forget_trend(lane); }
+
   /// Finds what is near a surface and starts the solve from the forces of the last step.
   void begin_step(const ContactStart& start, const Mask& running);
   /// Did begin_step find anything near a surface?

@@ -44,7 +44,7 @@ void WindowPressure::clear(int lane) {
 void WindowPressure::archive(LaneArchive& lane) {
   for (Axis& axis : axis_) {
     lane(axis.reach.low, axis.reach.high);
-    if (lane.puts()) axis.laid = false;
+    if (lane.arrives()) axis.laid = false;
   }
 }
 

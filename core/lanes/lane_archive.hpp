@@ -29,11 +29,12 @@ class LaneArchive {
   /// Puts it into a lane, listed in the same order.
   static LaneArchive into(int lane, LaneContent& content) { return {lane, content, true}; }
 
-  [[nodiscard]] bool puts() const { return puts_; }
+  /// Into the lane?
+  [[nodiscard]] bool arrives() const { return arrives_; }
   [[nodiscard]] int lane() const { return lane_; }
 
   void operator()(double& value) {
-    if (puts_) {
+    if (arrives_) {
       value = content_.number[number_++];
     } else {
       content_.number.push_back(value);
@@ -42,12 +43,12 @@ class LaneArchive {
   void operator()(Lane& value) {
     double of_lane = value[lane_];
     (*this)(of_lane);
-    if (puts_) value.set(lane_, of_lane);
+    if (arrives_) value.set(lane_, of_lane);
   }
   void operator()(Mask& mask) {
     double of_lane = mask[lane_] ? 1.0 : 0.0;
     (*this)(of_lane);
-    if (puts_) mask.set(lane_, of_lane > 0.0);
+    if (arrives_) mask.set(lane_, of_lane > 0.0);
   }
   void operator()(LaneArray& rows) {
     for (std::size_t i = 0; i < rows.rows(); ++i) (*this)(rows.at(i, lane_));
@@ -56,7 +57,7 @@ class LaneArchive {
     for (std::size_t i = 0; i < rows.rows(); ++i) {
       Mask mask = rows.get(i);
       (*this)(mask);
-      if (puts_) rows.put(i, mask);
+      if (arrives_) rows.put(i, mask);
     }
   }
   template <class T, std::size_t N>
@@ -71,12 +72,12 @@ class LaneArchive {
     static_assert(sizeof(each) == sizeof(Lanes));
     __builtin_memcpy(static_cast<void*>(&each), &values, sizeof(values));
     (*this)(each);
-    if (puts_) __builtin_memcpy(static_cast<void*>(&values), &each, sizeof(values));
+    if (arrives_) __builtin_memcpy(static_cast<void*>(&values), &each, sizeof(values));
   }
   /// What belongs to one lane as a whole.
   template <class T>
   void object(T& value) {
-    if (puts_) {
+    if (arrives_) {
       value = std::any_cast<T&&>(std::move(content_.object[object_++]));
     } else {
       content_.object.emplace_back(std::move(value));
@@ -89,11 +90,11 @@ class LaneArchive {
   }
 
  private:
-  LaneArchive(int lane, LaneContent& content, bool puts) : lane_(lane), content_(content), puts_(puts) {}
+  LaneArchive(int lane, LaneContent& content, bool arrives) : lane_(lane), content_(content), arrives_(puts) {}
 
   int lane_;
   LaneContent& content_;
-  bool puts_;
+  bool arrives_;
   std::size_t number_ = 0, object_ = 0;
 };
 

@@ -52,7 +52,7 @@ void CellPlasticity::archive(LaneArchive& lane) {
   lane(flown);
   if (!(flown > 0.0)) return;
   lane(strain_, strain_theta_, accumulated_, accumulated_theta_, load_, load_theta_);
-  for (std::size_t cell = 0; lane.puts() && cell < touched_.size(); ++cell) {
+  for (std::size_t cell = 0; lane.arrives() && cell < touched_.size(); ++cell) {
     if (accumulated_.at(cell, lane.lane()) > 0.0) touched_[cell] = 1;
   }
 }

@@ -175,6 +175,7 @@ std::unique_ptr<ParkedScenario> LaneSimulation::Impl::take(int lane) {
   auto parked = std::make_unique<ParkedScenario>();
   LaneArchive out = LaneArchive::out_of(lane, parked->content);
   archive(out);
+  parked->ticks = clock.ticks;
   parked->run = std::move(r);
   r = LaneRun{};
   running.set(lane, false);
@@ -190,6 +191,7 @@ void LaneSimulation::Impl::put(int lane, ParkedScenario& parked) {
   load_mount(lane, r.scenario, parts, nullptr, now, mounts);
   LaneArchive into = LaneArchive::into(lane, parked.content);
   archive(into);
+  if (parked.ticks != clock.ticks) contact.forget_trend(lane);
   for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
   running.set(lane, true);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -49,7 +50,7 @@ struct Batch {
 }  // namespace
 
 struct LevelSimulation::Impl {
-  explicit Impl(std::shared_ptr<const Model> shared) : model(std::move(shared)) {
+  Impl(std::shared_ptr<const Model> shared, Longer source) : model(std::move(shared)), longer(std::move(source)) {
     batch.emplace(1, std::make_unique<Batch>(model));
   }
 
@@ -57,7 +58,7 @@ struct LevelSimulation::Impl {
   Batch& with_ticks(int ticks, const Scenario& scenario) {
     std::unique_ptr<Batch>& found = batch[ticks];
     if (!found) {
-      found = std::make_unique<Batch>(model->with_ticks(ticks, scenario));
+      found = std::make_unique<Batch>(longer ? longer(ticks, scenario) : model->with_ticks(ticks, scenario));
       if (timing) found->lanes.enable_timing();
     }
     return *found;
@@ -82,6 +83,7 @@ struct LevelSimulation::Impl {
   }
 
   std::shared_ptr<const Model> model;
+  Longer longer;
   std::map<int, std::unique_ptr<Batch>> batch;  ///< by ticks
   std::array<bool, kPlaces> busy{};
   std::vector<Finished> finished;
@@ -89,8 +91,8 @@ struct LevelSimulation::Impl {
   bool timing = false;
 };
 
-LevelSimulation::LevelSimulation(std::shared_ptr<const Model> model)
-    : impl_(std::make_unique<Impl>(std::move(model))) {}
+LevelSimulation::LevelSimulation(std::shared_ptr<const Model> model, Longer longer)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(longer))) {}
 LevelSimulation::~LevelSimulation() = default;
 
 void LevelSimulation::load(int place, const Scenario& scenario) {

@@ -82,11 +82,8 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
 }
 
 std::shared_ptr<const Model> Model::with_ticks(int ticks, const Scenario& scenario) const {
-  const std::lock_guard lock(longer_mutex_);
-  std::shared_ptr<const Model>& longer = longer_[ticks];
-  if (longer) return longer;
   std::string error;
-  longer = build(scenario, error, ticks, parts_.get());
+  std::shared_ptr<const Model> longer = build(scenario, error, ticks, parts_.get());
   if (!longer) throw std::runtime_error("the model cannot be built for longer steps: " + error);
   return longer;
 }

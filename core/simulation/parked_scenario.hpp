@@ -9,6 +9,7 @@
 namespace unbruised {
 
 struct ParkedScenario {
+  int ticks = 1;  ///< of its last step
   LaneRun run;
   LaneContent content;
 };

@@ -7,9 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -50,8 +49,7 @@ class Model {
   [[nodiscard]] std::size_t factor_entry_count() const;  ///< entries of L
   [[nodiscard]] double max_frequency_Hz() const;         ///< Gershgorin bound on the fastest mode
 
-  /// The same for longer steps; made when it is first asked for, and kept.
-  /// @param scenario of this factor key
+  /// The same for steps that are longer by this factor. @param scenario of this factor key
   [[nodiscard]] std::shared_ptr<const Model> with_ticks(int ticks, const Scenario& scenario) const;
 
   struct Parts;  ///< defined inside core
@@ -64,8 +62,6 @@ class Model {
   static std::shared_ptr<const Model> build(const Scenario& scenario, std::string& error, int ticks,
                                             const Parts* shorter);
   std::unique_ptr<Parts> parts_;
-  mutable std::mutex longer_mutex_;
-  mutable std::map<int, std::shared_ptr<const Model>> longer_;  ///< by ticks
 };
 
 class LaneObserver;     ///< lane_observer.hpp, inside core
@@ -128,7 +124,10 @@ class LaneSimulation {
 /// length of step, and those that no batch has room for wait. A scenario's bits never depend on the others here.
 class LevelSimulation {
  public:
-  explicit LevelSimulation(std::shared_ptr<const Model> model);
+  /// Gives the model for longer steps, `Model::with_ticks`; asked once for each.
+  using Longer = std::function<std::shared_ptr<const Model>(int ticks, const Scenario& scenario)>;
+  /// @param longer of those who share them; none: they are made here
+  explicit LevelSimulation(std::shared_ptr<const Model> model, Longer longer = {});
   ~LevelSimulation();
   LevelSimulation(const LevelSimulation&) = delete;
   LevelSimulation& operator=(const LevelSimulation&) = delete;

@@ -1,5 +1,7 @@
 #include "studies/execution/simulator.hpp"
 
+#include <map>
+#include <mutex>
 #include <utility>
 
 #include "core/motion/motion_plan.hpp"
@@ -9,7 +11,8 @@ namespace {
 
 class CoreLanes final : public LaneEngine {
  public:
-  explicit CoreLanes(std::shared_ptr<const Model> model) : lanes_(std::move(model)) {}
+  CoreLanes(std::shared_ptr<const Model> model, LevelSimulation::Longer longer)
+      : lanes_(std::move(model), std::move(longer)) {}
   void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
   void record_trace(int place, Trace& trace) override { lanes_.record_trace(place, trace); }
   void step() override { lanes_.step(); }
@@ -23,10 +26,23 @@ class CoreLanes final : public LaneEngine {
 class CoreModel final : public SharedModel {
  public:
   explicit CoreModel(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
-  std::unique_ptr<LaneEngine> make_lanes() const override { return std::make_unique<CoreLanes>(model_); }
+  std::unique_ptr<LaneEngine> make_lanes() const override {
+    return std::make_unique<CoreLanes>(
+        model_, [this](int ticks, const Scenario& scenario) { return with_ticks(ticks, scenario); });
+  }
 
  private:
+  /// The one of all threads.
+  std::shared_ptr<const Model> with_ticks(int ticks, const Scenario& scenario) const {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const Model>& longer = longer_[ticks];
+    if (!longer) longer = model_->with_ticks(ticks, scenario);
+    return longer;
+  }
+
   std::shared_ptr<const Model> model_;
+  mutable std::mutex mutex_;
+  mutable std::map<int, std::shared_ptr<const Model>> longer_;  ///< by ticks
 };
 
 class CoreSimulator final : public Simulator {

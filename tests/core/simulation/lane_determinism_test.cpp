@@ -12,7 +12,6 @@ using namespace testing;
 /// A box that yields where the pads press, slips a little, and is set down again.
 Scenario yielding_box() {
   Scenario scenario = small_box();
-  scenario.simulation.levels = LevelUse::off;  // a batch by itself; tests of levels: level_simulation_test
   lattice_of(scenario).yield_stress_Pa = 600.0;
   lattice_of(scenario).tangent_modulus_Pa = 4e4;
   return scenario;

@@ -136,8 +136,7 @@ TEST(LaneMoves, ChangeNoBit) {
 }
 
 TEST(StepLevels, OffIsTheShortestStepThroughout) {
-  Scenario scenario = yielding_box();
-  scenario.simulation.levels = LevelUse::off;
+  const Scenario scenario = yielding_box();  // small_box asks for it
   const auto model = build(scenario);
   expect_same_bits(simulate(model, scenario, nullptr), run_in_one_lane(model, scenario), "off");
 }
@@ -148,6 +147,7 @@ std::vector<Scenario> many_boxes() {
   for (int i = 0; i < level_place_count(); ++i) {
     Scenario scenario = yielding_box();
     scenario.simulation.time_step_s = 5e-4;
+    scenario.simulation.levels = LevelUse::automatic;
     scenario.strategy.grip_force_N = 0.25 + 0.02 * (i % 8);
     scenario.strategy.approach_speed_m_s = 0.02 + 0.01 * (i / 8);
     scenarios.push_back(scenario);

@@ -136,6 +136,7 @@ inline Scenario small_box() {
   scenario.strategy.settle_s = 0.1;
   scenario.strategy.recover_s = 0.1;
   scenario.simulation.time_step_s = 1e-3;
+  scenario.simulation.levels = LevelUse::off;  // a row of the trace for each; levels: level_simulation_test
   return scenario;
 }
 

@@ -317,6 +317,7 @@ std::vector<Arrival> surface_arrivals() {
       {"cell.target_plane", "false", [](S s) { return !s.cell.target_plane; }},
       {"simulation.contact_set", "\"six sides\"",
        [](S s) { return s.simulation.contact_set == ContactSet::six_sides; }},
+      {"simulation.levels", "\"off\"", [](S s) { return s.simulation.levels == LevelUse::off; }},
   };
 }
 

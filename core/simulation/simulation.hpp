@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/contact/compliance_size.hpp"
+#include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/factor_key.hpp"
@@ -74,6 +75,8 @@ class LaneSimulation {
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   /// Watches it with what records its full trace; `trace` has to outlive the run.
   void record_trace(int lane, Trace& trace);
+  /// Watches it with what records its force-closure curve; `curve` has to outlive the run.
+  void record_curve(int lane, Curve& curve);
 
   /// Advances every busy lane by one time step. Lanes that end become free and are returned by `finished`.
   void step();

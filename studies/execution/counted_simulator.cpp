@@ -16,6 +16,7 @@ class CountedLanes final : public LaneEngine {
     ++busy_;
   }
   void record_trace(int lane, Trace& trace) override { lanes_->record_trace(lane, trace); }
+  void record_curve(int lane, Curve& curve) override { lanes_->record_curve(lane, curve); }
   void step() override {
     lanes_->step();
     progress_.count_steps(busy_);

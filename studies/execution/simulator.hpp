@@ -20,6 +20,8 @@ class LaneEngine {
   virtual ~LaneEngine() = default;
   virtual void load(int lane, const Scenario& scenario) = 0;
   virtual void record_trace(int lane, Trace& trace) = 0;
+  /// The scenario that was just loaded leaves its curve there.
+  virtual void record_curve(int lane, Curve& curve) = 0;
   virtual void step() = 0;
   /// Results of the lanes that ended in the last step, in lane order.
   [[nodiscard]] virtual const std::vector<LaneSimulation::Finished>& finished() const = 0;

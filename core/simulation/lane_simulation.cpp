@@ -8,6 +8,7 @@
 #include "core/scenario/step_levels.hpp"
 #include "core/scenario/vectors.hpp"
 #include "core/simulation/balances.hpp"
+#include "core/simulation/curve_recorder.hpp"
 #include "core/simulation/initial_state.hpp"
 #include "core/simulation/lane_drives.hpp"
 #include "core/simulation/lane_mounts.hpp"
@@ -469,5 +470,6 @@ void LaneSimulation::record_trace(int lane, Trace& trace) {
   impl_->contact.note_events(lane);
   watch(lane, std::make_unique<TraceRecorder>(trace));
 }
+void LaneSimulation::record_curve(int lane, Curve& curve) { watch(lane, std::make_unique<CurveRecorder>(curve)); }
 
 }  // namespace unbruised

@@ -2,12 +2,13 @@
 #include <array>
 #include <deque>
 #include <map>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/door/require.hpp"
 #include "core/lanes/lane.hpp"
-#include "core/simulation/lane_observer.hpp"
 #include "core/simulation/parked_scenario.hpp"
 #include "core/simulation/simulation.hpp"
 
@@ -21,6 +22,7 @@ struct Waiting {
   int place = 0;
   std::optional<Scenario> fresh;
   std::unique_ptr<ParkedScenario> parked;
+  std::vector<std::function<void(LaneSimulation&, int lane)>> once_loaded;
 };
 
 /// The scenarios that take steps of one length.
@@ -42,6 +44,7 @@ struct Batch {
       Waiting next = std::move(waiting.front());
       waiting.pop_front();
       next.fresh ? lanes.load(lane, *next.fresh) : lanes.put(lane, *next.parked);
+      for (const auto& act : next.once_loaded) act(lanes, lane);
       place[static_cast<std::size_t>(lane)] = next.place;
     }
   }
@@ -70,16 +73,18 @@ struct LevelSimulation::Impl {
       if (place == Batch::kFree) continue;
       const int ticks = from.lanes.next_ticks(lane);
       if (ticks == from.lanes.ticks()) continue;
-      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane)};
+      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}};
       Batch& to = with_ticks(ticks, moved.parked->run.scenario);
       to.waiting.push_back(std::move(moved));
     }
   }
-  int lane_of(int place) {
-    first().fill();
-    const auto at = std::ranges::find(first().place, place);
-    require(at != first().place.end(), "LevelSimulation: the place has no lane");
-    return static_cast<int>(at - first().place.begin());
+  /// Acts on the lane of a place that was just loaded, now or when it has one.
+  void once_loaded(int place, std::function<void(LaneSimulation&, int lane)> act) {
+    const auto lane = std::ranges::find(first().place, place);
+    if (lane != first().place.end()) return act(first().lanes, static_cast<int>(lane - first().place.begin()));
+    const auto waits = std::ranges::find(first().waiting, place, &Waiting::place);
+    require(waits != first().waiting.end(), "LevelSimulation: nothing was loaded into the place");
+    waits->once_loaded.push_back(std::move(act));
   }
 
   std::shared_ptr<const Model> model;
@@ -100,7 +105,7 @@ void LevelSimulation::load(int place, const Scenario& scenario) {
   bool& busy = impl_->busy[static_cast<std::size_t>(place)];
   require(!busy, "LevelSimulation::load: the place is busy");
   Batch& first = impl_->first();
-  first.waiting.push_back({place, scenario, nullptr});
+  first.waiting.push_back({place, scenario, nullptr, {}});
   first.fill();
   busy = true;
 }
@@ -109,14 +114,12 @@ bool LevelSimulation::busy(int place) const {
   return place >= 0 && place < kPlaces && impl_->busy[static_cast<std::size_t>(place)];
 }
 
-void LevelSimulation::watch(int place, std::unique_ptr<LaneObserver> observer) {
-  const int lane = impl_->lane_of(place);
-  impl_->first().lanes.watch(lane, std::move(observer));
+void LevelSimulation::record_trace(int place, Trace& trace) {
+  impl_->once_loaded(place, [&trace](LaneSimulation& lanes, int lane) { lanes.record_trace(lane, trace); });
 }
 
-void LevelSimulation::record_trace(int place, Trace& trace) {
-  const int lane = impl_->lane_of(place);
-  impl_->first().lanes.record_trace(lane, trace);
+void LevelSimulation::record_curve(int place, Curve& curve) {
+  impl_->once_loaded(place, [&curve](LaneSimulation& lanes, int lane) { lanes.record_curve(lane, curve); });
 }
 
 void LevelSimulation::step() {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/contact/compliance_size.hpp"
+#include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/factor_key.hpp"
@@ -84,6 +85,8 @@ class LaneSimulation {
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   /// Watches it with what records its full trace; `trace` has to outlive the run.
   void record_trace(int lane, Trace& trace);
+  /// Watches it with what records its force-closure curve; `curve` has to outlive the run.
+  void record_curve(int lane, Curve& curve);
 
   /// Advances every busy lane by one time step. Lanes that end become free and are returned by `finished`.
   void step();
@@ -135,9 +138,9 @@ class LevelSimulation {
   /// Puts a scenario of the model's factor key into a free place, from 0 on, at its own t = 0.
   void load(int place, const Scenario& scenario);
   [[nodiscard]] bool busy(int place) const;
-  /// As those of LaneSimulation, right after load and while no more than `lane_count()` places are busy.
-  void watch(int place, std::unique_ptr<LaneObserver> observer);
+  /// As those of LaneSimulation, right after load.
   void record_trace(int place, Trace& trace);
+  void record_curve(int place, Curve& curve);
 
   /// Advances the scenarios of one batch, the one with most to do, by one of its steps.
   void step();

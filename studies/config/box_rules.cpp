@@ -66,16 +66,41 @@ BoxPlaces inside_of(std::size_t sides) {
   return places;
 }
 
+/// Every row of the longest data, the other sides somewhere between their ends.
+BoxPlaces rows_of(const std::vector<BoxSide>& sides) {
+  std::size_t rows = 0;
+  for (const BoxSide& side : sides) rows = std::max(rows, side.rows.size());
+  BoxPlaces places;
+  for (std::size_t row = 0; row < rows; ++row) {
+    places.emplace_back(sides.size(), (static_cast<double>(row) + 0.5) / static_cast<double>(rows));
+  }
+  return places;
+}
+
+/// The values at a place: between the ends of each side, or in the row of the first side that shares its rows.
+std::vector<double> values_at(const std::vector<double>& place, const std::vector<BoxSide>& sides) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const BoxSide& side = sides[k];
+    if (side.rows.empty()) {
+      values.push_back(place[k] == 1.0 ? side.high : side.low + place[k] * (side.high - side.low));
+      continue;
+    }
+    const auto first =
+        std::find_if(sides.begin(), sides.end(), [&](const BoxSide& other) { return other.zip == side.zip; });
+    values.push_back(
+        side.rows[row_of_number(place[static_cast<std::size_t>(first - sides.begin())], side.rows.size())]);
+  }
+  return values;
+}
+
 /// Reports the rule at the first of the places where it is broken.
 void check_places(const StudyRule& rule, const BoxPlaces& places, const std::vector<BoxSide>& sides,
                   const Scenario& base, const StudySettings& settings, Problems& problems) {
   std::vector<std::string> keys;
   for (const BoxSide& side : sides) keys.push_back(side.key);
   for (const std::vector<double>& place : places) {
-    std::vector<double> values;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      values.push_back(place[k] == 1.0 ? sides[k].high : sides[k].low + place[k] * (sides[k].high - sides[k].low));
-    }
+    const std::vector<double> values = values_at(place, sides);
     Violations broken;
     rule.check(Study::with_values(base, keys, values), settings, broken);
     if (broken.empty()) continue;
@@ -92,6 +117,7 @@ void check_sides(const StudyRule& rule, const std::vector<BoxSide>& sides, const
                  const StudySettings& settings, Problems& problems) {
   const std::size_t before = problems.count();
   check_places(rule, corners_of(sides.size()), sides, base, settings, problems);
+  if (problems.count() == before) check_places(rule, rows_of(sides), sides, base, settings, problems);
   if (problems.count() > before || !std::holds_alternative<LatticeParameters>(base.product)) return;
   check_places(rule, inside_of(sides.size()), sides, base, settings, problems);
 }
@@ -107,8 +133,8 @@ std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read) {
   };
   for (const SearchVariable& v : data.variables) sides.push_back({v.key, v.from, v.to, origin_of(v.key)});
   for (const RandomVariable& r : data.randoms) {
-    sides.push_back(
-        {r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh), origin_of(r.key)});
+    sides.push_back({r.key, quantile(r.distribution, kRareLow), quantile(r.distribution, kRareHigh),
+                     origin_of(r.key), r.zip, r.rows});
   }
   return sides;
 }

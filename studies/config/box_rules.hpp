@@ -3,6 +3,7 @@
 /// @file
 /// The rules over the box of values that a study searches or draws from.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct BoxSide {
   double low;
   double high;
   Origin origin;
+  std::string zip = {};               ///< sides with the same word take the same row
+  std::span<const double> rows = {};  ///< of such a side, in place of the ends
 };
 
 std::vector<BoxSide> box_sides(const StudyData& data, const ReadBlocks& read);

@@ -137,6 +137,15 @@ std::string idle_limits(const Scenario& scenario) {
 
 std::vector<std::string> doubts(const StudyData& data) {
   std::vector<std::string> all = without_effect(data.scenario(0));
+  const bool is_together =
+      !data.correlations.empty() || std::any_of(data.randoms.begin(), data.randoms.end(),
+                                                [](const RandomVariable& random) { return !random.zip.empty(); });
+  if (is_together && row_of(data.settings.kind).scenarios == ScenarioSource::design) {
+    all.emplace_back(
+        "Morris' method moves one key at a time: which keys vary together ([[correlation]], rows of data) plays "
+        "no part in "
+        "it");
+  }
   for (std::string& sentence : implausible(data)) all.push_back(std::move(sentence));
   return all;
 }

@@ -77,7 +77,8 @@ std::string default_words(const KeySpec& spec) {
     StudySettings settings;
     words = spelled(spec, spec.study_field(settings));
   } else if (spec.block_field != nullptr) {
-    StudyBlocks blocks{{VariableBlock{}}, {RandomBlock{}}, {CandidateBlock{}}};
+    StudyBlocks blocks{{VariableBlock{}}, {VariableBlock{}},    {SpecimenBlock{}},
+                       {RandomBlock{}},   {CorrelationBlock{}}, {CandidateBlock{}}};
     words = spelled(spec, spec.block_field(blocks, 0));
   } else if (spec.path == "vary[].scale") {
     words = "\"linear\"";

@@ -1,10 +1,11 @@
 #include "studies/config/library.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <system_error>
 
+#include "studies/config/csv_rows.hpp"
+#include "studies/config/measured_data.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/text/joined.hpp"
 
@@ -35,22 +36,6 @@ std::optional<std::string> read_bytes(const std::filesystem::path& path, std::si
   return content;
 }
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1));
-}
-
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// What a CSV column writes to: a key of the list, or one element of it ("position_x_m", "between_0").
 struct CsvColumn {
   const KeySpec* spec = nullptr;
@@ -78,39 +63,6 @@ CsvColumn csv_column(std::string_view list, const std::string& name) {
   return {};
 }
 
-/// Spreadsheets begin "CSV UTF-8" with the bytes EF BB BF.
-std::string_view without_byte_order_mark(std::string_view content) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return content.starts_with(kMark) ? content.substr(kMark.size()) : content;
-}
-
-/// The rows of a CSV file, but for empty ones and comments.
-class CsvRows {
- public:
-  CsvRows(std::string_view content, std::shared_ptr<const std::string> file, int rank)
-      : rest_(without_byte_order_mark(content)), origin_{std::move(file), rank, 0} {}
-  /// Goes on to the next row. @return false: there is none
-  bool next() {
-    while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      const std::string_view line = rest_.substr(0, end);
-      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-      ++origin_.line;
-      if (trimmed(line).empty() || line.front() == '#') continue;
-      cells_ = cells_of(line);
-      return true;
-    }
-    return false;
-  }
-  [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }
-  [[nodiscard]] const Origin& origin() const { return origin_; }
-
- private:
-  std::string_view rest_;
-  std::vector<std::string> cells_;
-  Origin origin_;
-};
-
 /// "yz" as ["y", "z"].
 Value axes_value(const std::string& cell) {
   Value axes;
@@ -121,13 +73,13 @@ Value axes_value(const std::string& cell) {
 
 Value cell_value(const KeySpec& spec, const std::string& cell) {
   if (spec.type == KeyType::axes) return axes_value(cell);
-  double number = 0.0;
-  // Spreadsheets may write "+0"; from_chars takes no plus.
-  const bool has_plus = cell.size() > 1 && cell[0] == '+' && cell[1] != '-' && cell[1] != '+';
-  const char* begin = cell.data() + (has_plus ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), number);
-  if (error != std::errc() || end != cell.data() + cell.size()) return text_value(cell);
-  return number_value(number);
+  const std::optional<double> number = cell_number(cell);
+  return number ? number_value(*number) : text_value(cell);
+}
+
+/// Is it a table or key of the blocks that a product's file may have?
+bool is_block_of_product(std::string_view local) {
+  return local.starts_with("random[") || local.starts_with("correlation[");
 }
 
 }  // namespace
@@ -170,6 +122,7 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
   const bool is_product = table == "product";
   const auto known = [&](const std::string& local) {
     if (local == "source" || local.starts_with("source.") || (is_product && local == "limits")) return true;
+    if (is_product && is_block_of_product(local)) return true;
     const std::string pattern = pattern_of(std::string(table) + "." + local);
     return std::find(table_names().begin(), table_names().end(), pattern) != table_names().end();
   };
@@ -184,6 +137,10 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
     problems.add(entry.origin, local, "unknown table in a " + std::string(table) + " file");
   }
   std::vector<Entry> out;
+  for (const Entry& opened : document.tables) {
+    const std::string local = opened.path.starts_with(prefix) ? opened.path.substr(prefix.size()) : "";
+    if (is_product && is_block_of_product(local)) out.push_back({local, {}, opened.origin});
+  }
   for (const Entry& entry : document.entries) {
     if (!entry.path.starts_with(prefix)) continue;
     const std::string local = entry.path.substr(prefix.size());
@@ -201,7 +158,7 @@ std::vector<Entry> library_entries(const Document& document, std::string_view pr
     } else if (local == "use") {
       problems.add(entry.origin, local, spelled(entry.value), "a file that is used may not use another one");
     } else {
-      const bool own = !(is_product && local.starts_with("limits."));
+      const bool own = !is_product || !(local.starts_with("limits.") || is_block_of_product(local));
       out.push_back({own ? std::string(table) + "." + local : local, entry.value, entry.origin});
     }
   }
@@ -277,6 +234,19 @@ std::vector<Entry> profile_entries(std::string_view content, const std::shared_p
     return {};
   }
   return {list[0], list[1]};
+}
+
+std::vector<double> Library::read_column(const Entry& named, const std::string& column, Problems& problems) {
+  const auto text = open(named, problems);
+  if (!text) return {};
+  return column_numbers(text->content, column, named.path, text->file, text->rank, problems);
+}
+
+std::vector<SpecimenBlock> Library::read_curves(const Entry& named, const CalibrateTable& settings,
+                                                Problems& problems) {
+  const auto text = open(named, problems);
+  if (!text) return {};
+  return measured_curves(text->content, settings, text->file, text->rank, problems);
 }
 
 std::vector<Entry> Library::read_csv(std::string_view list, const Entry& named, Problems& problems) {

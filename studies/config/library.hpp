@@ -18,13 +18,17 @@ namespace unbruised::studies {
 /// Particles, springs or loads of a network.
 constexpr int kMaxListRows = 1'000'000;
 
+struct CalibrateTable;
+struct SpecimenBlock;
+
 /// Opens the files of one study; each gets its rank for the order of messages.
 class Library {
  public:
   Library(std::filesystem::path folder, std::filesystem::path config_root)
       : folder_(std::move(folder)), config_root_(std::move(config_root)) {}
 
-  /// Entries of a product or gripper file under their study paths ("product.shape", "limits.slip_m").
+  /// Entries of a product or gripper file under their study paths ("product.shape", "limits.slip_m"); of the
+  /// blocks of a product ("random[0].key") with an empty entry for each table.
   /// @param table "product" or "gripper"
   /// @param use the entry that names the file
   std::vector<Entry> read(std::string_view table, const Entry& use, Problems& problems);
@@ -32,6 +36,13 @@ class Library {
   /// Entries of a CSV file of particles or springs.
   /// @param list "product.particle" or "product.spring"
   std::vector<Entry> read_csv(std::string_view list, const Entry& named, Problems& problems);
+
+  /// The numbers of one column of a CSV file, kFewestDataRows to kMaxDataRows of them; none where there is a
+  /// problem.
+  std::vector<double> read_column(const Entry& named, const std::string& column, Problems& problems);
+
+  /// The curves of a CSV file, one block for each specimen.
+  std::vector<SpecimenBlock> read_curves(const Entry& named, const CalibrateTable& settings, Problems& problems);
 
   /// Appends the places and heights of the last profile that entries name a file of.
   void read_profile(std::vector<Entry>& entries, Problems& problems);

@@ -18,7 +18,11 @@ class DistributionReader {
     check_keys();
     if (!given("distribution")) return std::nullopt;
     Distribution out{.kind = block_.distribution};
-    if (by_moments()) {
+    if (by_data()) {
+      check_values();
+      out.values = block_.data;
+      std::sort(out.values.begin(), out.values.end());
+    } else if (by_moments()) {
       given("data") ? check_data() : check_moments();
       if (sound_) set_moments(out);
     }
@@ -40,6 +44,9 @@ class DistributionReader {
     return block_.distribution == DistributionKind::normal || block_.distribution == DistributionKind::lognormal;
   }
 
+  [[nodiscard]] bool by_data() const { return block_.distribution == DistributionKind::data; }
+  [[nodiscard]] bool by_range() const { return !by_moments() && !by_data(); }
+
   [[nodiscard]] bool given(const char* leaf) const {
     return std::find(given_keys_.begin(), given_keys_.end(), leaf) != given_keys_.end();
   }
@@ -55,20 +62,41 @@ class DistributionReader {
 
   void check_keys() {
     const bool is_triangular = block_.distribution == DistributionKind::triangular;
-    for (const char* leaf : {"mean", "standard_deviation", "relative_deviation", "data"}) {
+    for (const char* leaf : {"mean", "standard_deviation", "relative_deviation"}) {
       if (given(leaf) && !by_moments()) {
         complain(std::string(".") + leaf, "goes with normal and lognormal only");
       }
     }
+    if (given("data") && by_range()) complain(".data", "goes with normal, lognormal and data only");
     for (const char* leaf : {"from", "to"}) {
-      if (given(leaf) && by_moments()) {
+      if (given(leaf) && !by_range()) {
         complain(std::string(".") + leaf,
-                 "goes with uniform and triangular only; truncate with at_least and at_most");
+                 by_data() ? "goes with uniform and triangular only"
+                           : "goes with uniform and triangular only; truncate with at_least and at_most");
       }
-      if (!given(leaf) && !by_moments()) complain(std::string(".") + leaf, "missing");
+      if (!given(leaf) && by_range()) complain(std::string(".") + leaf, "missing");
+    }
+    for (const char* leaf : {"file", "column", "zip"}) {
+      if (given(leaf) && !by_data()) complain(std::string(".") + leaf, "goes with distribution = \"data\" only");
     }
     if (given("mode") != is_triangular) complain(".mode", is_triangular ? "missing" : "goes with triangular only");
     if (!given("distribution")) complain(".distribution", "missing");
+  }
+
+  /// Of distribution = "data". A file that cannot be read was reported.
+  void check_values() {
+    for (const char* leaf : {"at_least", "at_most"}) {
+      if (given(leaf)) complain(std::string(".") + leaf, "does not go with data; leave values out of it instead");
+    }
+    if (given("file") != given("column")) {
+      complain(given("file") ? ".column" : ".file", "missing; file and column go together");
+    } else if (given("file") == given("data")) {
+      complain(given("file") ? ".data" : "",
+               given("file") ? "excludes file and column" : "needs file and column, or data");
+    } else if (block_.data.size() < 3) {
+      if (given("file")) sound_ = false;
+      if (!given("file")) complain(".data", "needs at least 3 values");
+    }
   }
 
   void check_data() {

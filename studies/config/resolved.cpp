@@ -1,5 +1,6 @@
 #include <functional>
 
+#include "studies/config/execution_error.hpp"
 #include "studies/config/study_data.hpp"
 
 namespace unbruised::studies {
@@ -110,7 +111,7 @@ struct Writer {
     if (data.plan.columns[i].is_use()) variants(data.plan.columns[i]);
   }
 
-  /// [[variable]], [[random]] and [[candidate]].
+  /// [[variable]], [[random]], [[correlation]] and [[candidate]].
   void search_blocks() {
     StudyBlocks blocks;
     for (const SearchVariable& v : data.variables) {
@@ -122,9 +123,14 @@ struct Writer {
                                  .origin = {}});
     }
     blocks.random = data.random_blocks;
+    for (const RankCorrelation& c : data.correlations) {
+      const auto key = [&](std::size_t i) { return key_behind(data.randoms[i].key); };
+      blocks.correlation.push_back({.between = {key(c.first), key(c.second)}, .value = c.value, .origin = {}});
+    }
     for (const StrategyCandidate& c : data.candidates) blocks.candidate.push_back({c.name, "", {}});
     block_list("variable", blocks, blocks.variable.size());
     block_list("random", blocks, blocks.random.size());
+    block_list("correlation", blocks, blocks.correlation.size());
     block_list("candidate", blocks, blocks.candidate.size());
   }
 

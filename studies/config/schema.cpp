@@ -1,6 +1,7 @@
 #include "studies/config/schema.hpp"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 namespace unbruised::studies {
@@ -100,7 +101,8 @@ bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
 }
 
 bool is_of_block(std::string_view path) {
-  return path.starts_with("variable[") || path.starts_with("random[") || path.starts_with("candidate[");
+  return path.starts_with("variable[") || path.starts_with("random[") || path.starts_with("correlation[") ||
+         path.starts_with("candidate[");
 }
 
 }  // namespace unbruised::studies

@@ -54,6 +54,16 @@ struct SensitivityTable {
   double confidence = 0.95;
 };
 
+/// [calibrate] as written; the curves of its files become [[specimen]] blocks.
+struct CalibrateTable {
+  std::vector<std::string> data;
+  CurveTest test = CurveTest::press;
+  std::string outcome;
+  double tolerance = 1e-3;
+  std::uint64_t budget = 200;
+  double confidence = 0.95;
+};
+
 /// What a study says about itself, beside its scenarios.
 struct StudySettings {
   std::string name;
@@ -65,6 +75,7 @@ struct StudySettings {
   SamplingSettings sampling;
   CompareTable compare;
   SensitivityTable sensitivity;
+  CalibrateTable calibrate;
 };
 
 enum class VaryScale { linear, log };
@@ -81,7 +92,7 @@ struct VaryBlock {
   Origin origin;
 };
 
-/// One [[variable]] block as written.
+/// One [[variable]] or [[parameter]] block as written.
 struct VariableBlock {
   std::string key;
   std::optional<double> from;
@@ -106,6 +117,26 @@ struct RandomBlock {
   std::optional<double> at_most;
   std::optional<double> relative;  ///< largest error around the value the key has, in parts of it
   std::optional<double> absolute;  ///< the same in the key's unit
+  std::string file;                ///< CSV with the values of `column`; these stand in `data` once it is read
+  std::string column;
+  std::string zip;  ///< keys of data with the same word take the same row
+  Origin origin;
+};
+
+/// One [[correlation]] block as written.
+struct CorrelationBlock {
+  std::vector<std::string> between;
+  std::optional<double> value;
+  Origin origin;
+};
+
+/// One [[specimen]] block as written.
+struct SpecimenBlock {
+  std::string name;
+  std::vector<double> closure_m;
+  std::vector<double> time_s;
+  std::vector<double> force_N;
+  std::optional<double> outcome;
   Origin origin;
 };
 
@@ -119,7 +150,10 @@ struct CandidateBlock {
 /// The arrays of tables that steer a search or a sample.
 struct StudyBlocks {
   std::vector<VariableBlock> variable;
+  std::vector<VariableBlock> parameter;
+  std::vector<SpecimenBlock> specimen;
   std::vector<RandomBlock> random;
+  std::vector<CorrelationBlock> correlation;
   std::vector<CandidateBlock> candidate;
 };
 
@@ -196,6 +230,7 @@ enum class Use {
   random,    ///< those and kinds with a design over random keys
   candidates,
   design,
+  curves,  ///< kinds that fit measured curves
 };
 
 /// A row of the key table.
@@ -241,7 +276,7 @@ bool is_number_array(KeyType type);
 std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path);
 /// Does the scenario have the field of this key, at this index of its array of tables?
 bool has_field(const KeySpec& spec, const Scenario& scenario, int index);
-/// Is it a table or key of [[variable]], [[random]] or [[candidate]]?
+/// Is it a table or key of a list of blocks of the study ([[variable]], [[random]] and the like, but [[vary]])?
 bool is_of_block(std::string_view path);
 
 /// Does a study of this kind look at the keys of this use? True for uses that depend on the scenario alone.

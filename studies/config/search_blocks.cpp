@@ -38,6 +38,8 @@ class BlockReader {
     } else if (place->list == "random") {
       out_.blocks.random.emplace_back().origin = table.origin;
       out_.random_keys.emplace_back();
+    } else if (place->list == "correlation") {
+      out_.blocks.correlation.emplace_back().origin = table.origin;
     } else {
       out_.blocks.candidate.emplace_back().origin = table.origin;
       out_.candidate_entries.emplace_back();
@@ -76,10 +78,14 @@ class BlockReader {
   ReadBlocks finish() {
     report_missing("variable", out_.blocks.variable);
     report_missing("random", out_.blocks.random);
+    report_missing("correlation", out_.blocks.correlation);
     report_missing("candidate", out_.blocks.candidate);
     for (std::size_t i = 0; i < out_.random_keys.size(); ++i) {
       out_.random_keys[i].assign(given_["random"][i].begin(), given_["random"][i].end());
       out_.random_sound.push_back(!wrong_.contains({"random", i}));
+    }
+    for (std::size_t i = 0; i < out_.blocks.correlation.size(); ++i) {
+      out_.correlation_sound.push_back(!wrong_.contains({"correlation", i}));
     }
     return std::move(out_);
   }

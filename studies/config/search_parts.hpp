@@ -30,6 +30,8 @@ void add_searched_keys(const SearchInput& input);
 /// The distribution of block `i`: which keys it takes, which it needs. Nothing, and problems, where it has none.
 std::optional<Distribution> distribution_of(const RandomBlock& block, std::size_t i,
                                             const std::vector<std::string>& given_keys, Problems& problems);
+/// The correlations of the random keys, from their blocks; they are there already.
+void add_correlations(const SearchInput& input);
 /// Goals and settings of [search], [compare] and [sensitivity].
 void add_goals(const SearchInput& input);
 

@@ -90,7 +90,9 @@ class SearchedKeys {
       if (!distribution || !check_support(block, i, *distribution)) continue;
       give_base(block.key, quantile(*distribution, 0.5), quantile(*distribution, kRareHigh));
       add_random({block.key, units_of(block.key), *distribution, false});
+      if (distribution->kind == DistributionKind::data) add_rows(block, i);
     }
+    leave_lone_rows();
   }
 
  private:
@@ -148,8 +150,35 @@ class SearchedKeys {
       const std::array<double, 1> value = {quantile(random.distribution, u)};
       return factor_key(Study::with_values(data_.bases.front(), {&random.key, 1}, value));
     };
-    random.changes_factor = factor_at(0.25) != factor_at(0.75);
+    // The quartiles of data may be one value.
+    const bool is_data = random.distribution.kind == DistributionKind::data;
+    random.changes_factor = factor_at(is_data ? kRareLow : 0.25) != factor_at(is_data ? kRareHigh : 0.75);
     data_.randoms.push_back(std::move(random));
+  }
+
+  /// Blocks with one word, or of one file, take the same row.
+  void add_rows(const RandomBlock& block, std::size_t i) {
+    RandomVariable& random = data_.randoms.back();
+    random.zip = block.zip.empty() ? block.file : block.zip;
+    if (random.zip.empty()) return;
+    random.rows = block.data;
+    const auto other = std::find_if(data_.randoms.begin(), data_.randoms.end(),
+                                    [&](const RandomVariable& r) { return r.zip == random.zip; });
+    if (other->rows.size() == random.rows.size()) return;
+    problems_.add(block.origin, "random[" + std::to_string(i) + "].zip", toml_string(random.zip),
+                  "blocks that are zipped need equal numbers of values, here " +
+                      std::to_string(random.rows.size()) + " and " + std::to_string(other->rows.size()));
+  }
+
+  /// A key that shares its rows with no other is drawn by its values alone.
+  void leave_lone_rows() {
+    for (RandomVariable& random : data_.randoms) {
+      const auto sharing = std::count_if(data_.randoms.begin(), data_.randoms.end(),
+                                         [&](const RandomVariable& r) { return r.zip == random.zip; });
+      if (sharing > 1) continue;
+      random.zip.clear();
+      random.rows.clear();
+    }
   }
 
   /// An error around the values that a key has in this study.
@@ -175,7 +204,9 @@ class SearchedKeys {
         return leaf + " does not go with an error; give relative or absolute, and distribution";
       }
     }
-    if (block.distribution == DistributionKind::lognormal) return "an error is uniform, normal or triangular";
+    if (block.distribution == DistributionKind::lognormal || block.distribution == DistributionKind::data) {
+      return "an error is uniform, normal or triangular";
+    }
     const bool taken = std::any_of(data_.randoms.begin(), data_.randoms.end(), [&](const RandomVariable& random) {
       return key_behind(random.key) == block.key;
     });
@@ -245,8 +276,10 @@ class SearchedKeys {
       const double value = quantile(distribution, u);
       if (range.contains(value)) continue;
       problems_.add(block.origin, "random[" + std::to_string(i) + "].key", toml_string(block.key),
-                    "values outside '" + range.text() + "' are possible (" + rounded(value) +
-                        "); truncate with at_least or at_most");
+                    distribution.kind == DistributionKind::data
+                        ? "its data has values outside '" + range.text() + "' (" + rounded(value) + ")"
+                        : "values outside '" + range.text() + "' are possible (" + rounded(value) +
+                              "); truncate with at_least or at_most");
       return false;
     }
     return true;

@@ -23,7 +23,9 @@ class Completion {
     refuse_foreign_blocks();
     check_counts();
     add_searched_keys(input_);
+    add_correlations(input_);
     add_goals(input_);
+    check_indices();
     data_.sampling = data_.settings.sampling;
     check_products_fit();
   }
@@ -41,6 +43,7 @@ class Completion {
   void refuse_foreign_blocks() {
     refuse_blocks(read_.blocks.variable, "variable", Use::search);
     refuse_blocks(read_.blocks.random, "random", Use::random);
+    refuse_blocks(read_.blocks.correlation, "correlation", Use::random);
     refuse_blocks(read_.blocks.candidate, "candidate", Use::candidates);
   }
 
@@ -59,6 +62,24 @@ class Completion {
     if (row.candidate == Blocks::required && (candidates < 2 || candidates > kCandidatesMost)) {
       needs("two or more [[candidate]] blocks, at most 20");
     }
+  }
+
+  /// Sobol' indices split a variance that independent keys have made.
+  void check_indices() {
+    if (row_of(kind()).scenarios != ScenarioSource::design) return;
+    if (data_.sensitivity.method != SensitivityMethod::sobol) return;
+    std::string together;
+    if (!data_.correlations.empty()) together = "[[correlation]]";
+    for (const RandomVariable& random : data_.randoms) {
+      if (!random.zip.empty()) together = "rows of " + random.zip;
+    }
+    if (together.empty()) return;
+    problems_.add(
+        base_.origin_of("sensitivity.method"), "sensitivity.method", "\"sobol\"",
+        "Sobol' indices are parts of a variance only of keys that are drawn independently, and here are " +
+            together +
+            "; take method = \"morris\" (effects of one key at a time, whatever their joint law), draw the "
+            "keys independently, or ask kind = \"sample\" for the spread under the joint law");
   }
 
   void check_products_fit() {

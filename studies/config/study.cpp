@@ -63,10 +63,12 @@ Scenario Study::scenario(std::size_t id) const { return data_->scenario(id); }
 
 const std::vector<SearchVariable>& Study::variables() const { return data_->variables; }
 const std::vector<RandomVariable>& Study::randoms() const { return data_->randoms; }
+const std::vector<RankCorrelation>& Study::correlations() const { return data_->correlations; }
 const std::vector<StrategyCandidate>& Study::candidates() const { return data_->candidates; }
 const SearchSettings& Study::search() const { return data_->search; }
 const SamplingSettings& Study::sampling() const { return data_->sampling; }
 const CompareSettings& Study::compare() const { return data_->compare; }
+const CalibrateSettings& Study::calibrate() const { return data_->calibrate; }
 const SensitivitySettings& Study::sensitivity() const { return data_->sensitivity; }
 
 Scenario Study::with_values(Scenario base, std::span<const std::string> keys, std::span<const double> values) {

@@ -65,6 +65,16 @@ struct RandomVariable {
   std::string units;
   Distribution distribution;
   bool changes_factor = false;  ///< another value makes another factor group
+  /// Keys of data with the same word take the same row; empty: the key is drawn by its distribution.
+  std::string zip = {};
+  std::vector<double> rows = {};  ///< the values in the order of the rows, for keys with such a word
+};
+
+/// Two random keys that vary together.
+struct RankCorrelation {
+  std::size_t first = 0;  ///< places in Study::randoms()
+  std::size_t second = 0;
+  double value = 0.0;  ///< Spearman's coefficient, > -1, < 1
 };
 
 /// A strategy that is compared with others.
@@ -127,6 +137,34 @@ struct SensitivitySettings {
   double confidence = 0.95;
 };
 
+/// What was measured over what.
+enum class CurveTest {
+  press,       ///< force over closure
+  relaxation,  ///< force over time
+  creep,       ///< closure over time
+  slide,       ///< tangential force over time
+};
+
+/// One specimen's measured curve.
+struct MeasuredCurve {
+  std::string specimen;
+  std::vector<double> x;          ///< closure in m or time in s since the first contact, ascending
+  std::vector<double> y;          ///< force in N or closure in m, as many
+  std::optional<double> outcome;  ///< what is predicted from the fitted keys
+};
+
+struct CalibrateSettings {
+  CurveTest test = CurveTest::press;
+  std::vector<MeasuredCurve> curves;
+  std::string outcome;  ///< name of what is predicted; empty: nothing is
+  /// > 0, < 1; part of each range below which a fit's steps end it
+  double tolerance = 1e-3;
+  /// > 0; scenarios of one specimen's fit
+  std::uint64_t budget = 200;
+  /// 0.5 .. 0.9999
+  double confidence = 0.95;
+};
+
 /// The contact of a study that gets the fewest time steps.
 struct ContactSteps {
   double steps = std::numeric_limits<double>::infinity();  ///< infinite: the study has no contact that hits
@@ -157,11 +195,14 @@ class Study {
   // Meaningful for the kinds that use them, empty or default for others.
   [[nodiscard]] const std::vector<SearchVariable>& variables() const;
   [[nodiscard]] const std::vector<RandomVariable>& randoms() const;
+  /// Pairs that are not here are independent; all together can be drawn.
+  [[nodiscard]] const std::vector<RankCorrelation>& correlations() const;
   [[nodiscard]] const std::vector<StrategyCandidate>& candidates() const;
   [[nodiscard]] const SearchSettings& search() const;
   [[nodiscard]] const SamplingSettings& sampling() const;
   [[nodiscard]] const CompareSettings& compare() const;
   [[nodiscard]] const SensitivitySettings& sensitivity() const;
+  [[nodiscard]] const CalibrateSettings& calibrate() const;
 
   /// `base` with numeric keys set to values, and errors of keys added to what is there, in this order;
   /// `contact_force_N` never exceeds the grip force (lowered where it would).

@@ -19,12 +19,14 @@ struct StudyData {
   std::vector<Scenario> bases;
   std::vector<SearchVariable> variables;
   std::vector<RandomVariable> randoms;
-  std::vector<RandomBlock> random_blocks;  ///< as written, for the resolved text
+  std::vector<RandomBlock> random_blocks;  ///< as written, with the values of files, for the resolved text
+  std::vector<RankCorrelation> correlations;
   std::vector<StrategyCandidate> candidates;
   SearchSettings search;
   SamplingSettings sampling;
   CompareSettings compare;
   SensitivitySettings sensitivity;
+  CalibrateSettings calibrate;
   std::vector<Entry> sources;  ///< where the values come from: "product.source.mass_kg" and the like
   ContactSteps fewest_contact_steps;
   bool is_time_step_chosen = false;

@@ -14,7 +14,18 @@
 namespace unbruised::studies {
 
 /// In the order of the table.
-enum class StudyKind { simulate, sweep, window, sample, optimize, robust, pareto, compare, sensitivity };
+enum class StudyKind {
+  simulate,
+  sweep,
+  window,
+  sample,
+  optimize,
+  robust,
+  pareto,
+  compare,
+  sensitivity,
+  calibrate
+};
 
 /// Where the scenarios of a study come from.
 enum class ScenarioSource {
@@ -24,6 +35,7 @@ enum class ScenarioSource {
   pairs,      ///< every candidate with every random product
   design,     ///< a design over the random keys
   questions,  ///< what searches over the [[variable]] keys ask
+  curves,     ///< what the fits of the [[parameter]] keys to measured curves ask
 };
 
 /// May a study have blocks of a list?
@@ -41,6 +53,7 @@ struct StudyKindRow {
   ScenarioSource scenarios;
   Blocks vary = Blocks::refused;
   Blocks variable = Blocks::refused;
+  Blocks parameter = Blocks::refused;
   Blocks random = Blocks::refused;
   Blocks candidate = Blocks::refused;
   Objectives objectives = Objectives::none;
@@ -62,6 +75,8 @@ inline bool is_search(StudyKind kind) { return row_of(kind).scenarios == Scenari
 inline bool is_random(StudyKind kind) { return row_of(kind).random != Blocks::refused; }
 /// Searches that judge a strategy by statistics over random products.
 inline bool is_sampled_search(StudyKind kind) { return is_search(kind) && is_random(kind); }
+/// Kinds that fit keys to measured curves.
+inline bool fits_curves(StudyKind kind) { return row_of(kind).scenarios == ScenarioSource::curves; }
 /// Kinds that search for the grip force themselves.
 inline bool searches_force(StudyKind kind) { return row_of(kind).scenarios == ScenarioSource::forces; }
 /// Kinds of one run, which leaves its trace.

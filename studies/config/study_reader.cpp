@@ -11,6 +11,7 @@
 #include "studies/config/execution_error.hpp"
 #include "studies/config/library.hpp"
 #include "studies/config/problems.hpp"
+#include "studies/config/product_blocks.hpp"
 #include "studies/config/searching.hpp"
 #include "studies/config/sorted_text.hpp"
 #include "studies/config/sources.hpp"
@@ -40,7 +41,11 @@ class Reader {
     load_lists();
     find_variants();
     data_.plan = plan_vary(text_.vary_entries, text_.vary_tables, place(1), problems_);
+    products_ = library_lists("product");
+    grippers_ = library_lists("gripper");
+    if (draws_products() && products_.size() == 1) add_blocks_of_product(products_.front(), text_);
     blocks_ = read_blocks(text_.block_entries, text_.block_tables, problems_);
+    load_data();
     assemble_bases(known);
     complete_search(data_, blocks_, assemblies_.front(), problems_);
     const bool chooses_step = problems_.empty() && !is_given(kTimeStepKey);
@@ -73,6 +78,23 @@ class Reader {
     }
   }
 
+  [[nodiscard]] bool draws_products() const {
+    const Entry* kind = text_.last("study.kind");
+    const auto known = kind == nullptr ? std::nullopt : study_kind_named(kind->value.text);
+    return known && is_random(*known);
+  }
+
+  /// The values of [[random]] blocks that name a file.
+  void load_data() {
+    for (std::size_t i = 0; i < blocks_.blocks.random.size(); ++i) {
+      RandomBlock& block = blocks_.blocks.random[i];
+      const bool is_named = !block.file.empty() && !block.column.empty();
+      if (!is_named || block.distribution != DistributionKind::data || !block.data.empty()) continue;
+      const Entry named{"random[" + std::to_string(i) + "].file", text_value(block.file), block.origin};
+      block.data = library_.read_column(named, block.column, problems_);
+    }
+  }
+
   /// Which values of product.use and gripper.use are there? The vary plan is read later, so peek.
   void find_variants() {
     const Entry* gripper = text_.last("gripper.use");
@@ -98,8 +120,6 @@ class Reader {
 
   /// @param known problems found before any other file or any [[vary]] block was read
   void assemble_bases(std::size_t known) {
-    const auto products = library_lists("product");
-    const auto grippers = library_lists("gripper");
     AssemblyInput input;
     input.fallback = place(1);
     input.tables = text_.tables;
@@ -113,14 +133,14 @@ class Reader {
       input.varied_keys.push_back(key);
       input.tables["vary " + key] = origin;
     }
-    for (const auto& product : products) {
-      for (const auto& gripper : grippers) {
+    for (const auto& product : products_) {
+      for (const auto& gripper : grippers_) {
         input.entries = layers(product, gripper, {});
         assemblies_.push_back(assemble(input, problems_));
       }
     }
-    assemble_candidates(input, products.front(), grippers.front());
-    take_sources(products, grippers);
+    assemble_candidates(input, products_.front(), grippers_.front());
+    take_sources();
     data_.settings = assemblies_.front().settings;
     for (Assembly& assembly : assemblies_) {
       if (searches_force(data_.settings.kind)) {
@@ -163,10 +183,9 @@ class Reader {
   }
 
   /// Of a product or gripper that is varied no source is taken: there are several.
-  void take_sources(const std::vector<std::vector<Entry>>& products,
-                    const std::vector<std::vector<Entry>>& grippers) {
+  void take_sources() {
     std::vector<Entry> library;
-    for (const auto* lists : {&products, &grippers}) {
+    for (const auto* lists : {&products_, &grippers_}) {
       if (lists->size() == 1) library.insert(library.end(), lists->front().begin(), lists->front().end());
     }
     data_.sources = sources_in_use(library, text_.own_sources, text_.study, text_.command_line);
@@ -178,7 +197,7 @@ class Reader {
     std::vector<LayeredEntry> all;
     for (const auto* list : {&product, &gripper}) {
       for (const Entry& entry : *list) {
-        if (!is_source(entry.path)) all.push_back({Layer::library, &entry});
+        if (!is_source(entry.path) && !is_of_block(entry.path)) all.push_back({Layer::library, &entry});
       }
     }
     // Waypoints are one path: whoever has his own has none of the study's.
@@ -243,6 +262,11 @@ class Reader {
   void finish() {
     for (const VaryColumn& column : data_.plan.columns) data_.inputs.push_back(column.input);
     data_.random_blocks = blocks_.blocks.random;
+    for (RandomBlock& block : data_.random_blocks) {
+      if (block.zip.empty()) block.zip = std::exchange(block.file, {});
+      block.file.clear();
+      block.column.clear();
+    }
     data_.fewest_contact_steps = fewest_contact_steps(data_);
     data_.resolved = resolved_text(data_);
     data_.warnings = doubts(data_);
@@ -252,6 +276,8 @@ class Reader {
   Library library_;
   Problems problems_;
   SortedText text_;
+  std::vector<std::vector<Entry>> products_;  ///< entries of the product's file, a list for each that is varied
+  std::vector<std::vector<Entry>> grippers_;
   ReadBlocks blocks_;
   std::vector<Assembly> assemblies_;
   bool has_gripper_ = false;

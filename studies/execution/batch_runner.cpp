@@ -19,7 +19,11 @@ BatchReport run_batch(const Executor& executor, const Batch& batch, const Result
     room.acquire();
     recorder.put({.row = {.id = id, .result = result, .inputs = {}}, .hand_out = [&room] { room.release(); }});
   };
-  work = executor.begin({.scenario = batch.scenario, .sink = put, .stop = batch.stop, .supply = Supply::at_once});
+  work = executor.begin({.scenario = batch.scenario,
+                         .sink = put,
+                         .curve = batch.curve,
+                         .stop = batch.stop,
+                         .supply = Supply::at_once});
   work->add(batch.ids);
   work->close();
   const WorkReport done = work->run();

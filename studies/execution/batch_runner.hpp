@@ -18,6 +18,8 @@ struct Batch {
   std::vector<std::uint64_t> ids;  ///< each once; begun in this order inside a group
   /// The scenario of an id; called from several threads at once.
   std::function<Scenario(std::uint64_t id)> scenario;
+  /// As WorkOrder::curve.
+  std::function<Curve&(std::uint64_t id)> curve = {};
   /// When it becomes true no more scenarios are begun and those in flight are dropped; may be null.
   const std::atomic<bool>* stop = nullptr;
 };

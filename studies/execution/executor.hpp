@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 
+#include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
@@ -46,6 +47,8 @@ struct WorkOrder {
   /// The scenario of an id; called from several threads at once, more than once per id.
   std::function<Scenario(std::uint64_t id)> scenario;
   ResultSink sink;
+  /// Where the curve of a scenario goes, filled when its result is delivered; nothing: no curves are wanted.
+  std::function<Curve&(std::uint64_t id)> curve = {};
   /// When it becomes true no more scenarios are begun and those in flight are dropped; may be null.
   const std::atomic<bool>* stop = nullptr;
   Supply supply = Supply::at_once;

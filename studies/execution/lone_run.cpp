@@ -33,12 +33,13 @@ ModelOrReason build_model(const Simulator& simulator, const Scenario& scenario) 
   }
 }
 
-std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,
-                                                 const std::atomic<bool>* stop) {
+std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario,
+                                                 Records records, const std::atomic<bool>* stop) {
   try {
     const std::unique_ptr<LaneEngine> lanes = model.make_lanes();
     lanes->load(0, scenario);
-    if (trace != nullptr) lanes->record_trace(0, *trace);
+    if (records.trace != nullptr) lanes->record_trace(0, *records.trace);
+    if (records.curve != nullptr) lanes->record_curve(0, *records.curve);
     while (!is_set(stop)) {
       lanes->step();
       if (!lanes->finished().empty()) return lanes->finished().front().result;
@@ -53,7 +54,7 @@ std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenar
                                         const std::atomic<bool>* stop) {
   const ModelOrReason model = build_model(simulator, scenario);
   if (!model) return failed_result(model.error());
-  return run_in_fresh_lanes(**model, scenario, trace, stop);
+  return run_in_fresh_lanes(**model, scenario, {.trace = trace}, stop);
 }
 
 }  // namespace unbruised::studies

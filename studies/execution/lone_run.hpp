@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
@@ -21,11 +22,16 @@ ScenarioResult failed_result(std::string cause);
 std::string current_exception_text();
 /// The model of a scenario, or why it cannot be built: an exception is a reason too.
 ModelOrReason build_model(const Simulator& simulator, const Scenario& scenario);
+/// What a run leaves beside its result, where it is not null.
+struct Records {
+  Trace* trace = nullptr;
+  Curve* curve = nullptr;
+};
 /// One scenario in lane 0 of fresh lanes until it ends; nothing when stopped.
-/// @param trace filled when not null. @param stop may be null.
-std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario, Trace* trace,
-                                                 const std::atomic<bool>* stop);
-/// The same with a model of its own.
+/// @param stop may be null.
+std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario,
+                                                 Records records, const std::atomic<bool>* stop);
+/// The same with a model of its own. @param trace filled when not null.
 /// @return nothing when stopped; a `diverged` result with the cause where there is no model or an exception.
 std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario, Trace* trace,
                                         const std::atomic<bool>* stop);

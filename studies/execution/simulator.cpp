@@ -15,6 +15,7 @@ class CoreLanes final : public LaneEngine {
       : lanes_(std::move(model), std::move(longer)) {}
   void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
   void record_trace(int place, Trace& trace) override { lanes_.record_trace(place, trace); }
+  void record_curve(int place, Curve& curve) override { lanes_.record_curve(place, curve); }
   void step() override { lanes_.step(); }
   int stepped() const override { return lanes_.stepped(); }
   const std::vector<Finished>& finished() const override { return lanes_.finished(); }

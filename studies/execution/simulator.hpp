@@ -22,6 +22,8 @@ class LaneEngine {
   virtual ~LaneEngine() = default;
   virtual void load(int place, const Scenario& scenario) = 0;
   virtual void record_trace(int place, Trace& trace) = 0;
+  /// The scenario that was just loaded leaves its curve there.
+  virtual void record_curve(int place, Curve& curve) = 0;
   virtual void step() = 0;
   /// How many scenarios the last step advanced.
   [[nodiscard]] virtual int stepped() const = 0;

@@ -16,7 +16,9 @@ class CompareTables {
       : study_(study), comparison_(study, rows) {}
 
   std::vector<ResultTable> all() const {
-    return {candidates(), differences(), random_table(study_, comparison_.products())};
+    std::vector<ResultTable> tables = {candidates(), differences()};
+    for (ResultTable& table : random_tables(study_, comparison_.products())) tables.push_back(std::move(table));
+    return tables;
   }
 
  private:

@@ -202,7 +202,9 @@ std::vector<ResultTable> sample_tables(const Study& study, const std::vector<Sce
                            {"probability_low", estimate.interval.low},
                            {"probability_high", estimate.interval.high},
                            {"confidence", study.sampling().confidence}};
-  return {std::move(statistics), random_table(study, products)};
+  std::vector<ResultTable> tables = {std::move(statistics)};
+  for (ResultTable& table : random_tables(study, products)) tables.push_back(std::move(table));
+  return tables;
 }
 
 }  // namespace unbruised::studies

@@ -43,7 +43,9 @@ class SearchTables {
         tables.push_back(constraints(shown));
     }
     if (!found_.checks.empty()) tables.push_back(verification());
-    if (found_.products) tables.push_back(random_table(study_, *found_.products));
+    if (found_.products) {
+      for (ResultTable& table : random_tables(study_, *found_.products)) tables.push_back(std::move(table));
+    }
     return tables;
   }
 

@@ -37,6 +37,7 @@ struct KindAnswer {
   std::vector<ResultTable> found;
   std::optional<WindowTable> window;
   std::optional<AnsweredStrategy> strategy;  ///< for the robot, where the study has one
+  std::optional<std::string> product;        ///< a product file that a calibration has made
   std::optional<Trace> trace;
   std::vector<std::string> warnings;  ///< what the answer may be wrong by
   bool interrupted = false;

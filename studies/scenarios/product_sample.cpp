@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "studies/scenarios/joint_law.hpp"
+#include "studies/statistics/correlation.hpp"
 #include "studies/statistics/design.hpp"
 #include "studies/statistics/distribution.hpp"
 #include "studies/statistics/intervals.hpp"
@@ -34,6 +36,25 @@ std::vector<std::size_t> groups_of_products(std::size_t count, std::size_t group
   return group;
 }
 
+ResultTable random_table(const Study& study, const ProductSample& sample) {
+  std::vector<std::string> distributions;
+  std::vector<double> means;
+  std::vector<double> deviations;
+  for (std::size_t k = 0; k < sample.keys.size(); ++k) {
+    distributions.push_back(distribution_text(study.randoms()[k].distribution));
+    const MeanAndSpread drawn = mean_and_spread(sample.column(k));
+    means.push_back(drawn.mean);
+    deviations.push_back(drawn.standard_deviation);
+  }
+  return {.name = "random",
+          .row = "random_key",
+          .columns = {{"key", "", "random key", sample.keys},
+                      {"distribution", "", "what it was drawn from", std::move(distributions)},
+                      {"mean", "", "of the values drawn, in the key's unit", std::move(means)},
+                      {"standard_deviation", "", "of the values drawn, in the key's unit", std::move(deviations)}},
+          .attributes = {}};
+}
+
 }  // namespace
 
 std::vector<double> ProductSample::column(std::size_t key) const {
@@ -54,16 +75,12 @@ ProductSample ProductSample::first(std::size_t count) const {
 }
 
 ProductSample draw_products(const Study& study, std::size_t count, std::uint64_t seed) {
-  const std::vector<RandomVariable>& randoms = study.randoms();
   const SamplingSettings& sampling = study.sampling();
   ProductSample sample;
-  std::vector<std::size_t> place(randoms.size());  // of a key among those of its sort
-  std::size_t own = 0;
-  std::size_t shared = 0;
-  for (std::size_t k = 0; k < randoms.size(); ++k) {
-    sample.keys.push_back(randoms[k].key);
-    place[k] = randoms[k].changes_factor ? shared++ : own++;
-  }
+  for (const RandomVariable& random : study.randoms()) sample.keys.push_back(random.key);
+  const JointLaw law(study);
+  const std::size_t own = law.own_numbers();
+  const std::size_t shared = law.shared_numbers();
   const std::size_t groups =
       sampling.factor_groups == 0 ? count : std::min<std::size_t>(sampling.factor_groups, count);
   const std::size_t replicates = replicate_count(sampling.design, shared > 0 ? groups : count);
@@ -85,32 +102,32 @@ ProductSample draw_products(const Study& study, std::size_t count, std::uint64_t
         replicated_design({sampling.design, groups, shared, replicates}, derived_seed(seed, kGroupValues));
   }
   for (std::size_t product = 0; product < count; ++product) {
-    for (std::size_t k = 0; k < randoms.size(); ++k) {
-      const double u = randoms[k].changes_factor ? group_design.at(sample.group[product], place[k])
-                                                 : own_design.at(product, place[k]);
-      sample.values.push_back(quantile(randoms[k].distribution, u));
-    }
+    const auto shared_number = [&](std::size_t place) { return group_design.at(sample.group[product], place); };
+    const auto own_number = [&](std::size_t place) { return own_design.at(product, place); };
+    for (const double value : law.draw(shared_number, own_number)) sample.values.push_back(value);
   }
   return sample;
 }
 
-ResultTable random_table(const Study& study, const ProductSample& sample) {
-  std::vector<std::string> distributions;
-  std::vector<double> means;
-  std::vector<double> deviations;
-  for (std::size_t k = 0; k < sample.keys.size(); ++k) {
-    distributions.push_back(distribution_text(study.randoms()[k].distribution));
-    const MeanAndSpread drawn = mean_and_spread(sample.column(k));
-    means.push_back(drawn.mean);
-    deviations.push_back(drawn.standard_deviation);
+std::vector<ResultTable> random_tables(const Study& study, const ProductSample& sample) {
+  std::vector<ResultTable> tables = {random_table(study, sample)};
+  if (study.correlations().empty()) return tables;
+  std::vector<std::string> first, second;
+  std::vector<double> wanted, drawn;
+  for (const RankCorrelation& c : study.correlations()) {
+    first.push_back(sample.keys[c.first]);
+    second.push_back(sample.keys[c.second]);
+    wanted.push_back(c.value);
+    drawn.push_back(spearman(sample.column(c.first), sample.column(c.second)));
   }
-  return {.name = "random",
-          .row = "random_key",
-          .columns = {{"key", "", "random key", sample.keys},
-                      {"distribution", "", "what it was drawn from", std::move(distributions)},
-                      {"mean", "", "of the values drawn, in the key's unit", std::move(means)},
-                      {"standard_deviation", "", "of the values drawn, in the key's unit", std::move(deviations)}},
-          .attributes = {}};
+  tables.push_back({.name = "correlation",
+                    .row = "correlation_pair",
+                    .columns = {{"first", "", "random key", std::move(first)},
+                                {"second", "", "random key", std::move(second)},
+                                {"rank_correlation", "1", "wanted", std::move(wanted)},
+                                {"drawn", "1", "of the values drawn", std::move(drawn)}},
+                    .attributes = {}});
+  return tables;
 }
 
 }  // namespace unbruised::studies

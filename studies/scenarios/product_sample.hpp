@@ -41,7 +41,8 @@ struct ProductSample {
 /// independent
 ProductSample draw_products(const Study& study, std::size_t count, std::uint64_t seed);
 
-/// Table `random`: the keys, their distributions, and mean and standard deviation of what was drawn.
-ResultTable random_table(const Study& study, const ProductSample& sample);
+/// Table `random`: the keys, their distributions, and mean and standard deviation of what was drawn. Of studies
+/// with correlations table `correlation` too: wanted and drawn.
+std::vector<ResultTable> random_tables(const Study& study, const ProductSample& sample);
 
 }  // namespace unbruised::studies

@@ -29,6 +29,8 @@ bool has_moments(const Distribution& d) {
   return d.kind == DistributionKind::normal || d.kind == DistributionKind::lognormal;
 }
 
+bool is_data(const Distribution& d) { return d.kind == DistributionKind::data; }
+
 bool is_point(const Distribution& d) { return has_moments(d) && d.standard_deviation == 0.0; }
 
 /// Mean and standard deviation of the logarithm: s^2 = log(1 + (sd / mean)^2), m = log(mean) - s^2 / 2.
@@ -57,6 +59,8 @@ double with_whole(const Distribution& d, Use use) {
       const Logarithm logarithm = logarithm_of(d);
       return use(bm::lognormal_distribution<double, QuietPolicy>(logarithm.mean, logarithm.standard_deviation));
     }
+    case DistributionKind::data:
+      break;  // has a quantile function of its own
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -91,6 +95,8 @@ double center(const Distribution& d) {
       return d.mean;
     case DistributionKind::lognormal:
       return std::exp(logarithm_of(d).mean);
+    case DistributionKind::data:
+      break;
   }
   return 0.0;
 }
@@ -118,6 +124,9 @@ std::string kind_text(const Distribution& d) {
       return "normal" + moments;
     case DistributionKind::lognormal:
       return "lognormal" + moments;
+    case DistributionKind::data:
+      return "data(" + std::to_string(d.values.size()) + " values, " + number_text(d.values.front()) + " to " +
+             number_text(d.values.back()) + ")";
   }
   return {};
 }
@@ -157,12 +166,22 @@ const char* broken_rule_of_truncation(const Distribution& d) {
 }  // namespace
 
 std::optional<std::string> broken_rule(const Distribution& d) {
+  if (is_data(d)) {
+    const bool sound = !d.values.empty() && std::all_of(d.values.begin(), d.values.end(),
+                                                        [](double value) { return std::isfinite(value); });
+    return sound ? std::nullopt : std::optional<std::string>("data must be finite numbers");
+  }
   const char* broken = has_moments(d) ? broken_rule_of_moments(d) : broken_rule_of_range(d);
   if (broken == nullptr) broken = broken_rule_of_truncation(d);
   return broken == nullptr ? std::nullopt : std::optional<std::string>(broken);
 }
 
+std::size_t row_of_number(double u, std::size_t rows) {
+  return std::min(rows - 1, static_cast<std::size_t>(u * static_cast<double>(rows)));
+}
+
 double quantile(const Distribution& d, double u) {
+  if (is_data(d)) return d.values[row_of_number(u, d.values.size())];
   if (is_point(d)) return d.mean;
   const double low = std::max(d.at_least, support_low(d));
   const double high = std::min(d.at_most, support_high(d));
@@ -184,6 +203,10 @@ double quantile(const Distribution& d, double u) {
 }
 
 double cumulative(const Distribution& d, double value) {
+  if (is_data(d)) {
+    const auto not_above = std::upper_bound(d.values.begin(), d.values.end(), value) - d.values.begin();
+    return static_cast<double>(not_above) / static_cast<double>(d.values.size());
+  }
   if (is_point(d)) return value >= d.mean ? 1.0 : 0.0;
   if (value <= d.at_least) return 0.0;
   if (value >= d.at_most) return 1.0;

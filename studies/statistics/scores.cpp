@@ -22,6 +22,12 @@ double normal_score(double confidence) {
   return two_sided(bm::normal_distribution<double, QuietPolicy>(0.0, 1.0), confidence);
 }
 
+double normal_quantile(double u) {
+  return bm::quantile(bm::normal_distribution<double, QuietPolicy>(0.0, 1.0), u);
+}
+
+double normal_part(double z) { return bm::cdf(bm::normal_distribution<double, QuietPolicy>(0.0, 1.0), z); }
+
 double student_score(double degrees_of_freedom, double confidence) {
   return two_sided(bm::students_t_distribution<double, QuietPolicy>(degrees_of_freedom), confidence);
 }

@@ -57,7 +57,7 @@ Table random_keys() {
       {.path = "random[].distribution",
        .type = choice,
        .meaning = "Its distribution; of an error uniform unless given.",
-       .choices = {"uniform", "normal", "lognormal", "triangular"},
+       .choices = {"uniform", "normal", "lognormal", "triangular", "data"},
        .use = use,
        .note = "required without relative and absolute",
        .block_field = random<&B::distribution>},
@@ -83,10 +83,33 @@ Table random_keys() {
        .block_field = random<&B::relative_deviation>},
       {.path = "random[].data",
        .type = series,
-       .meaning = "Measured values that give mean and standard deviation.",
+       .meaning = "Measured values: they give mean and standard deviation (normal, lognormal), or are drawn "
+                  "themselves, each "
+                  "as likely as the others (data).",
        .use = use,
-       .note = "normal, lognormal; at least 3; instead of mean and deviation",
+       .note = "at least 3; instead of mean and deviation, or of file and column",
        .block_field = random<&B::data>},
+      {.path = "random[].file",
+       .type = text,
+       .meaning =
+           "CSV file whose `column` has the values that are drawn, relative to this file's folder or to the "
+           "configs "
+           "folder. Keys that name the same file are drawn row by row, so that they vary together as measured.",
+       .use = use,
+       .note = "data; with column",
+       .block_field = random<&B::file>},
+      {.path = "random[].column",
+       .type = text,
+       .meaning = "The column of `file`, in the key's unit.",
+       .use = use,
+       .note = "data; with file",
+       .block_field = random<&B::column>},
+      {.path = "random[].zip",
+       .type = text,
+       .meaning = "Blocks with the same word take the same row of their data.",
+       .use = use,
+       .note = "data; equal numbers of values; the name of the file unless given",
+       .block_field = random<&B::zip>},
   };
 }
 
@@ -139,6 +162,28 @@ Table random_bound_keys() {
        .use = use,
        .note = "keys of [strategy] and [cell]; alone, or with distribution",
        .block_field = random<&B::absolute>},
+  };
+}
+
+Table correlation_keys() {
+  using B = CorrelationBlock;
+  const Use use = Use::random;
+  return {
+      {.path = "correlation[].between",
+       .type = texts,
+       .meaning = "Two random keys that vary together.",
+       .use = use,
+       .required = true,
+       .note = "two keys of [[random]] blocks",
+       .block_field = correlation<&B::between>},
+      {.path = "correlation[].value",
+       .type = optional_number,
+       .meaning = "Spearman's rank correlation of the two; keys without a block are independent.",
+       .range = {-1.0, true, 1.0, true},
+       .use = use,
+       .required = true,
+       .note = "all of them together positive definite",
+       .block_field = correlation<&B::value>},
   };
 }
 

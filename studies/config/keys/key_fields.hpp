@@ -146,8 +146,20 @@ FieldRef variable(StudyBlocks& blocks, int index) {
   return field_ref(blocks.variable.at(static_cast<std::size_t>(index)).*member);
 }
 template <auto member>
+FieldRef parameter(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.parameter.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef specimen(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.specimen.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
 FieldRef random(StudyBlocks& blocks, int index) {
   return field_ref(blocks.random.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
+FieldRef correlation(StudyBlocks& blocks, int index) {
+  return field_ref(blocks.correlation.at(static_cast<std::size_t>(index)).*member);
 }
 template <auto member>
 FieldRef candidate(StudyBlocks& blocks, int index) {

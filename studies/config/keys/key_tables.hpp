@@ -41,9 +41,13 @@ Table waypoint_keys();
 Table limit_keys();
 Table simulation_keys();
 Table vary_keys();
+Table calibrate_keys();
+Table parameter_keys();
+Table specimen_keys();
 Table variable_keys();
 Table random_keys();
 Table random_bound_keys();
+Table correlation_keys();
 Table candidate_keys();
 
 }  // namespace unbruised::studies::key_rows

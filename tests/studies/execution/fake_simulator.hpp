@@ -75,6 +75,7 @@ class FakeLanes final : public LaneEngine {
   }
 
   void record_trace(int, Trace& trace) override { trace.time_s = {0.0}; }
+  void record_curve(int, Curve&) override {}
 
   void step() override {
     ++record_.steps;

@@ -46,6 +46,7 @@ struct StudyArrival {
   std::string value;
   bool (*arrived)(const Study&);
   std::vector<std::string> with = {};  ///< further --set that the key needs
+  std::string text = {};               ///< further blocks that it needs
 };
 
 using K = const Study&;
@@ -189,9 +190,45 @@ std::vector<StudyArrival> random_arrivals() {
   };
 }
 
+std::vector<StudyArrival> joint_arrivals() {
+  const std::vector<std::string> drawn = {"random[0].from=none", "random[0].to=none",
+                                          "random[0].distribution=data"};
+  const auto with = [&](const std::string& more) {
+    std::vector<std::string> sets = drawn;
+    sets.push_back(more);
+    return sets;
+  };
+  const std::string mass =
+      "[[random]]\nkey = \"product.mass_kg\"\ndistribution = \"data\"\ndata = [0.1, 0.2, 0.3]\n";
+  const std::string force = "[[random]]\nkey = \"strategy.grip_force_N\"\nrelative = 0.1\n";
+  const std::string pair =
+      "[[correlation]]\nbetween = [\"product.friction\", \"strategy.grip_force_N\"]\nvalue = 0.25\n";
+  // 32 kiwis, 6.51 N and 2265 N/m the first.
+  const auto has_kiwis = [](K s) { return s.randoms()[0].distribution.values.size() == 32; };
+  return {
+      {"sample", "random[0].file", "data/kiwi_rupture.csv", has_kiwis, with("random[0].column=rupture_force_N")},
+      {"sample", "random[0].column", "rupture_force_N", has_kiwis, with("random[0].file=data/kiwi_rupture.csv")},
+      {"sample", "random[0].zip", "fruit", [](K s) { return s.randoms()[0].zip == "fruit"; },
+       with("random[0].data=[0.5, 0.25, 0.75]"), mass + "zip = \"fruit\"\n"},
+      {"sample",
+       "correlation[0].value",
+       "-0.5",
+       [](K s) { return s.correlations().size() == 1 && s.correlations()[0].value == -0.5; },
+       {},
+       force + pair},
+      {"sample",
+       "correlation[0].between",
+       "[\"product.mass_kg\", \"strategy.grip_force_N\"]",
+       [](K s) { return s.correlations().size() == 1 && s.correlations()[0].first == 2; },
+       {},
+       force + mass + pair},
+  };
+}
+
 std::vector<StudyArrival> all_arrivals() {
   std::vector<StudyArrival> all;
-  for (const auto& part : {search_arrivals(), design_arrivals(), block_arrivals(), random_arrivals()}) {
+  for (const auto& part :
+       {search_arrivals(), design_arrivals(), block_arrivals(), random_arrivals(), joint_arrivals()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -199,11 +236,12 @@ std::vector<StudyArrival> all_arrivals() {
 
 TEST(StudyKeys, EveryKeyOfSearchesAndSamplesReachesTheFieldItNames) {
   for (const StudyArrival& arrival : all_arrivals()) {
+    const std::string text = search_block(arrival.kind) + arrival.text;
     EXPECT_FALSE(arrival.arrived(study_of(search_block(arrival.kind))))
         << arrival.key << ": the test needs a value that is not there already";
     std::vector<std::string> sets = arrival.with;
     sets.push_back(arrival.key + "=" + arrival.value);
-    const Study study = study_of(search_block(arrival.kind), sets);
+    const Study study = study_of(text, sets);
     EXPECT_TRUE(arrival.arrived(study)) << arrival.key;
     const Study again = study_of(study.resolved_toml());
     EXPECT_TRUE(arrival.arrived(again)) << arrival.key << " from\n" << study.resolved_toml();

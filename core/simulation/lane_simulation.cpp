@@ -11,6 +11,7 @@
 #include "core/simulation/lane_mounts.hpp"
 #include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
+#include "core/simulation/replay_recorder.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
@@ -392,6 +393,10 @@ void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
 void LaneSimulation::record_trace(int lane, Trace& trace) {
   impl_->contact.note_events(lane);
   watch(lane, std::make_unique<TraceRecorder>(trace, impl_->balances));
+}
+
+void LaneSimulation::record_replay(int lane, Replay& replay, double interval_s) {
+  watch(lane, std::make_unique<ReplayRecorder>(replay, interval_s));
 }
 
 }  // namespace unbruised

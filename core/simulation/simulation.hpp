@@ -12,6 +12,7 @@
 
 #include "core/contact/compliance_size.hpp"
 #include "core/outcome/outcome.hpp"
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/factor_key.hpp"
 #include "core/scenario/rules.hpp"
@@ -74,6 +75,8 @@ class LaneSimulation {
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
   /// Watches it with what records its full trace; `trace` has to outlive the run.
   void record_trace(int lane, Trace& trace);
+  /// And with what keeps what there is to see, a frame every `interval_s`; `replay` has to outlive the run.
+  void record_replay(int lane, Replay& replay, double interval_s);
 
   /// Advances every busy lane by one time step. Lanes that end become free and are returned by `finished`.
   void step();

@@ -16,6 +16,9 @@ class CountedLanes final : public LaneEngine {
     ++busy_;
   }
   void record_trace(int lane, Trace& trace) override { lanes_->record_trace(lane, trace); }
+  void record_replay(int lane, Replay& replay, double interval_s) override {
+    lanes_->record_replay(lane, replay, interval_s);
+  }
   void step() override {
     lanes_->step();
     progress_.count_steps(busy_);

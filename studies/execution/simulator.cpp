@@ -10,6 +10,9 @@ class CoreLanes final : public LaneEngine {
   explicit CoreLanes(std::shared_ptr<const Model> model) : lanes_(std::move(model)) {}
   void load(int lane, const Scenario& scenario) override { lanes_.load(lane, scenario); }
   void record_trace(int lane, Trace& trace) override { lanes_.record_trace(lane, trace); }
+  void record_replay(int lane, Replay& replay, double interval_s) override {
+    lanes_.record_replay(lane, replay, interval_s);
+  }
   void step() override { lanes_.step(); }
   const std::vector<LaneSimulation::Finished>& finished() const override { return lanes_.finished(); }
 

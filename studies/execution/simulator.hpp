@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
@@ -20,6 +21,8 @@ class LaneEngine {
   virtual ~LaneEngine() = default;
   virtual void load(int lane, const Scenario& scenario) = 0;
   virtual void record_trace(int lane, Trace& trace) = 0;
+  /// A frame every `interval_s`; lanes of tests have nothing to see.
+  virtual void record_replay(int /*lane*/, Replay& /*replay*/, double /*interval_s*/) {}
   virtual void step() = 0;
   /// Results of the lanes that ended in the last step, in lane order.
   [[nodiscard]] virtual const std::vector<LaneSimulation::Finished>& finished() const = 0;

@@ -185,6 +185,10 @@ class ContactLanes {
   void forget_events() { events_.forget(); }
   /// Appends the changes of the last step in `lane` in the order of time.
   void append_events(int lane, const EventStep& step, std::vector<ContactEvent>& events) const;
+  /// How hard a candidate is pressed in one lane [N].
+  [[nodiscard]] double normal_N(std::size_t candidate, int lane) const {
+    return register_.normal.at(candidate, lane);
+  }
   /// Torque of each surface on the product about its centre of mass, along x, y, z, in one lane: that of its
   /// forces where they act on the product's particles and places.
   [[nodiscard]] std::array<std::array<double, 3>, kSurfaceCount> surface_torques(int lane, const BodyLanes& body,

@@ -32,6 +32,10 @@ class CellPlasticity final : public Material {
   [[nodiscard]] double self_energy(int lane) const override;
   [[nodiscard]] std::vector<double> plastic_load_N(int lane) const override;
   [[nodiscard]] std::optional<double> volume_above_m3(int lane, double threshold) const override;
+  [[nodiscard]] std::vector<double> cell_strain(int lane) const override { return of_lane(strain_, lane); }
+  [[nodiscard]] std::vector<double> accumulated_cell_strain(int lane) const override {
+    return of_lane(accumulated_, lane);
+  }
 
  private:
   /// Of all cells, at t + theta dt.

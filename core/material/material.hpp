@@ -52,6 +52,10 @@ class Material {
   [[nodiscard]] virtual std::vector<double> plastic_load_N(int lane) const = 0;
   /// Volume with more accumulated plastic strain than `threshold`; none: the material has no volume.
   [[nodiscard]] virtual std::optional<double> volume_above_m3(int lane, double threshold) const = 0;
+  /// Of the cells of one lane, for those who record it: plastic strain, 6 each (Voigt xx yy zz yz xz xy, tensor
+  /// shears), and what has accumulated, 1 each. Empty: there are no cells that flow.
+  [[nodiscard]] virtual std::vector<double> cell_strain(int /*lane*/) const { return {}; }
+  [[nodiscard]] virtual std::vector<double> accumulated_cell_strain(int /*lane*/) const { return {}; }
 
  protected:
   /// Moves a row that is linear in time to t + dt in the lanes of `running`. @return the row there

@@ -15,6 +15,7 @@
 #include "core/simulation/lane_run.hpp"
 #include "core/simulation/lane_view.hpp"
 #include "core/simulation/parked_scenario.hpp"
+#include "core/simulation/replay_recorder.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
@@ -466,10 +467,15 @@ const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return imp
 void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
   impl_->watch(lane, std::move(observer));
 }
-void LaneSimulation::record_trace(int lane, Trace& trace) {
-  impl_->contact.note_events(lane);
-  watch(lane, std::make_unique<TraceRecorder>(trace));
+void LaneSimulation::record(int lane, const Recording& kept) {
+  if (kept.trace != nullptr) {
+    impl_->contact.note_events(lane);
+    watch(lane, std::make_unique<TraceRecorder>(*kept.trace));
+  }
+  if (kept.curve != nullptr) watch(lane, std::make_unique<CurveRecorder>(*kept.curve));
+  if (kept.replay != nullptr) {
+    watch(lane, std::make_unique<ReplayRecorder>(*kept.replay, kept.replay_interval_s));
+  }
 }
-void LaneSimulation::record_curve(int lane, Curve& curve) { watch(lane, std::make_unique<CurveRecorder>(curve)); }
 
 }  // namespace unbruised

@@ -114,12 +114,8 @@ bool LevelSimulation::busy(int place) const {
   return place >= 0 && place < kPlaces && impl_->busy[static_cast<std::size_t>(place)];
 }
 
-void LevelSimulation::record_trace(int place, Trace& trace) {
-  impl_->once_loaded(place, [&trace](LaneSimulation& lanes, int lane) { lanes.record_trace(lane, trace); });
-}
-
-void LevelSimulation::record_curve(int place, Curve& curve) {
-  impl_->once_loaded(place, [&curve](LaneSimulation& lanes, int lane) { lanes.record_curve(lane, curve); });
+void LevelSimulation::record(int place, const Recording& kept) {
+  impl_->once_loaded(place, [kept](LaneSimulation& lanes, int lane) { lanes.record(lane, kept); });
 }
 
 void LevelSimulation::step() {

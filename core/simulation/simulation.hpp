@@ -15,6 +15,7 @@
 #include "core/contact/compliance_size.hpp"
 #include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/factor_key.hpp"
 #include "core/scenario/rules.hpp"
@@ -65,6 +66,20 @@ class Model {
   std::unique_ptr<Parts> parts_;
 };
 
+/// What is kept of a run beside its result, where not null; all have to outlive the run.
+struct Recording {
+  Recording() = default;
+  Recording(std::nullptr_t) {}              // NOLINT(google-explicit-constructor): most keep a trace or nothing
+  Recording(Trace* kept) : trace(kept) {}   // NOLINT(google-explicit-constructor)
+  explicit Recording(Curve* kept) : curve(kept) {}
+  Recording(Trace* kept, Replay* seen, double every_s) : trace(kept), replay(seen), replay_interval_s(every_s) {}
+
+  Trace* trace = nullptr;    ///< every row of the full trace
+  Curve* curve = nullptr;    ///< force over closure
+  Replay* replay = nullptr;  ///< what there is to see, a frame every
+  double replay_interval_s = 0.0;
+};
+
 class LaneObserver;     ///< lane_observer.hpp, inside core
 struct ParkedScenario;  ///< parked_scenario.hpp, inside core
 
@@ -83,10 +98,8 @@ class LaneSimulation {
   [[nodiscard]] int busy_count() const;
   /// Adds an observer to the scenario in `lane` (call after load, before the first step).
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
-  /// Watches it with what records its full trace; `trace` has to outlive the run.
-  void record_trace(int lane, Trace& trace);
-  /// Watches it with what records its force-closure curve; `curve` has to outlive the run.
-  void record_curve(int lane, Curve& curve);
+  /// Watches it with what records what is asked for.
+  void record(int lane, const Recording& kept);
 
   /// Advances every busy lane by one time step. Lanes that end become free and are returned by `finished`.
   void step();
@@ -138,9 +151,8 @@ class LevelSimulation {
   /// Puts a scenario of the model's factor key into a free place, from 0 on, at its own t = 0.
   void load(int place, const Scenario& scenario);
   [[nodiscard]] bool busy(int place) const;
-  /// As those of LaneSimulation, right after load.
-  void record_trace(int place, Trace& trace);
-  void record_curve(int place, Curve& curve);
+  /// As that of LaneSimulation, right after load.
+  void record(int place, const Recording& kept);
 
   /// Advances the scenarios of one batch, the one with most to do, by one of its steps.
   void step();

@@ -50,7 +50,7 @@ void TraceRecorder::record(const LaneStep& step) {
   const PatchDamage patches = patches_.together();
   row.plastic_strain = std::max(row.plastic_strain, patches.plastic_strain);
   row.absorbed_energy_J = std::max(step.seen.absorbed_energy_J, patches.absorbed_energy_J);
-  append_row(row, step.view.body.state(step.lane), trace_);
+  append_row(row, trace_.keeps_motion ? step.view.body.state(step.lane) : BodyState{}, trace_);
 }
 
 }  // namespace unbruised

@@ -12,8 +12,7 @@ class CountedLanes final : public LaneEngine {
       : lanes_(std::move(lanes)), progress_(progress) {}
 
   void load(int place, const Scenario& scenario) override { lanes_->load(place, scenario); }
-  void record_trace(int place, Trace& trace) override { lanes_->record_trace(place, trace); }
-  void record_curve(int place, Curve& curve) override { lanes_->record_curve(place, curve); }
+  void record(int place, const Recording& kept) override { lanes_->record(place, kept); }
   void step() override {
     lanes_->step();
     progress_.count_steps(static_cast<std::uint64_t>(lanes_->stepped()));

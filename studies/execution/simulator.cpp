@@ -14,8 +14,7 @@ class CoreLanes final : public LaneEngine {
   CoreLanes(std::shared_ptr<const Model> model, LevelSimulation::Longer longer)
       : lanes_(std::move(model), std::move(longer)) {}
   void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
-  void record_trace(int place, Trace& trace) override { lanes_.record_trace(place, trace); }
-  void record_curve(int place, Curve& curve) override { lanes_.record_curve(place, curve); }
+  void record(int place, const Recording& kept) override { lanes_.record(place, kept); }
   void step() override { lanes_.step(); }
   int stepped() const override { return lanes_.stepped(); }
   const std::vector<Finished>& finished() const override { return lanes_.finished(); }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
@@ -21,9 +22,8 @@ class LaneEngine {
 
   virtual ~LaneEngine() = default;
   virtual void load(int place, const Scenario& scenario) = 0;
-  virtual void record_trace(int place, Trace& trace) = 0;
-  /// The scenario that was just loaded leaves its curve there.
-  virtual void record_curve(int place, Curve& curve) = 0;
+  /// Of the scenario that was just loaded.
+  virtual void record(int place, const Recording& kept) = 0;
   virtual void step() = 0;
   /// How many scenarios the last step advanced.
   [[nodiscard]] virtual int stepped() const = 0;

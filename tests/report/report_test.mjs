@@ -80,6 +80,7 @@ const EXPECTED = {
   kiwi_morris: { says: ["Friction", "moves friction margin by 0.61"], charts: ["sensitivity", "map", "distributions"] },
   no_effects: { says: ["No effect to tell", "Friction margin does not vary, whatever the keys are."], charts: ["sensitivity", "map", "distributions"] },
   kiwi_sample: { says: ["Probability of being held", "of 200 products", "95 % interval"], charts: ["map", "distributions"] },
+  in_motion: { says: [], charts: ["replay", "map"] },
   hold: { says: ["Held", "Held and unmarked", "Contact yield ratio", "limit 1: 83.4 % of it", "Cycle time"], charts: ["trace"] },
   damaged_run: { says: ["Damaged", "Contact yield ratio 1.27 against 1 allowed", "limit 1: exceeded by"], charts: ["trace"] },
   warned: { says: ["Read these 2 warnings before the answer", "2 warnings above belong to it"], charts: ["map"] },

@@ -41,7 +41,7 @@ inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>&
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     EXPECT_EQ(factor_key(scenarios[i]), factor_key(scenarios.front()));
     simulation.load(static_cast<int>(i), scenarios[i]);
-    if (traces != nullptr) simulation.record_trace(static_cast<int>(i), (*traces)[i]);
+    if (traces != nullptr) simulation.record(static_cast<int>(i), &(*traces)[i]);
   }
   std::vector<ScenarioResult> results(scenarios.size());
   for (std::size_t left = scenarios.size(); left > 0; left -= simulation.finished().size()) {

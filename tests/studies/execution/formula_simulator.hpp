@@ -32,8 +32,7 @@ class FormulaLanes final : public LaneEngine {
     const double force_N = scenario.strategy.grip_force_N;
     slot.steps_left = 1 + static_cast<int>(static_cast<std::uint64_t>(force_N * 1e9) % 7U);
   }
-  void record_trace(int, Trace&) override {}
-  void record_curve(int, Curve&) override {}
+  void record(int, const Recording&) override {}
   void step() override {
     finished_.clear();
     stepped_ = 0;

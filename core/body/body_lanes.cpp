@@ -54,19 +54,19 @@ void BodyLanes::archive(LaneArchive& lane) {
   if (frame_) frame_->archive(lane);
 }
 
-void BodyLanes::begin_step(const Mask& running) {
+void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   running_ = running;
   if (frame_) {
     frame_->predict(motion(), viscous_, rate_, running);
     const LaneVector gravity = frame_->to_frame({gravity_});
     put_right_hand_side(
-        rate_, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
+        rate_, remembered, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
   } else {
     for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
       viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
     }
     put_right_hand_side(
-        v_, [&](std::size_t) { return LaneVector{gravity_}; }, running);
+        v_, remembered, [&](std::size_t) { return LaneVector{gravity_}; }, running);
   }
   for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
     if (body_.slot[i] < 0) continue;
@@ -77,11 +77,17 @@ void BodyLanes::begin_step(const Mask& running) {
 
 template <class Acceleration>
 [[gnu::always_inline]] inline void BodyLanes::put_right_hand_side(const LaneArray& rate,
+                                                                  const LaneArray* remembered,
                                                                   const Acceleration& outer_m_s2,
                                                                   const Mask& running) {
   const bool proportional = body_.C.value.empty();
-  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   const Lane factor(proportional ? body_.relaxation_time_s : 1.0);
+  // What is remembered is multiplied by K together with what is damped.
+  const Lane of_both(remembered != nullptr ? Lane(1.0) : factor);
+  for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
+    viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
+  }
+  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   Lane power(0.0);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     const Lane mass(body_.mass_kg[p]);
@@ -92,7 +98,7 @@ template <class Acceleration>
       if (slot < 0) continue;
       power += factor * rate.get(i) * c_v_.get(i);
       rhs_.put(static_cast<std::size_t>(slot),
-               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + factor * c_viscous_.get(i));
+               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + of_both * c_viscous_.get(i));
     }
   }
   // v'Cv by the trapezoid rule over time.

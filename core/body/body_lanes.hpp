@@ -29,7 +29,9 @@ class BodyLanes {
   void archive(LaneArchive& lane);
 
   /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
-  void begin_step(const Mask& running);
+  /// @param remembered where not null, a displacement whose stiffness is a force of the body at t + theta dt,
+  /// [3n], in the axes at the start of the step; of lattices
+  void begin_step(const Mask& running, const LaneArray* remembered = nullptr);
   /// What accelerates every particle from the coming step on, in place of gravity; of a body that is held.
   void set_gravity(const std::array<Lane, 3>& acceleration_m_s2) { gravity_ = acceleration_m_s2; }
   /// sum shape' (right-hand side), [3n], after `begin_step`.
@@ -66,6 +68,10 @@ class BodyLanes {
   [[nodiscard]] const LaneArray& v() const { return v_; }
   [[nodiscard]] const LaneArray& a() const { return a_; }
   [[nodiscard]] const LaneArray& u_theta() const { return u_theta_; }
+  /// Velocity with which the body deforms at the start of a step, after `begin_step`, and K times it where K also
+  /// damps.
+  [[nodiscard]] const LaneArray& rate() const { return frame_ ? rate_ : v_; }
+  [[nodiscard]] const LaneArray& stiffness_rate() const { return c_v_; }
   [[nodiscard]] const std::array<Lane, 3>& gravity() const { return gravity_; }
   /// sum m u and sum m a.
   [[nodiscard]] const std::array<Lane, 3>& mass_u() const { return mass_u_; }
@@ -87,7 +93,8 @@ class BodyLanes {
   /// Begins the right-hand side. @param rate velocity that is damped
   /// @param outer_m_s2 gives a particle's acceleration by what acts on all of them
   template <class Acceleration>
-  void put_right_hand_side(const LaneArray& rate, const Acceleration& outer_m_s2, const Mask& running);
+  void put_right_hand_side(const LaneArray& rate, const LaneArray* remembered, const Acceleration& outer_m_s2,
+                           const Mask& running);
   [[nodiscard]] LaneVector moment_of_load() const;
   void advance_upright(const Mask& running);
   void take_sums_of_frame();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scenario/relaxation.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -22,7 +24,8 @@ std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nu
 std::optional<YieldLaw> law_of(const LatticeParameters& p) {
   if (!p.yield_stress_Pa || !p.tangent_modulus_Pa) return std::nullopt;
   const double E = p.youngs_modulus_Pa, E_t = *p.tangent_modulus_Pa;
-  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t), 0.5 * E / (1.0 + p.poisson_ratio)};
+  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t),
+                  0.5 * instantaneous_modulus_Pa(p) / (1.0 + p.poisson_ratio)};
 }
 std::optional<YieldLaw> law_of(const NetworkParameters&) { return std::nullopt; }
 
@@ -63,6 +66,10 @@ std::optional<YieldLaw> yield_law(const ProductParameters& product) {
 
 bool can_yield(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return yields(kind); }, product);
+}
+
+bool can_flow(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return flows(kind); }, product);
 }
 
 bool starts_in_the_air(const LatticeParameters& product) {

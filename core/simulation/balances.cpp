@@ -182,7 +182,7 @@ Dissipated Balances::dissipated(int lane, const LaneView& view, const Scenario& 
   const LayerLosses& layers = view.contact.losses();
   double gripper = has_gripper(scenario) ? view.gripper.dissipated()[lane] : 0.0;
   if (view.pads) gripper += view.pads->damped_J(lane);
-  return {.damping = view.body.damped_J(lane),
+  return {.damping = view.body.damped_J(lane) + view.material.relaxed_J(lane, view.body.u()),
           .plastic_flow = view.material.plastic_work()[lane] - view.material.hardening_energy()[lane],
           .layer_viscosity = layers.viscous[lane],
           .friction = layers.friction[lane],

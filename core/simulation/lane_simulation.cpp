@@ -106,7 +106,7 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       clock(parts.clock),
       initial(parts),
       body(parts.body, w, parts.frame),
-      material(make_material(parts.body, parts.frame)),
+      material(make_material(parts.body, w, parts.frame)),
       contact(parts.contact, parts.body, w, parts.frame),
       view{parts, body, *material, contact, gripper, mounts, now, yield_ratio, pads},
       base(3 * parts.contact.node_count()) {
@@ -131,6 +131,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   set_up(lane, r);
   const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
   body.load(lane, state.body, scenario.cell.gravity_m_s2);
+  material->settle(lane, body.u());
   if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
   contact.set_anchors(lane, body.u(), now, body.frame());
   load_mount(lane, scenario, parts, state.rest, now, mounts);
@@ -224,7 +225,9 @@ void LaneSimulation::Impl::step() {
   }
   gripper.begin_step(w, command, pads ? &pads->on_fingers() : nullptr);
   if (mounts.any()) mounts.begin_step(w);
-  body.begin_step(running);
+  material->begin_step(body.u());
+  body.begin_step(running, material->remembered());
+  material->book_power(body.rate(), body.stiffness_rate(), running);
   add_loads();
   timer.lap(times.right_hand_side_s);
   solve_step();
@@ -287,8 +290,6 @@ void LaneSimulation::Impl::solve_step() {
   Mask pending = running;
   rounds = Lane(0.0);
   sweeps = Lane(0.0);
-  material->begin_step();
-  timer.lap(times.plasticity_s);
   for (int round = 0; round < kMaxPlasticRounds; ++round) {
     solve_contacts_and_product(pending);
     pending = material->update(body.u_theta(), pending);
@@ -356,7 +357,7 @@ void LaneSimulation::Impl::advance_state() {
   if (pads) pads->book_step(gripper, running);
   if (mounts.any()) mounts.advance(w, contact.mount_wrench(), running);
   contact.end_step({body.u_theta(), body.u(), theta, next, mount(), padded()}, body.frame(), running);
-  material->end_step(w, running);
+  material->end_step(body.u(), w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
 }

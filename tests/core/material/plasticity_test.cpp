@@ -158,7 +158,7 @@ TEST(Material, RefusesLanesAndDisplacementsThatDoNotFit) {
   network_of(springs).spring.front().yield_force_N = 1.0;
   for (const Scenario& scenario : {small_box(), springs}) {
     const auto model = build(scenario);
-    const auto material = make_material(model->parts().body);
+    const auto material = make_material(model->parts().body, *model->parts().wilson);
     EXPECT_THROW(material->load(kLanes, scenario), std::logic_error);
     EXPECT_THROW(material->load(-1, scenario), std::logic_error);
     EXPECT_THROW(material->update(LaneArray(3), Mask(true)), std::logic_error);

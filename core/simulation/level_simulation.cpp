@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <map>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>

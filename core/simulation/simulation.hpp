@@ -69,8 +69,8 @@ class Model {
 /// What is kept of a run beside its result, where not null; all have to outlive the run.
 struct Recording {
   Recording() = default;
-  Recording(std::nullptr_t) {}              // NOLINT(google-explicit-constructor): most keep a trace or nothing
-  Recording(Trace* kept) : trace(kept) {}   // NOLINT(google-explicit-constructor)
+  Recording(std::nullptr_t) {}             // NOLINT(google-explicit-constructor): most keep a trace or nothing
+  Recording(Trace* kept) : trace(kept) {}  // NOLINT(google-explicit-constructor)
   explicit Recording(Curve* kept) : curve(kept) {}
   Recording(Trace* kept, Replay* seen, double every_s) : trace(kept), replay(seen), replay_interval_s(every_s) {}
 

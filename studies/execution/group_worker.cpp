@@ -95,8 +95,8 @@ void GroupWorker::run_one_alone(std::uint64_t id) {
   if (scheduler_.stopping()) return;
   try {
     Curve* curve = scheduler_.order_.curve ? &(scheduler_.order_.curve(id) = {}) : nullptr;
-    const std::optional<ScenarioResult> result = run_in_fresh_lanes(
-        *group_.model, scheduler_.order_.scenario(id), Recording(curve), scheduler_.order_.stop);
+    const std::optional<ScenarioResult> result = run_in_fresh_lanes(*group_.model, scheduler_.order_.scenario(id),
+                                                                    Recording(curve), scheduler_.order_.stop);
     if (result) scheduler_.deliver(id, *result);
   } catch (...) {
     scheduler_.deliver(id, failed_result(current_exception_text()));

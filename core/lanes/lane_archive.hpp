@@ -90,7 +90,7 @@ class LaneArchive {
   }
 
  private:
-  LaneArchive(int lane, LaneContent& content, bool arrives) : lane_(lane), content_(content), arrives_(puts) {}
+  LaneArchive(int lane, LaneContent& content, bool arrives) : lane_(lane), content_(content), arrives_(arrives) {}
 
   int lane_;
   LaneContent& content_;

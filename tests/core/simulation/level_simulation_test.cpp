@@ -38,6 +38,13 @@ Scenario soft_pads() {
   return scenario;
 }
 
+Scenario creeping_box() {
+  Scenario scenario = yielding_box();
+  lattice_of(scenario).prony_modulus = {0.2, 0.3};
+  lattice_of(scenario).prony_time_s = {0.05, 1.0};
+  return scenario;
+}
+
 Scenario measured_by_wrist() {
   Scenario scenario = small_box();
   scenario.sensor.at = SensorMount::wrist;
@@ -118,6 +125,7 @@ TEST(LaneMoves, ChangeNoBit) {
   const std::vector<std::pair<const char*, std::function<Scenario()>>> scenes = {
       {"yielding box", yielding_box},
       {"slipping box", slipping_box},
+      {"box that creeps and yields", creeping_box},
       {"pads that are bodies", soft_pads},
       {"wrist sensor", measured_by_wrist},
       {"locked fingers", locked},

@@ -16,6 +16,7 @@ struct ReplaySurface {
     pad,      ///< goes with the palm and its finger
     support,  ///< what the product stands on
     listed,   ///< by the cell
+    absent,   ///< a pad where there is no gripper: it has its number in traces, and no face
   };
   Kind kind = Kind::support;
   std::string name;

@@ -15,6 +15,9 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
+/// Of a time that is a whole number of intervals.
+constexpr double kRounding = 1e-9;
+
 Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -82,16 +85,17 @@ void ReplayRecorder::start(const LaneStep& loaded) {
   spread_strain_.fill(0.0);
   patch_strain_.assign(place_m.size(), 0.0F);
   record(loaded);
-  next_s_ = interval_s_;
+  frames_ = 1;
 }
 
 bool ReplayRecorder::observe(const LaneStep& step) {
   for (std::size_t s = 0; s < kSurfaceCount; ++s) {
     worst_strain_[s] = std::max(worst_strain_[s], step.seen.patch[s].plastic_strain);
   }
-  if (step.time_s < next_s_) return true;
+  const double passed = step.time_s / interval_s_ * (1.0 + kRounding);
+  if (passed < static_cast<double>(frames_)) return true;
   record(step);
-  while (next_s_ <= step.time_s) next_s_ += interval_s_;
+  frames_ = static_cast<std::int64_t>(passed) + 1;
   return true;
 }
 

@@ -4,6 +4,7 @@
 /// The observer that fills a `Replay`.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/outcome/replay.hpp"
@@ -36,7 +37,7 @@ class ReplayRecorder final : public LaneObserver {
 
   Replay& replay_;
   double interval_s_;
-  double next_s_ = 0.0;
+  std::int64_t frames_ = 0;  ///< that have passed, whether they were made or steps were longer
   VertexWeights weights_;
   VertexContacts contacts_;
   /// Of the last frame: the particles from where the pose alone puts them, along the axes of the attitude.

@@ -44,8 +44,8 @@ std::vector<ReplaySurface> replay_surfaces(const Scenario& scenario) {
   for (const int number : surfaces_of(scenario)) {
     ReplaySurface surface;
     if (is_pad(number)) {
+      surface.kind = ReplaySurface::Kind::absent;
       if (jaw != nullptr) surface = pad_of(scenario, *jaw, number);
-      surface.kind = ReplaySurface::Kind::pad;
     } else if (is_of_cell_list(number)) {
       const CellSurfaceParameters& listed =
           scenario.cell.surface[static_cast<std::size_t>(number - kFirstCellSurface)];

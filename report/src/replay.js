@@ -37,7 +37,7 @@ function legendOf(look, field, models) {
 /** What it began with and what it ends with, in words, below the scene. */
 function remarks(models, look) {
   const error = Math.max(...models.map((model) => model.placeError));
-  const set = models.map((model) => `${models.length > 1 ? `${model.title}: ` : ""}${model.most("permanent") > 0 ? `a permanent set of ${quantity(model.most("permanent"), "m", 3)}` : "no permanent set"}`).join("; ");
+  const set = models.map((model) => `${models.length > 1 ? `${model.title}: ` : ""}${model.permanent_set_m > 0 ? `a permanent set of ${quantity(model.permanent_set_m, "m", 3)}` : "no permanent set"}`).join("; ");
   return `Left behind: ${set}. Deformation is drawn ${look.scale > 1 ? `${look.scale} times as large as it is` : "as large as it is"}, to ${quantity(error, "m", 2)}; fields to 0.2 % of their largest value. Stress and strain of cells are means around a place; below a contact the plastic strain is that of its patch.`;
 }
 

@@ -76,7 +76,7 @@ json coded_json(PackedColumns& packed, const std::vector<float>& values, std::si
 }
 
 json surfaces_json(const Replay& replay) {
-  constexpr std::array<const char*, 3> kKinds = {"pad", "support", "listed"};
+  constexpr std::array<const char*, 4> kKinds = {"pad", "support", "listed", "absent"};
   json all = json::array();
   for (const ReplaySurface& surface : replay.surface) {
     all.push_back({{"name", surface.name},
@@ -214,6 +214,7 @@ json replay_json(PackedColumns& packed, const ScenarioReplay& seen, std::optiona
   std::erase_if(shown.signals, [](const TraceSignal& signal) {
     return std::find(kSignals.begin(), kSignals.end(), signal.name) == kSignals.end();
   });
+  const double set_m = seen.result.metrics[Metric::permanent_set_max_m];
   json page = {{"id", seen.id},
                {"why", seen.why},
                {"outcome", outcome_word(seen.result.outcome)},
@@ -222,6 +223,7 @@ json replay_json(PackedColumns& packed, const ScenarioReplay& seen, std::optiona
                {"frames", replay.frame_count()},
                {"vertices", vertices},
                {"smallest_extent_m", seen.stage.smallest_extent_m},
+               {"permanent_set_m", std::isfinite(set_m) ? json(set_m) : json(nullptr)},
                {"support", seen.stage.support},
                {"target_m", seen.stage.target_m ? list(*seen.stage.target_m) : json(nullptr)},
                {"belt", seen.stage.belt},

@@ -91,6 +91,7 @@ class Grid {
   }
 
   void add_face(const ReplaySurface& surface, int of_part) {
+    if (surface.kind == ReplaySurface::Kind::absent) return;
     const int side = side_of(surface), first = points_;
     for (int i = 0; i + 1 < side; ++i) {
       for (int j = 0; j + 1 < side; ++j) {
@@ -104,6 +105,7 @@ class Grid {
   template <class Put>
   void put_face(const ReplaySurface& surface, std::size_t frame, std::size_t& pad, std::size_t& listed,
                 const Put& put) const {
+    if (surface.kind == ReplaySurface::Kind::absent) return;
     const bool is_pad = surface.kind == ReplaySurface::Kind::pad;
     Vector moved{};
     if (surface.kind == ReplaySurface::Kind::support) moved = vector_at(replay_.support_m, frame);

@@ -4,9 +4,16 @@ import { BoxGeometry, BufferAttribute, BufferGeometry, CircleGeometry, ConeGeome
 
 const FACE_SIDE = 17;
 
+/** Are the axes of a surface those of a mirror? A turn cannot make them: their first is taken the other way. */
+function isMirrored(axes) {
+  const [a, b, n] = axes.map((row) => new Vector3(...row));
+  return a.cross(b).dot(n) < 0;
+}
+
 /** The turn from the axes of a surface (its rows) to those it is given in. */
 function standing(object, axes) {
   const [a, b, n] = axes.map((row) => new Vector3(...row));
+  if (isMirrored(axes)) a.negate();
   object.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(a, b, n));
   return object;
 }
@@ -21,7 +28,7 @@ function edges(geometry, material) {
 }
 
 /** The layer of a pad: its face at z = 0, or as high as its heights say, its back flat. */
-function padGeometry({ size, thickness, heights }) {
+function padGeometry({ size, thickness, heights, axes }) {
   const [width, height] = size;
   if (!heights.length) {
     const geometry = new BoxGeometry(width, height, thickness);
@@ -33,7 +40,10 @@ function padGeometry({ size, thickness, heights }) {
   const position = geometry.getAttribute("position");
   for (let row = 0; row < FACE_SIDE; row += 1) {
     // A plane's rows go from its upper edge down; heights go along the second extent first.
-    for (let column = 0; column < FACE_SIDE; column += 1) position.setZ(row * FACE_SIDE + column, heights[column * FACE_SIDE + (FACE_SIDE - 1 - row)]);
+    for (let column = 0; column < FACE_SIDE; column += 1) {
+      const along = isMirrored(axes) ? FACE_SIDE - 1 - column : column;
+      position.setZ(row * FACE_SIDE + column, heights[along * FACE_SIDE + (FACE_SIDE - 1 - row)]);
+    }
   }
   geometry.computeVertexNormals();
   return { geometry, back };

@@ -231,9 +231,9 @@ ContactEvent contact(double time_s, ContactEvent::Kind kind, int number) {
 TEST(ReplayEvents, TellOfASurfaceWhatItsContactsDo) {
   using Kind = ContactEvent::Kind;
   ScenarioReplay seen = rising_force(0.0, 1.0);
-  seen.trace.events = {contact(0.1, Kind::make, 4),  contact(0.11, Kind::make, 7), contact(0.2, Kind::slip, 4),
-                       contact(0.25, Kind::slip, 7), contact(0.3, Kind::stick, 4), contact(0.5, Kind::break_, 4),
-                       contact(0.6, Kind::break_, 7)};
+  seen.trace.events = {contact(0.1, Kind::make, 4),   contact(0.11, Kind::make, 7), contact(0.2, Kind::slip, 4),
+                       contact(0.25, Kind::slip, 7),  contact(0.3, Kind::stick, 4), contact(0.4, Kind::stick, 7),
+                       contact(0.5, Kind::break_, 4), contact(0.6, Kind::break_, 7)};
   const auto events = replay_events(seen);
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[0].kind, "touch");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/motion/motion_plan.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
@@ -95,7 +96,7 @@ bool is_as_recorded(const RecordedStudy& recorded, const ScenarioReplay& seen) {
 }  // namespace
 
 double replay_interval_s(const Scenario& scenario) {
-  const double duration_s = simulated_duration_s(scenario);
+  const double duration_s = planned_end_s(scenario);
   return std::max(duration_s / 130.0, std::min(0.025, duration_s / 40.0));
 }
 

@@ -40,6 +40,7 @@ void ContactEvents::archive(LaneArchive& lane) {
   if (!lanes_[lane.lane()]) return;
   lane.object(memory_[at]);
   lane.object(change_[at]);
+  if (!lane.arrives()) stop(lane.lane());
 }
 
 void ContactEvents::note_rest(int candidate, int lane, const ContactStep& rest) {

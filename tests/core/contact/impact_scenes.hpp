@@ -34,7 +34,9 @@ inline Scenario falling_bar(int masses, double layer_N_m, double time_step_s, do
     if (i == 0) particle.contact_stiffness_N_m = layer_N_m;
     network.particle.push_back(particle);
     if (i > 0)
-      network.spring.push_back({{i - 1, i}, Bar::kModulus_Pa * Bar::kArea_m2 / spacing, 0.0, {}, {}, 0.0});
+      NetworkSpring& spring = network.spring.emplace_back();
+      spring.between = {i - 1, i};
+      spring.stiffness_N_m = Bar::kModulus_Pa * Bar::kArea_m2 / spacing;
   }
   Scenario scenario;
   scenario.product = network;

@@ -86,21 +86,25 @@ Scenario neighbour_of(Scenario scenario) {
   return scenario;
 }
 
-ScenarioResult run_in_one_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario) {
+ScenarioResult run_in_one_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario,
+                               Trace* trace = nullptr) {
   LaneSimulation lanes(model);
   lanes.load(0, scenario);
+  lanes.record(0, trace);
   while (lanes.busy(0)) lanes.step();
   return lanes.finished().front().result;
 }
 
 /// Two simulations in turns, another lane each time, beside neighbours that come and go.
-ScenarioResult run_from_lane_to_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario) {
+ScenarioResult run_from_lane_to_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario,
+                                     Trace* trace) {
   LaneSimulation here(model), there(model);
   std::array<LaneSimulation*, 2> both = {&here, &there};
   for (LaneSimulation* lanes : both) lanes->load(2, neighbour_of(scenario));
   for (int step = 0; step < 40; ++step) there.step();
   int lane = 0;
   here.load(lane, scenario);
+  here.record(lane, trace);
   for (int step = 1;; ++step) {
     LaneSimulation& lanes = *both.front();
     lanes.step();
@@ -121,6 +125,20 @@ ScenarioResult run_from_lane_to_lane(const std::shared_ptr<const Model>& model, 
   return {};
 }
 
+void expect_same_trace(const Trace& a, const Trace& b, const char* where) {
+  EXPECT_EQ(a.time_s, b.time_s) << where;
+  ASSERT_EQ(a.signals.size(), b.signals.size()) << where;
+  for (std::size_t i = 0; i < a.signals.size(); ++i) {
+    const std::vector<double>&x = a.signals[i].values, &y = b.signals[i].values;
+    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end(), same_bits)) << where << ": " << a.signals[i].name;
+  }
+  ASSERT_EQ(a.events.size(), b.events.size()) << where;
+  for (std::size_t i = 0; i < a.events.size(); ++i) {
+    EXPECT_EQ(a.events[i].time_s, b.events[i].time_s) << where;
+    EXPECT_EQ(a.events[i].kind, b.events[i].kind) << where;
+  }
+}
+
 TEST(LaneMoves, ChangeNoBit) {
   const std::vector<std::pair<const char*, std::function<Scenario()>>> scenes = {
       {"yielding box", yielding_box},
@@ -137,9 +155,11 @@ TEST(LaneMoves, ChangeNoBit) {
     const Scenario scenario = scene();
     const auto model = build(scenario);
     ASSERT_NE(model, nullptr) << name;
-    const ScenarioResult alone = run_in_one_lane(model, scenario);
+    Trace trace, moved;
+    const ScenarioResult alone = run_in_one_lane(model, scenario, &trace);
     EXPECT_GT(alone.metrics[Metric::step_count], 100.0) << name;
-    expect_same_bits(run_from_lane_to_lane(model, scenario), alone, name);
+    expect_same_bits(run_from_lane_to_lane(model, scenario, &moved), alone, name);
+    expect_same_trace(moved, trace, name);
   }
 }
 

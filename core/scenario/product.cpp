@@ -83,6 +83,11 @@ bool starts_in_the_air(const ProductParameters& product) {
   return lattice != nullptr && starts_in_the_air(*lattice);
 }
 
+const NetworkLoad* first_load(const ProductParameters& product) {
+  const auto* network = std::get_if<NetworkParameters>(&product);
+  return network != nullptr && !network->load.empty() ? &network->load.front() : nullptr;
+}
+
 bool has_loads(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return is_loaded(kind); }, product);
 }

@@ -47,5 +47,7 @@ bool starts_in_the_air(const ProductParameters& product);
 
 /// Do its parameters say of forces that act on it?
 bool has_loads(const ProductParameters& product);
+/// The first of the written loads; null: there is none.
+const NetworkLoad* first_load(const ProductParameters& product);
 
 }  // namespace unbruised

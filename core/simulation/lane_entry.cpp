@@ -1,9 +1,9 @@
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
-#include "core/scenario/step_levels.hpp"
 #include "core/simulation/lane_drives.hpp"
 #include "core/simulation/lane_mounts.hpp"
 #include "core/simulation/lane_simulation_impl.hpp"
+#include "core/simulation/step_levels.hpp"
 
 namespace unbruised {
 

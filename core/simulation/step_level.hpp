@@ -10,8 +10,8 @@
 
 #include "core/motion/handling_cycle.hpp"
 #include "core/outcome/handling_record.hpp"
-#include "core/scenario/step_levels.hpp"
 #include "core/simulation/step_clock.hpp"
+#include "core/simulation/step_levels.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {

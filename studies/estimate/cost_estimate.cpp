@@ -11,8 +11,8 @@
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/product_frame.hpp"
-#include "core/scenario/step_levels.hpp"
 #include "core/simulation/step_level.hpp"
+#include "core/simulation/step_levels.hpp"
 #include "core/surface/surfaces.hpp"
 #include "studies/execution/build_info.hpp"
 

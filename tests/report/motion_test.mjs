@@ -48,20 +48,21 @@ async function open({ browser = "drawn", width = 1440, height = 900, colorScheme
 
 const goTo = (page, part) => page.locator("#replay .time-line input").evaluate((slider, value) => { slider.value = value; slider.dispatchEvent(new Event("input")); }, String(Math.round(1000 * part)));
 const timeOf = async (page) => Number((await page.locator("#replay .time-now").innerText()).split(" ")[0]);
-const drawn = (page, more) => page.evaluate((frames) => new Promise((done) => {
-  const canvas = document.querySelector("canvas.scene");
-  const start = Number(canvas.dataset.frames ?? 0);
-  const look = () => (Number(canvas.dataset.frames ?? 0) >= start + frames ? done() : requestAnimationFrame(look));
-  look();
-}), more);
+const framesOf = (page) => page.evaluate(() => Number(document.querySelector("canvas.scene").dataset.frames ?? 0));
+/** Waits for `more` pictures after the first `from` of them. */
+const drawn = async (page, more, from) => {
+  const wanted = (from ?? (await framesOf(page))) + more;
+  await page.waitForFunction((count) => Number(document.querySelector("canvas.scene").dataset.frames ?? 0) >= count, wanted);
+};
 const picture = (page) => page.locator("canvas.scene").evaluate((canvas) => canvas.toDataURL());
 const digitsOf = (page, row) => page.locator("#replay .panel tr", { hasText: row }).first().locator(".digits").allInnerTexts();
 
 /** Does an act change what is drawn? */
 async function changes(page, act) {
-  const before = await picture(page);
+  await drawn(page, 1, 0);
+  const [before, from] = [await picture(page), await framesOf(page)];
   await act();
-  await drawn(page, 1);
+  await drawn(page, 1, from);
   return before !== await picture(page);
 }
 

@@ -729,16 +729,28 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape",     "product.axis",
-                                            "product.kind",      "product.particle[].fixed",
-                                            "gripper",           "gripper.coupling",
-                                            "gripper.hold",      "gripper.pad.shape",
-                                            "gripper.pad.along", "gripper.pad.kind",
-                                            "gripper.finger",    "cell.support",
-                                            "strategy.pick",     "cell.surface",
-                                            "cell.target_plane", "simulation.contact_set",
-                                            "strategy.guard",    "strategy.ramp_from_start",
-                                            "sensor.at",         "sensor.model"};
+  const std::set<std::string_view> words = {"product.shape",
+                                            "product.axis",
+                                            "product.kind",
+                                            "product.particle[].fixed",
+                                            "gripper",
+                                            "gripper.coupling",
+                                            "gripper.hold",
+                                            "gripper.pad.shape",
+                                            "gripper.pad.along",
+                                            "gripper.pad.kind",
+                                            "gripper.finger",
+                                            "cell.support",
+                                            "strategy.pick",
+                                            "cell.surface",
+                                            "cell.target_plane",
+                                            "simulation.contact_set",
+                                            "strategy.guard",
+                                            "strategy.ramp_from_start",
+                                            "sensor.at",
+                                            "sensor.model",
+                                            "product.prony_from",
+                                            "product.spring[].prony_from"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

@@ -130,7 +130,8 @@ void expect_same_trace(const Trace& a, const Trace& b, const char* where) {
   ASSERT_EQ(a.signals.size(), b.signals.size()) << where;
   for (std::size_t i = 0; i < a.signals.size(); ++i) {
     const std::vector<double>&x = a.signals[i].values, &y = b.signals[i].values;
-    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end(), same_bits)) << where << ": " << a.signals[i].name;
+    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end(), same_bits))
+        << where << ": " << a.signals[i].name;
   }
   ASSERT_EQ(a.events.size(), b.events.size()) << where;
   for (std::size_t i = 0; i < a.events.size(); ++i) {
@@ -149,7 +150,10 @@ TEST(LaneMoves, ChangeNoBit) {
       {"locked fingers", locked},
       {"shaped pads", shaped},
       {"falling box", falling_box},
-      {"tilted block", [] { return tilted_block({0.3, 0.0, 0.0}, 2.0, 1e-3); }},
+      {"tilted block",
+       [] {
+         return tilted_block({0.3, 0.0, 0.0}, 2.0, 1e-3);
+       }},
       {"network that yields", network}};
   for (const auto& [name, scene] : scenes) {
     const Scenario scenario = scene();

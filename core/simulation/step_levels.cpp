@@ -26,8 +26,7 @@ constexpr double kMostCoupling = 0.5 * kLargestCoupling;
 /// Is everything that can happen to the product foreseen by the rule?
 bool is_foreseen(const Scenario& scenario) {
   const auto* jaw = parallel_jaw(scenario);
-  return jaw != nullptr && !lists_fingers(scenario) &&
-         std::holds_alternative<LatticeParameters>(scenario.product) &&
+  return jaw != nullptr && !lists_fingers(scenario) && true_shape(scenario.product).has_value() &&
          product_frame(scenario) == ProductFrame::upright && !has_sensor(scenario) &&
          scenario.strategy.guard == GuardKind::none && !has_belt(scenario.cell) &&
          scenario.cell.place_velocity_m_s == std::array<double, 2>{} && scenario.cell.surface.empty() &&

@@ -118,8 +118,8 @@ TEST(RelaxationStep, TheLongTermModulusIsTheOtherEndOfTheSameCurve) {
 
 TEST(SpringRelaxation, APulledBurgersSpringOfANetworkFollowsItsClosedForm) {
   // A particle so light that it has no inertia to speak of. It begins 5 mm out, where the spring carries the force
-  // at once; after the jump of the load it swings within a few steps, a part in ten thousand of the ten seconds.
-  const double dt = 1e-3;
+  // at once; the jump of the load takes effect within two steps of the ten seconds.
+  const double dt = 1e-3, late = 2.0 * dt / 10.0;
   Scenario scenario = oscillator(1e-6, kStiffness_N_m, dt, 60000);
   network_of(scenario).spring[0] = burgers_spring();
   network_of(scenario).particle[1].initial_displacement_m = {5e-3, 0.0, 0.0};
@@ -132,7 +132,7 @@ TEST(SpringRelaxation, APulledBurgersSpringOfANetworkFollowsItsClosedForm) {
     const double ratio = x[static_cast<std::size_t>(std::lround(row.time_s / dt))] / row.x_m;
     worst = std::max(worst, std::abs(ratio - 1.0));
   }
-  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(worst, late);
   // The set: F t / c1, although 0.1 um of the rest has not recovered yet.
   EXPECT_NEAR(result.metrics[Metric::permanent_set_max_m], 10.0 * 10.0 / 2e5, 1e-4 * 5e-4);
   std::cout << "[ measured ] Burgers spring in a network: " << worst << ", set "

@@ -33,6 +33,7 @@ async function open(name, { viewport = LAPTOP, colorScheme = "light" } = {}) {
   const context = await browser.newContext({ viewport, colorScheme, offline: true, acceptDownloads: true });
   const page = await context.newPage();
   const complaints = [];
+  page.setDefaultTimeout(120_000); // busy machines take their time
   page.on("console", (message) => {
     // A picture taken of a canvas makes the driver of the processor say how slow that is.
     if (!message.text().includes("GL Driver Message (OpenGL, Performance")) complaints.push(`console: ${message.text()}`);

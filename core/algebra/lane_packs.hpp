@@ -42,16 +42,12 @@ struct Packs {
   }
 };
 
-/// Calls `f(packs)` with those of the busy lanes: wide ones, or narrow ones where these are fewer registers.
+/// Calls `f(packs)` with those of the busy lanes: wide ones, or the one narrow one that holds all of them.
 template <class F>
 void with_packs(const Mask& busy, F&& f) {
   const Packs<WidePack, kLanes> wide(busy);
   const Packs<NarrowPack, kLanes> narrow(busy);
-  if (narrow.count * NarrowPack::size < wide.count * WidePack::size && narrow.count == 1) {
-    f(narrow);
-  } else {
-    f(wide);
-  }
+  narrow.count == 1 ? f(narrow) : f(wide);
 }
 
 }  // namespace unbruised

@@ -227,8 +227,12 @@ void LaneSimulation::Impl::observe_lane(int lane) {
 void LaneSimulation::Impl::choose_level(const LaneStep& step) {
   LaneRun& r = run_of(step.lane);
   LevelSigns signs{.time_s = step.time_s, .cycle = r.cycle, .seen = step.seen};
-  signs.pad_gap_m = std::min(contact.least_gap_m(kLeftPad, step.lane), contact.least_gap_m(kRightPad, step.lane));
-  signs.support_gap_m = contact.least_gap_m(kSupport, step.lane);
+  if (r.cycle.has_contact()) {
+    signs.support_gap_m = contact.least_gap_m(kSupport, step.lane);
+  } else {
+    signs.pad_gap_m =
+        std::min(contact.least_gap_m(kLeftPad, step.lane), contact.least_gap_m(kRightPad, step.lane));
+  }
   for (int f = 0; f < kJawFingers; ++f) {
     signs.closing_m_s = std::max(signs.closing_m_s, std::abs(gripper.speed(f)[step.lane]));
   }

@@ -21,9 +21,9 @@ struct LevelSigns {
   double time_s = 0.0;
   const HandlingCycle& cycle;
   const StepObservation& seen;
-  double pad_gap_m = 0.0;      ///< least gap of a pad
+  double pad_gap_m = 0.0;      ///< least gap of a pad; asked for before the first contact
   double closing_m_s = 0.0;    ///< of the fastest finger
-  double support_gap_m = 0.0;  ///< of the product over its support
+  double support_gap_m = 0.0;  ///< of the product over its support; asked for after it
   double weight_N = 0.0;       ///< of the product
 };
 

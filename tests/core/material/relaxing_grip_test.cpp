@@ -6,30 +6,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/simulation/scenes.hpp"
+#include "tests/core/material/pressed_bar.hpp"
 
 namespace unbruised {
 namespace {
 
 using namespace testing;
 
-constexpr double kE_Pa = 1e6, kLength_m = 0.06, kWidth_m = 0.02, kArea_m2 = kWidth_m * kWidth_m;
+constexpr double kArea_m2 = kWidth_m * kWidth_m;
 
 Scenario bar(double stress_Pa, double hold_s) {
-  Scenario scenario = small_box();
-  LatticeParameters& product = lattice_of(scenario);
-  product.size_m = {kLength_m, kWidth_m, kWidth_m};
-  product.youngs_modulus_Pa = kE_Pa;
-  product.poisson_ratio = 0.3;
-  product.friction = 0.0;
-  product.relaxation_time_s = 2e-3;
-  only_grip(scenario);
-  scenario.cell.approach_gap_m = 1e-4;
-  jaw_of(scenario).pad_size_m = {0.04, 0.04};
+  Scenario scenario = pressed_bar();
+  lattice_of(scenario).relaxation_time_s = 2e-3;
   jaw_of(scenario).pad_modulus_Pa = 5e6;
-  jaw_of(scenario).drive_viscous_N_s_m = 100.0;
-  scenario.strategy.approach_speed_m_s = 0.01;
-  scenario.strategy.contact_force_N = 0.1;
   scenario.strategy.grip_force_N = stress_Pa * kArea_m2;
   scenario.strategy.grip_ramp_s = 0.1;
   scenario.strategy.settle_s = 0.1;
@@ -44,20 +33,6 @@ LatticeParameters& carrot(Scenario& scenario) {
   product.prony_modulus = {0.218, 0.233};
   product.prony_time_s = {1.68, 26.3};
   return product;
-}
-
-/// Compressive strain between the ends of the bar, over time.
-std::vector<double> bar_strain(const Trace& trace) {
-  const auto n = static_cast<std::size_t>(trace.particle_count);
-  std::vector<double> strain(trace.time_s.size(), 0.0);
-  for (std::size_t k = 0; k < strain.size(); ++k) {
-    for (std::size_t p = 0; p < n; ++p) {
-      const double x = trace.rest_position_m[3 * p];
-      if (std::abs(x) < 0.5 * kLength_m - 1e-9) continue;
-      strain[k] -= std::copysign(1.0, x) * trace.displacement_m[3 * (n * k + p)] / 9.0 / kLength_m;
-    }
-  }
-  return strain;
 }
 
 /// int E(t - s) e'(s) ds of a strain that is linear between rows, in closed form, at row `at`.

@@ -99,7 +99,7 @@ class Replay {
     this.clock.on((clock, from) => {
       this.readout.textContent = `${clock.time.toFixed(3)} s  ${this.line.phaseNow(clock.time)}`;
       const now = performance.now();
-      if (from !== null && clock.playing && now - told < 60) return;
+      if (from !== null && clock.playing && now - told < 100) return;
       told = now;
       this.instruments.set(clock.time);
     });

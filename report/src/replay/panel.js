@@ -102,12 +102,15 @@ function makeBar(row, most, colour) {
   const place = (value) => (row.signed ? 50 + (50 * value) / reach : (100 * value) / reach);
   const limit = row.limit !== null && reach > 0 && Math.abs(row.limit) <= reach ? h("i", { class: "bar-limit", style: `left:${place(row.limit)}%` }) : null;
   const element = h("div", { class: `meter${row.signed ? " signed" : ""}`, "aria-hidden": "true" }, fill, limit);
+  let shown = null;
   const set = (value) => {
     const at = Math.min(100, Math.max(0, value === null || !(reach > 0) ? place(0) || 0 : place(value)));
     const zero = row.signed ? 50 : 0;
+    element.classList.toggle("over", value !== null && row.limit !== null && (row.limit === 0 ? value < 0 : Math.abs(value) > row.limit));
+    if (shown !== null && Math.abs(at - shown) < 0.4) return;
+    shown = at;
     fill.style.left = `${Math.min(zero, at)}%`;
     fill.style.width = `${Math.abs(at - zero)}%`;
-    element.classList.toggle("over", value !== null && row.limit !== null && (row.limit === 0 ? value < 0 : Math.abs(value) > row.limit));
   };
   return { element, set };
 }
@@ -139,7 +142,8 @@ export function panel(study, models) {
       setters.push((time) => {
         const value = each.at(Math.min(time, models[i].end));
         bar.set(value);
-        text.textContent = digits(value, scale);
+        const said = digits(value, scale);
+        if (text.textContent !== said) text.textContent = said;
       });
       return h("td", {}, bar.element, text);
     });

@@ -124,7 +124,7 @@ export function contourMap(study, source) {
   const axes = source.inputs.filter((column) => !column.isText && column.distinct.length > 2);
   const metrics = source.metrics.filter((each) => each.column);
   if (axes.length < 2 || metrics.length === 0) return null;
-  let [x, y, metric] = [axes[0], axes[1], metrics[0]];
+  let [x, y, metric] = [axes[0], axes[1], metrics.find(({ bounds }) => bounds?.length) ?? metrics[0]];
   let state = stateOf(study, source, metric, x, y);
   const change = () => { state = stateOf(study, source, metric, x, y); chart.redraw(); };
   const options = axes.map((column) => ({ value: column.name, label: label(column.name) }));

@@ -17,6 +17,7 @@ const PALE_MOST = 600;
 const NARROW_PX = 640;
 const ROW_PX = 78;
 const NEAR_AXIS_PX = 18;
+const SIDE_PX = 64;
 
 function candidates({ scenarios }) {
   return [...scenarios.inputs.filter((column) => column.varies), ...scenarios.metrics.filter((column) => !column.isText && column.varies && column.name !== "step_count")];
@@ -32,10 +33,10 @@ function layoutOf(width, axes) {
   const flat = width < NARROW_PX;
   const height = flat ? 16 + ROW_PX * axes.length : 400;
   const [from, to] = flat ? [14, width - 14] : [height - 34, 62];
-  const across = flat ? (i) => 44 + ROW_PX * i : (i) => 46 + ((width - 92) * i) / Math.max(1, axes.length - 1);
+  const across = flat ? (i) => 44 + ROW_PX * i : (i) => SIDE_PX + ((width - 2 * SIDE_PX) * i) / Math.max(1, axes.length - 1);
   const along = (part) => from + part * (to - from);
   return {
-    flat, height, across, along, room: flat ? width - 28 : (width - 92) / Math.max(1, axes.length - 1),
+    flat, height, across, along, room: flat ? width - 28 : (width - 2 * SIDE_PX) / Math.max(1, axes.length - 1),
     point: (i, part) => (flat ? [along(part), across(i)] : [across(i), along(part)]),
     part: ([x, y]) => Math.min(1, Math.max(0, ((flat ? x : y) - from) / (to - from))),
     axis: ([x, y]) => {
@@ -85,7 +86,7 @@ function lineSeries(axes, layout, rows, style, silent) {
 
 function axisTitle(theme, axis, layout, i) {
   const text = `${label(axis.column.name)}${axis.unit ? ` (${axis.unit})` : ""}${axis.log ? ", log" : ""}`;
-  const style = { text, fill: theme.ink, font: `600 12px ${theme.font}`, width: Math.max(60, layout.room - 10), overflow: "break", lineHeight: 14 };
+  const style = { text, fill: theme.ink, font: `600 12px ${theme.font}`, width: Math.max(60, layout.room - 10), overflow: "break", lineHeight: 14, stroke: theme.paper, lineWidth: 4 };
   if (layout.flat) return { type: "text", style: { ...style, x: 14, y: layout.across(i) - 30, align: "left", verticalAlign: "top" } };
   return { type: "text", style: { ...style, x: layout.across(i), y: layout.along(1) - 12, align: "center", verticalAlign: "bottom" } };
 }
@@ -97,7 +98,7 @@ function tickMarks(theme, axis, layout, i) {
     const place = layout.flat ? x : -y;
     if (place - last < (layout.flat ? 9 * text.length + 6 : 15)) return [];
     last = place;
-    const halo = { text, fill: theme.soft, font: `11px ${theme.font}`, stroke: theme.paper, lineWidth: 3 };
+    const halo = { text, fill: theme.soft, font: `11px ${theme.font}`, stroke: theme.paper, lineWidth: 4 };
     return [{ type: "text", style: { ...halo, x: layout.flat ? x : x - 6, y: layout.flat ? y + 7 : y, align: layout.flat ? (part < 0.04 ? "left" : part > 0.96 ? "right" : "center") : "right", verticalAlign: layout.flat ? "top" : "middle" } }];
   });
 }

@@ -19,7 +19,8 @@ export function roundValues(least, most, count) {
   return values;
 }
 
-function logValues(least, most) {
+/** 1, 2, 5, 10 and so on, from `least` to `most`; of a long range powers of ten. */
+export function logValues(least, most) {
   const values = [];
   for (let power = Math.floor(Math.log10(least)); power <= Math.ceil(Math.log10(most)); power += 1) for (const each of [1, 2, 5]) values.push(Number((each * 10 ** power).toPrecision(3)));
   const inside = values.filter((value) => value >= least * 0.999 && value <= most * 1.001);

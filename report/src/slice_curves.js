@@ -65,7 +65,7 @@ function searchSource(study, table) {
   const text = best.attributes?.objective ?? objective?.longName ?? "";
   const objectives = objective ? [{ name: "objective", label: inWords(text || "objective"), units: objective.units || unitsOfGoal(study, text), from: objective, bounds: [] }] : objectiveColumns(table).map((column) => ({ name: column.name, label: objectiveLabel(column), units: objectiveUnits(study, column), from: column, bounds: [] }));
   const probability = table.column("probability");
-  const chance = probability && probability.numbers().length ? [{ name: "probability", label: `P(${inWords(best.attributes?.event ?? "held")})`, units: "", isShare: true, from: probability, bounds: [] }] : [];
+  const chance = probability && probability.numbers().length ? [{ name: "probability", label: /P\(.*\)/.exec(probability.longName)?.[0] ?? "P(held)", units: "", isShare: true, from: probability, bounds: [] }] : [];
   // Of a robust study an evaluation is many products, so no metric of one of them speaks for it.
   const metrics = study.kind === "robust" ? [] : metricsOf(study);
   return { kind: "search", table, keys, best, metrics: [...objectives, ...chance, ...metrics] };
@@ -110,7 +110,7 @@ function triedNear(study, { table, keys, best }, metric, column) {
   const points = rowsOf(table).map((row) => {
     const scenario = scenarioRow(study, table, row);
     const y = metric.from ? metric.from.at(row) : scenario === null ? null : metric.column.at(scenario);
-    return { x: column.at(row), y, row: scenario, weight: Math.max(0.08, Math.exp(-((distance(row) / NEAR) ** 2))), colour: null };
+    return { x: column.at(row), y, row: scenario, weight: Math.max(0.08, Math.exp(-((distance(row) / NEAR) ** 2))) };
   }).filter(({ x, y }) => x !== null && y !== null);
   return { column, points: points.sort((a, b) => a.weight - b.weight), best: best.at(column.name, 0), joined: false };
 }

@@ -5,7 +5,7 @@ import { figure } from "./chart.js";
 import { contourMap } from "./contour_map.js";
 import { h, select } from "./dom.js";
 import { legend, outcomeList } from "./legend.js";
-import { boundsOf } from "./scale.js";
+import { boundsOf, logValues } from "./scale.js";
 import { scenarioTip, tip, tipLine } from "./scenario.js";
 import { curvesOf, sourceOf } from "./slice_curves.js";
 import { outcomeColour } from "./theme.js";
@@ -47,7 +47,7 @@ function inputAxis(theme, column, i) {
   const text = { color: theme.soft, fontSize: 12, hideOverlap: true, formatter: (value) => number(value / scale.factor, 3) };
   const [least, most] = [distinct[0], distinct[distinct.length - 1]];
   const pad = 0.03 * (most - least);
-  if (isLog(column)) return { ...base, type: "log", logBase: most / least > 2000 ? 10 : 2, min: least / 1.1, max: most * 1.1, axisLabel: { ...text, showMinLabel: false, showMaxLabel: false } };
+  if (isLog(column)) return { ...base, type: "log", min: least / 1.1, max: most * 1.1, axisLabel: { ...text, customValues: logValues(least, most) } };
   return { ...base, type: "value", min: least - pad, max: most + pad, axisLabel: { ...text, showMinLabel: false, showMaxLabel: false }, splitNumber: 4 };
 }
 
@@ -145,10 +145,11 @@ function noteOf(source, metric, curves) {
 export function slices(study) {
   const source = sourceOf(study);
   if (source.metrics.length === 0) return null;
-  let metric = source.metrics[0];
+  for (const each of source.metrics) each.bounds = each.column ? boundsOf(study, each.column) : each.bounds ?? [];
+  // Of a grid the first to look at is one that has an edge.
+  let metric = (source.kind === "grid" && source.metrics.find(({ column, bounds }) => column && bounds.length)) || source.metrics[0];
   let curves = curvesOf(study, source, metric);
   if (curves.length === 0) return null;
-  for (const each of source.metrics) each.bounds = each.column ? boundsOf(study, each.column) : each.bounds ?? [];
   const choose = (name) => { metric = source.metrics.find((each) => each.name === name); curves = curvesOf(study, source, metric); chart.redraw(); };
   const outcomes = outcomeList(OUTCOMES.filter((word) => study.scenarios.counts[word]), null, study.selection);
   const chart = figure({
@@ -164,5 +165,5 @@ export function slices(study) {
     describe: () => `${metric.label} over ${listed(curves.map(({ column }) => label(column.name)))}, ${plural(curves.length, "small chart")}.`,
     note: () => noteOf(source, metric, curves),
   });
-  return h("div", {}, chart.element, source.kind === "grid" ? contourMap(study, source) : null);
+  return h("div", { class: "parts" }, chart.element, source.kind === "grid" ? contourMap(study, source) : null);
 }

@@ -165,7 +165,7 @@ export function timeCharts(study, clock = null) {
 
 export function traceCurves(study) {
   const charts = timeCharts(study, study.clock);
-  return charts && h("div", {}, charts, contactEvents(study, study.clock));
+  return charts && h("div", { class: "parts" }, charts, contactEvents(study, study.clock));
 }
 
 /** How hard the fingers press in two scenarios at the same time, and the difference. */

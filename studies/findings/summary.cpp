@@ -140,6 +140,10 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
 }
 
 std::string answer_line(const StudyTables& tables, std::string_view study_kind) {
+  if (tables.rows.size() == 1 && !tables.window) {
+    const ScenarioResult& only = tables.rows.front().result;
+    return joined({outcome_word(only.outcome), only.cause.empty() ? "" : ": ", only.cause});
+  }
   const std::string counts = outcome_line(tables.rows), balances = balance_line(tables.rows);
   for (std::string& line : summary_lines(tables, study_kind)) {
     if (line != counts && line != balances && line != tables.damage_note) return std::move(line);

@@ -39,7 +39,7 @@ test("all axes has an axis for each input and telling metric, and takes others",
   for (const name of ["grip force", "approach speed", "lift acceleration", "friction margin", "contact yield ratio", "cycle time"]) assert.ok((await words()).includes(name), name);
   const before = await page.locator("#parallel .chart canvas").evaluate((canvas) => canvas.toDataURL());
   await page.locator("#parallel summary").click();
-  await page.locator("#parallel").getByLabel("cycle time").uncheck();
+  await page.locator("#parallel").getByRole("checkbox", { name: "cycle time" }).uncheck();
   await settled(page);
   assert.ok(!(await words()).includes("cycle time"));
   assert.notEqual(await page.locator("#parallel .chart canvas").evaluate((canvas) => canvas.toDataURL()), before);

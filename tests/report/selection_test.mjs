@@ -73,17 +73,18 @@ test("a drag over a histogram and along an axis of all axes selects a range", as
   const one = await countOf(page);
   assert.ok(one > 0 && one < 200, `${one}`);
   await bar(page).getByRole("button", { name: "Clear" }).click();
-  // The first axis stands 46 px from the left; values go upwards.
+  // The first axis stands 64 px from the left; values go upwards.
   const width = (await page.locator("#parallel .chart").boundingBox()).width;
-  await drag(page, "parallel", [46 / width, 0.85], [46 / width, 0.5]);
+  await drag(page, "parallel", [64 / width, 0.85], [64 / width, 0.5]);
   const first = await bar(page).locator(".condition span:first-child").allInnerTexts();
   assert.match(first.join(), /friction 0\.\d+ to 0\.\d+/);
   const [, low, high] = /friction ([\d.]+) to ([\d.]+)/.exec(first.join()).map(Number);
   const rows = await rowsOf(page);
   assert.ok(rows.length > 3 && rows.every((cells) => Number(cells[2]) >= low && Number(cells[2]) <= high));
   // A click on the axis lets it go.
+  await page.locator("#parallel .chart").scrollIntoViewIfNeeded();
   const box = await page.locator("#parallel .chart").boundingBox();
-  await page.mouse.click(box.x + 46, box.y + 200);
+  await page.mouse.click(box.x + 64, box.y + 200);
   await settled(page);
   assert.equal(await bar(page).isVisible(), false);
   await close();
@@ -97,8 +98,8 @@ test("the pointer lights the same scenario in the table and in every chart", asy
   assert.match(await row.getAttribute("class"), /lit/);
   const litIn = () => page.evaluate(() => [...document.querySelectorAll("section")].filter((section) => section.querySelector(".over .lit")).map((section) => section.id));
   for (const section of ["map", "parallel"]) assert.ok((await litIn()).includes(section), `${section} does not light up: ${await litIn()}`);
-  // And from a chart to the table: the first scenario of the page, found by its mark.
-  await page.locator("#scenarios tbody tr").first().hover();
+  // And from a chart to the table: the same scenario, found by its mark.
+  await row.hover();
   const mark = await page.locator("#map .over .lit").first().evaluate((circle) => [Number(circle.getAttribute("cx")), Number(circle.getAttribute("cy"))]);
   await page.locator("#map .chart").scrollIntoViewIfNeeded();
   const box = await page.locator("#map .chart").boundingBox();

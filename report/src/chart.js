@@ -160,13 +160,19 @@ class Figure {
     this.element = h("figure", {}, this.controls.length ? h("div", { class: "controls" }, this.controls) : null, this.legend ? this.legendBox : null, this.canvas, this.below, savers(this.name, () => this.picture(), this.csv), this.noteElement);
   }
 
+  /** What is out of sight is drawn when it comes into sight, or is printed. */
   followSelection() {
-    this.selection.on(() => {
-      if (this.queued) return;
-      this.queued = true;
-      drawLater(() => this.draw());
-    });
+    this.inSight = true;
+    new IntersectionObserver(([entry]) => { this.inSight = entry.isIntersecting; this.refresh(); }, { rootMargin: "200px" }).observe(this.canvas);
+    window.addEventListener("beforeprint", () => this.stale && this.draw());
+    this.selection.on(() => { this.stale = true; this.refresh(); });
     if (this.litAt) this.selection.onLight(() => this.light());
+  }
+
+  refresh() {
+    if (!this.stale || this.queued || !this.inSight) return;
+    this.queued = true;
+    drawLater(() => this.draw());
   }
 
   heightNow() {
@@ -205,6 +211,7 @@ class Figure {
   draw() {
     const { canvas } = this;
     this.queued = false;
+    this.stale = false;
     canvas.style.height = `${this.heightNow()}px`;
     canvas.setAttribute("aria-label", this.describe());
     this.say();

@@ -116,7 +116,7 @@ export function convergence(study) {
     litAt: (row, shown) => evaluationsOf(study, table, row).filter((each) => objective.at(each) !== null).map((each) => ({ at: shown.convertToPixel({ gridIndex: 0 }, [each, Math.min(objective.at(each), high)]) })),
     csv: () => [["evaluation", "feasible", "objective"], ...all.map((row) => [row, table.at("feasible", row), objective.at(row)])],
   });
-  return h("div", {}, chart.element, strategies(study, table), searches(study));
+  return h("div", { class: "parts" }, chart.element, strategies(study, table), searches(study));
 }
 
 function searches(study) {

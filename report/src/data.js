@@ -179,6 +179,7 @@ export function readStudy(document) {
     trace: page.trace ? readTrace(page.trace, buffer) : null,
     replays: (page.replays ?? []).map((each) => ({ ...each, trace: readTrace(each.trace, buffer) })),
     sound: page.sound ?? null,
+    measured: page.measured ?? null,
     buffer,
     column: (values) => reader(values, buffer),
     ...readClaims(page),

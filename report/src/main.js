@@ -18,7 +18,7 @@ import { restsOn } from "./rests_on.js";
 import { sizing } from "./sizing.js";
 import { Selection } from "./selection.js";
 import { selectionBar } from "./selection_bar.js";
-import { slices, slicesLead } from "./slices.js";
+import { slices, slicesLead, slicesTitle } from "./slices.js";
 import { scenarioTable } from "./table.js";
 import { startTheme, themeButton } from "./theme.js";
 import { traceCurves } from "./trace.js";
@@ -37,7 +37,7 @@ const SECTIONS = [
   ["convergence", "The search", "Every strategy that was tried, in order.", convergence],
   ["findings", "Constraints and checks", "What the best strategy has to meet, and whether it still does when looked at more closely.", findings, "Checks"],
   ["map", "Outcomes", "Each mark is a scenario. The pointer shows its numbers, a click copies the command that replays it, a drag selects.", outcomeMap],
-  ["slices", "Through the best", slicesLead, slices, "Slices"],
+  ["slices", slicesTitle, slicesLead, slices, "Slices"],
   ["parallel", "Everything at once", "A line per scenario through all its inputs and metrics. Drag along an axis to select.", parallel, "All axes"],
   ["distributions", "Spread", "How a metric is distributed over the scenarios.", distributions],
   ["rests_on", "What this answer rests on", "Every value of product, gripper and limits, and who says so.", restsOn, "Sources"],
@@ -58,7 +58,8 @@ function sectionOf(study, [id, title, lead, content]) {
     body = h("p", { class: "banner" }, `This part of the page could not be drawn: ${error.message}`);
   }
   if (!body) return null;
-  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, typeof lead === "function" ? lead(study) : lead)), h("div", { class: "content" }, body));
+  const said = (text) => (typeof text === "function" ? text(study) : text);
+  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, said(title)), h("p", { class: "lead" }, said(lead))), h("div", { class: "content" }, body));
 }
 
 function header(study, sections) {

@@ -18,6 +18,10 @@ const LEADS = {
   random: "What an input does over random products, the others as they came.",
 };
 
+export function slicesTitle(study) {
+  return sourceOf(study).kind === "random" ? "Over each input" : "Through the best";
+}
+
 export function slicesLead(study) {
   return LEADS[sourceOf(study).kind] ?? "";
 }

@@ -201,7 +201,7 @@ class DataTable {
         const value = column.at(row);
         const text = this.formatOf(column).text(value);
         const swatch = column.name === "outcome" ? h("i", { class: "swatch", style: `background:var(--${String(value).replaceAll("_", "-")})` }) : null;
-        if (this.selection && column.name === "id") return h("td", { class: "number" }, this.markBox(row, text), this.replay ? this.replayButton(row, text) : text);
+        if (this.selection && this.rows > 1 && column.name === "id") return h("td", { class: "number" }, this.markBox(row, text), this.replay ? this.replayButton(row, text) : text);
         if (this.replay && value !== null && ["id", "scenario"].includes(column.name)) return h("td", { class: "number" }, this.replayButton(row, text));
         return h("td", { class: column.isText ? (column.name === "cause" ? "text" : null) : "number" }, swatch, text);
       }),

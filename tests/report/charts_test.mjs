@@ -96,6 +96,15 @@ test("contact events stand over time, one strip for each surface and kind", asyn
   await close();
 });
 
+test("measured rupture forces stand below the ruler of the window", async () => {
+  const { page, close } = await open("kiwi_window");
+  assert.match(await page.locator("#answer .rug p").innerText(), /^5 specimens broke between 1\.92 and 12\.4 N \(kiwi_rupture\.csv\), 1 of them outside this range; \d below the window's upper end$/);
+  const lefts = await page.locator("#answer .rug i").evaluateAll((all) => all.map((each) => parseFloat(each.style.left)));
+  assert.equal(lefts.length, 4);
+  assert.deepEqual(lefts, [...lefts].sort((a, b) => a - b));
+  await close();
+});
+
 test("the new charts stand on a phone in the dark", async () => {
   const { page, close } = await open("kiwi_sweep", { viewport: PHONE, colorScheme: "dark" });
   for (const section of ["parallel", "slices"]) assert.ok((await coloursOf(page, section)) > 8, section);

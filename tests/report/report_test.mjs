@@ -2,7 +2,7 @@
 // Opens every page of PAGES as a reader does: what it says and draws, how it stands on a phone, in the dark and on paper (browser.mjs).
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, statSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
 import { browser, coloursOf, LAPTOP, open, pages, PHONE } from "./browser.mjs";
@@ -272,6 +272,13 @@ test("the sizing sheet prints alone, on one page", async () => {
     await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
     assert.equal(await page.locator("header").isVisible(), true, "and the page is whole again");
     await close();
+  }
+});
+
+test("a page without scenarios in motion stays below 1.8 MB", () => {
+  for (const name of Object.keys(EXPECTED).filter((each) => each !== "in_motion")) {
+    const megabytes = statSync(join(pages, `${name}.html`)).size / 1e6;
+    assert.ok(megabytes < 1.8, `${name}: ${megabytes} MB`);
   }
 });
 

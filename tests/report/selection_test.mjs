@@ -8,7 +8,13 @@ import { coloursOf, csvOf, open, PHONE, settled } from "./browser.mjs";
 const bar = (page) => page.locator("aside.selection");
 const countOf = async (page) => Number(/^([\d,]+) of/.exec(await bar(page).locator("p").innerText())[1].replaceAll(",", ""));
 const rowsOf = async (page) => (await csvOf(page, "scenarios")).lines.slice(1, -1).map((line) => line.split(","));
-const picture = (page, section) => page.locator(`#${section} .chart canvas`).first().evaluate((canvas) => canvas.toDataURL());
+/** A chart as it is when it has come into sight. */
+async function picture(page, section) {
+  const canvas = page.locator(`#${section} .chart canvas`).first();
+  await canvas.scrollIntoViewIfNeeded();
+  await settled(page);
+  return canvas.evaluate((each) => each.toDataURL());
+}
 
 /** A drag from one part of a chart to another, in parts of its box. */
 async function drag(page, section, from, to) {
@@ -33,7 +39,8 @@ test("nothing is selected at first, and nothing says so", async () => {
 
 test("an outcome pressed in a legend selects in every legend, chart and table", async () => {
   const { page, close } = await open("kiwi_sweep");
-  const before = Object.fromEntries(await Promise.all(["map", "distributions", "parallel", "slices", "windows"].map(async (section) => [section, await picture(page, section)])));
+  const before = {};
+  for (const section of ["map", "distributions", "parallel", "slices", "windows"]) before[section] = await picture(page, section);
   await page.locator("#map .legend").getByRole("button", { name: "held" }).click();
   await settled(page);
   const pressed = await page.locator('.legend button[aria-pressed="true"], .chip[aria-pressed="true"]').allInnerTexts();

@@ -257,12 +257,8 @@ ReportFixture robust() {
   best.columns.push_back(numbers("probability_high", "1", "", {0.992}));
   best.attributes.insert(best.attributes.end(),
                          {{"event", std::string("held")}, {"confidence", 0.95}, {"products", 50.0}});
-  fixture.content.tables = {searches_table(),
-                            evaluations,
-                            best,
-                            constraints_table(),
-                            verification_table(1.059, true),
-                            random_table()};
+  fixture.content.tables = {
+      searches_table(), evaluations, best, constraints_table(), verification_table(1.059, true), random_table()};
   return fixture;
 }
 

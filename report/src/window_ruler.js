@@ -4,7 +4,7 @@
 import { judgesDamage } from "./claims.js";
 import { h } from "./dom.js";
 import { legend } from "./legend.js";
-import { number, plural } from "./words.js";
+import { number, plural, shortText } from "./words.js";
 
 function tried(study) {
   const force = study.scenarios.column("strategy.grip_force_N");
@@ -58,7 +58,7 @@ function rug({ measured }, at, [least, most], damage_N) {
   const shown = values.filter((force) => force >= least && force <= most);
   const weaker = damage_N === null ? null : values.filter((force) => force < damage_N).length;
   const beyond = values.length - shown.length;
-  const words = `${plural(values.length, "specimen")} broke between ${number(values[0], 3)} and ${number(values[values.length - 1], 3)} N (${measured.file})${beyond ? `, ${beyond} of them outside this range` : ""}${weaker === null ? "" : `; ${weaker || "none"} below the window's upper end`}`;
+  const words = `${plural(values.length, "specimen")} broke between ${number(values[0], 3)} and ${number(values[values.length - 1], 3)} N (${shortText(measured.file.replace(/\.csv$/i, ""))})${beyond ? `, ${beyond} of them outside this range` : ""}${weaker === null ? "" : `; ${weaker || "none"} below the window's upper end`}`;
   return h("div", { class: "rug" }, h("div", { class: "strokes", "aria-hidden": "true" }, shown.map((force) => h("i", { style: `left:${at(force)}%` }))), h("p", {}, words));
 }
 

@@ -98,7 +98,7 @@ test("contact events stand over time, one strip for each surface and kind", asyn
 
 test("measured rupture forces stand below the ruler of the window", async () => {
   const { page, close } = await open("kiwi_window");
-  assert.match(await page.locator("#answer .rug p").innerText(), /^5 specimens broke between 1\.92 and 12\.4 N \(kiwi_rupture\.csv\), 1 of them outside this range; \d below the window's upper end$/);
+  assert.match(await page.locator("#answer .rug p").innerText(), /^5 specimens broke between 1\.92 and 12\.4 N \(kiwi rupture\), 1 of them outside this range; \d below the window's upper end$/);
   const lefts = await page.locator("#answer .rug i").evaluateAll((all) => all.map((each) => parseFloat(each.style.left)));
   assert.equal(lefts.length, 4);
   assert.deepEqual(lefts, [...lefts].sort((a, b) => a - b));

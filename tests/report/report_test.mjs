@@ -133,7 +133,7 @@ test("the page of one run names its phases, and the quantity that decided it com
   const phases = await page.locator("#trace .phases").innerText();
   for (const phase of ["approach", "grip", "lift", "hold", "transfer", "lower", "release", "recover"]) assert.ok(phases.includes(phase), phase);
   assert.match(await page.locator("#trace .legend").innerText(), /limit/);
-  assert.match(await page.locator("#trace .chart").getAttribute("aria-label"), /contact yield ratio/);
+  assert.match(await page.locator("#trace .chart").first().getAttribute("aria-label"), /contact yield ratio/);
   await close();
 });
 

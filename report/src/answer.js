@@ -39,7 +39,7 @@ function outcomeBar(study) {
     "div",
     { class: "outcomes" },
     h("div", { class: "outcome-bar", role: "img", "aria-label": `Outcomes: ${text}` }, words.map((word) => h("span", { style: `flex:${counts[word]} 0 0;background:${outcomeVariable(word)}` }))),
-    outcomeList(words, counts),
+    outcomeList(words, counts, study.selection),
   );
 }
 

@@ -4,15 +4,17 @@
 import * as echarts from "echarts/core";
 import { BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart } from "echarts/charts";
 import { AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent } from "echarts/components";
-import { CanvasRenderer } from "echarts/renderers";
-import { h } from "./dom.js";
+import { CanvasRenderer, SVGRenderer } from "echarts/renderers";
+import { brushing, overlay, showLit } from "./chart_overlay.js";
+import { csvOfLines, fileName } from "./csv.js";
+import { download, h } from "./dom.js";
 import { number, scaleFor } from "./words.js";
 import { colours, onTheme } from "./theme.js";
 
 echarts.use([
   BarChart, BoxplotChart, CustomChart, LineChart, ScatterChart,
   AxisPointerComponent, DataZoomInsideComponent, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, TitleComponent, TooltipComponent,
-  CanvasRenderer,
+  CanvasRenderer, SVGRenderer,
 ]);
 
 const waiting = [];
@@ -119,46 +121,136 @@ export function logAxis(least, most) {
   return { type: "log", logBase: base, min: least / 1.12, max: most * 1.12, inner: true };
 }
 
+/** The same picture as a drawing of lines and letters. */
+function svgOf(option, width, height, title) {
+  const chart = echarts.init(null, null, { renderer: "svg", ssr: true, width, height });
+  chart.setOption(option);
+  const text = chart.renderToSVGString();
+  chart.dispose();
+  // The title is what a reader of the picture is told; it is data, so it becomes a text node.
+  const drawing = new DOMParser().parseFromString(text, "image/svg+xml");
+  const element = drawing.createElementNS("http://www.w3.org/2000/svg", "title");
+  element.textContent = title;
+  drawing.documentElement.prepend(element);
+  return new XMLSerializer().serializeToString(drawing);
+}
+
+let figures = 0;
+
+/** Buttons that save a chart: its picture, and the numbers it shows. */
+function savers(name, picture, numbers) {
+  const save = (kind, type, text) => h("button", { type: "button", class: "quiet small", "aria-label": `${kind} of ${name}`, onclick: () => download(`${fileName(name)}.${kind.toLowerCase()}`, type, text()) }, kind);
+  return h("div", { class: "savers" }, save("SVG", "image/svg+xml", picture), numbers ? save("CSV", "text/csv;charset=utf-8", () => csvOfLines(numbers())) : null);
+}
+
+/** A chart on the page: drawn when its turn comes, and again with every other width, theme or selection. */
+class Figure {
+  constructor(parts) {
+    Object.assign(this, { height: 420, controls: [], legend: null, note: null, pick: null, below: null, selection: null, rowOf: null, litAt: null, brush: null, csv: null }, parts);
+    figures += 1;
+    this.name = parts.name ?? `chart ${figures}`;
+    this.canvas = h("div", { class: `chart${this.brush ? " brushed" : ""}${this.brush?.touch ? " swiped" : ""}`, role: "img", tabindex: "-1" });
+    this.noteElement = h("p", { class: "note" });
+    this.legendBox = h("div", { class: "legend-box" });
+    this.queued = true;
+    drawLater(() => this.draw());
+    onTheme(() => this.drawn && this.draw());
+    if (still.matches) this.canvas.classList.add("still");
+    if (this.selection) this.followSelection();
+    this.element = h("figure", {}, this.controls.length ? h("div", { class: "controls" }, this.controls) : null, this.legend ? this.legendBox : null, this.canvas, this.below, savers(this.name, () => this.picture(), this.csv), this.noteElement);
+  }
+
+  /** What is out of sight is drawn when it comes into sight, or is printed. */
+  followSelection() {
+    this.inSight = true;
+    new IntersectionObserver(([entry]) => { this.inSight = entry.isIntersecting; this.refresh(); }, { rootMargin: "200px" }).observe(this.canvas);
+    window.addEventListener("beforeprint", () => this.stale && this.draw());
+    this.selection.on(() => { this.stale = true; this.refresh(); });
+    if (this.litAt) this.selection.onLight(() => this.light());
+  }
+
+  refresh() {
+    if (!this.stale || this.queued || !this.inSight) return;
+    this.queued = true;
+    drawLater(() => this.draw());
+  }
+
+  heightNow() {
+    return typeof this.height === "function" ? this.height(this.canvas.clientWidth) : this.height;
+  }
+
+  optionNow() {
+    const theme = colours();
+    return withDefaults(this.option(theme, this.canvas.clientWidth), theme, this.canvas.clientWidth);
+  }
+
+  picture() {
+    const option = { ...this.optionNow(), backgroundColor: colours().paper };
+    return svgOf(option, this.canvas.clientWidth, this.heightNow(), this.describe());
+  }
+
+  start() {
+    const { canvas, selection } = this;
+    this.chart = echarts.init(canvas, null, { renderer: "canvas", devicePixelRatio: Math.max(2, window.devicePixelRatio || 1) });
+    if (this.pick) this.chart.on("click", this.pick);
+    if (selection && this.rowOf) {
+      this.chart.on("mouseover", (params) => selection.light(this.rowOf(params)));
+      this.chart.on("mouseout", () => selection.light(null));
+      this.chart.on("globalout", () => selection.light(null));
+    }
+    if (this.litAt || this.brush) this.layer = overlay(canvas);
+    if (this.brush) brushing(canvas, this.layer, this.brush(this.chart));
+    this.width = canvas.clientWidth;
+    new ResizeObserver(() => {
+      if (canvas.clientWidth === this.width || canvas.clientWidth === 0) return;
+      this.width = canvas.clientWidth;
+      this.draw();
+    }).observe(canvas);
+  }
+
+  draw() {
+    const { canvas } = this;
+    this.queued = false;
+    this.stale = false;
+    canvas.style.height = `${this.heightNow()}px`;
+    canvas.setAttribute("aria-label", this.describe());
+    this.say();
+    if (!this.chart) this.start();
+    this.chart.resize({ height: this.heightNow(), silent: true });
+    this.chart.setOption(this.optionNow(), { notMerge: true });
+    if (this.litAt) this.light();
+    this.drawn = true;
+    canvas.dataset.drawn = "yes";
+  }
+
+  /** The note below and the legend above; a legend that stays the same keeps the reader's place in it. */
+  say() {
+    const text = typeof this.note === "function" ? this.note() : this.note;
+    this.noteElement.textContent = text ?? "";
+    this.noteElement.hidden = !text;
+    const found = typeof this.legend === "function" ? this.legend(colours()) : this.legend;
+    if (found === null) this.legendBox.replaceChildren();
+    else if (this.legendBox.firstChild !== found) this.legendBox.replaceChildren(found);
+  }
+
+  light() {
+    if (this.drawn || this.chart) showLit(this.layer, this.selection, (row) => this.litAt(row, this.chart));
+  }
+}
+
 /**
  * @param option (theme, width) => ECharts option
  * @param describe () => text read instead of the picture
+ * @param name what the chart is called where it is saved
+ * @param csv () => lines of the numbers it shows, the first of them their names
  * @param legend (theme) => what the colours mean, as an element
  * @param pick (params) => called for a click on a mark
+ * @param selection of the study, where the chart shows its scenarios; with it
+ *        rowOf (params) => the scenario under the pointer, litAt (row, chart) => where a scenario stands, in pixels,
+ *        brush (chart) => what a drag over it means (chart_overlay.js)
  * @returns { element, redraw }
  */
-export function figure({ option, describe, height = 420, controls = [], legend = null, note = null, pick = null, below = null }) {
-  const canvas = h("div", { class: "chart", role: "img", tabindex: "-1" });
-  const noteElement = h("p", { class: "note" });
-  const legendBox = h("div", { class: "legend-box" });
-  let chart = null;
-  let width = 0;
-
-  const heightOf = () => (typeof height === "function" ? height(canvas.clientWidth) : height);
-  function draw() {
-    const theme = colours();
-    canvas.style.height = `${heightOf()}px`;
-    canvas.setAttribute("aria-label", describe());
-    const text = typeof note === "function" ? note() : note;
-    noteElement.textContent = text ?? "";
-    noteElement.hidden = !text;
-    legendBox.replaceChildren(...[typeof legend === "function" ? legend(theme) : legend].filter(Boolean));
-    if (!chart) {
-      chart = echarts.init(canvas, null, { renderer: "canvas", devicePixelRatio: Math.max(2, window.devicePixelRatio || 1) });
-      if (pick) chart.on("click", pick);
-      width = canvas.clientWidth;
-      new ResizeObserver(() => {
-        if (canvas.clientWidth === width || canvas.clientWidth === 0) return;
-        width = canvas.clientWidth;
-        draw();
-      }).observe(canvas);
-    }
-    chart.resize({ height: heightOf(), silent: true });
-    chart.setOption(withDefaults(option(theme, canvas.clientWidth), theme, canvas.clientWidth), { notMerge: true });
-    canvas.dataset.drawn = "yes";
-  }
-  drawLater(draw);
-  onTheme(() => chart && draw());
-  if (still.matches) canvas.classList.add("still");
-  const element = h("figure", {}, controls.length ? h("div", { class: "controls" }, controls) : null, legend ? legendBox : null, canvas, below, noteElement);
-  return { element, redraw: () => chart && draw(), chart: () => chart };
+export function figure(parts) {
+  const made = new Figure(parts);
+  return { element: made.element, redraw: () => made.drawn && made.draw(), chart: () => made.chart ?? null };
 }

@@ -1,5 +1,6 @@
 // What the page may claim: whether damage was judged, and whether anything takes the green from an answer.
 
+import { h } from "./dom.js";
 import { plural } from "./words.js";
 
 export function judgesDamage(study) {
@@ -16,6 +17,11 @@ export function boundOf(study, metric) {
   const key = judgingLimits(study).find((limit) => limit.metric === metric)?.key;
   const isVaried = study.scenarios.inputs.some((column) => column.name === `limits.${key}`);
   return key === undefined || isVaried ? null : study.limits[key] ?? null;
+}
+
+/** Said where something is selected, by what is worked out from the whole study. */
+export function wholeStudy(study) {
+  return study.scenarios.rows > 1 ? h("p", { class: "note whole" }, "Worked out from all scenarios, whatever is selected.") : null;
 }
 
 /** null where damage was judged, else the words that say it was not. */

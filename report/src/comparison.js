@@ -3,7 +3,7 @@
 import { axis, figure } from "./chart.js";
 import { h, scrollBox, select } from "./dom.js";
 import { blocksOf, plainValue } from "./config.js";
-import { heldWords } from "./claims.js";
+import { heldWords, wholeStudy } from "./claims.js";
 import { legend, outcomeList } from "./legend.js";
 import { confidenceText, inWords } from "./tables.js";
 import { tip, tipLine } from "./scenario.js";
@@ -133,13 +133,15 @@ export function comparison(study) {
   const candidates = study.tables.get("candidates");
   const table = study.tables.get("comparison");
   if (!candidates && !table) return null;
-  return h("div", {}, settings(study), candidates && candidates.rows ? candidateFigure(study, candidates) : null, table && table.rows ? differenceFigure(study, table) : null);
+  return h("div", {}, wholeStudy(study), settings(study), candidates && candidates.rows ? candidateFigure(study, candidates) : null, table && table.rows ? differenceFigure(study, table) : null);
 }
 
 function candidateFigure(study, candidates) {
   const words = OUTCOMES.filter((word) => candidates.column(word)?.numbers().some((value) => value > 0));
   const chart = figure({
     height: 84 + 58 * candidates.rows,
+    name: `${study.name} candidates`,
+    csv: () => [candidates.columns.map((column) => column.name), ...Array.from({ length: candidates.rows }, (_, row) => candidates.columns.map((column) => column.at(row)))],
     legend: outcomeList(words),
     option: (theme) => candidateOption(study, theme, candidates),
     describe: () => Array.from({ length: candidates.rows }, (_, row) => `${candidates.at("name", row)}: ${heldWords(study)} ${percent(candidates.at("probability", row))}`).join("; "),
@@ -154,6 +156,8 @@ function differenceFigure(study, table) {
   const units = () => table.column("mean_difference").units || (study.scenarios.column(metric)?.units ?? "");
   const chart = figure({
     height: () => 76 + 52 * differenceRows(table, metric).length,
+    name: `${study.name} differences`,
+    csv: () => [table.columns.map((column) => column.name), ...differenceRows(table, metric).map((row) => table.columns.map((column) => column.at(row)))],
     controls: metrics.length > 1 ? [select("Metric", metrics.map((each) => ({ value: each, label: label(each) })), metric, (name) => { metric = name; chart.redraw(); })] : [],
     legend: (theme) => legend([[theme.accent, "the interval leaves zero out: a difference is shown", "line"], [theme.soft, "it does not: no difference is shown", "line"]]),
     option: (theme, width) => differenceOption(study, theme, table, metric, units(), width),

@@ -6,7 +6,7 @@ import { goalWords } from "./goals.js";
 import { legend } from "./legend.js";
 import { copyReplay, replayCommand, tip, tipLine } from "./scenario.js";
 import { extent } from "./statistics.js";
-import { inWords, keyColumns, unitsOfGoal } from "./tables.js";
+import { inWords, keyColumns, rowsOf, unitsOfGoal } from "./tables.js";
 import { genericTable } from "./table.js";
 import { label, number, percent, plural, quantity } from "./words.js";
 import { outcomeColour } from "./theme.js";
@@ -25,6 +25,35 @@ export function evaluationTip(study, table, row, objectives) {
     replay ? commandText(replay, { class: "replay" }) : null,
     replay ? h("p", { class: "hint" }, "Click copies the command.") : null,
   );
+}
+
+/** The scenario of an evaluation, as a row of the scenarios; null where it has none. */
+export function scenarioRow(study, table, row) {
+  const id = row >= 0 ? table.at("scenario", row) : null;
+  return id === null ? null : study.scenarios.rowOf.get(id) ?? null;
+}
+
+/** Is the evaluation's scenario selected? */
+export function isSelected(study, table, row) {
+  const found = scenarioRow(study, table, row);
+  return found === null ? !study.selection.active : study.selection.has(found);
+}
+
+/** Evaluations of a scenario. */
+export function evaluationsOf(study, table, scenario) {
+  const id = study.scenarios.at("id", scenario);
+  return rowsOf(table).filter((row) => table.at("scenario", row) === id);
+}
+
+/** What is not selected is faded. */
+export function faded(study, table, point, opacity) {
+  return isSelected(study, table, point[2]) ? point : { value: point, itemStyle: { opacity: opacity * 0.14 } };
+}
+
+/** The row that a mark of a chart stands for. */
+export function rowOfMark({ data }) {
+  const value = Array.isArray(data) ? data : data?.value;
+  return Array.isArray(value) ? value[2] ?? null : null;
 }
 
 /** Best feasible objective so far, as steps. */
@@ -64,12 +93,12 @@ export function convergence(study) {
   const chart = figure({
     height: 380,
     option: (theme) => {
-      const points = (wanted) => all.filter((row) => (table.at("feasible", row) === 1) === wanted && objective.at(row) !== null).map((row) => [row, Math.min(objective.at(row), high), row]);
+      const points = (wanted) => all.filter((row) => (table.at("feasible", row) === 1) === wanted && objective.at(row) !== null).map((row) => faded(study, table, [row, Math.min(objective.at(row), high), row], 0.85));
       return {
         grid: { left: 8, right: 20, top: 34, bottom: 44, containLabel: true },
         xAxis: axis(theme, { name: "evaluation", lines: false, min: 0, max: Math.max(1, table.rows - 1) }),
         yAxis: axis(theme, { name, units, most: Math.max(Math.abs(low), Math.abs(high)), vertical: true, min: low, max: high, axisLabel: { color: theme.soft, fontSize: 12, showMinLabel: false, showMaxLabel: false, formatter: (value) => number(value, 3) } }),
-        tooltip: { trigger: "item", formatter: ({ data }) => evaluationTip(study, table, data[2], [{ name, column: objective, units }]) },
+        tooltip: { trigger: "item", formatter: (params) => evaluationTip(study, table, rowOfMark(params), [{ name, column: objective, units }]) },
         series: [
           { type: "scatter", name: "not feasible", symbol: "emptyCircle", symbolSize: 7, itemStyle: { color: theme.soft, opacity: 0.7 }, data: points(false) },
           { type: "scatter", name: "feasible", symbolSize: 7, itemStyle: { color: outcomeColour("held"), opacity: 0.85 }, data: points(true) },
@@ -80,9 +109,14 @@ export function convergence(study) {
     describe: () => `${plural(table.rows, "evaluation")}, ${feasible.length} of them feasible. ${feasible.length ? `Best ${name}: ${quantity(Math.min(...feasible.map((row) => objective.at(row)).filter((value) => value !== null)), units)}.` : "None is feasible."}`,
     legend: (theme) => legend([[outcomeColour("held"), "feasible"], [theme.soft, "not feasible"], [theme.ink, "the best feasible one so far", "line"]]),
     note: `${above ? ` ${plural(above, "evaluation")} above the frame ${above === 1 ? "is" : "are"} drawn at its edge.` : ""}`.trim(),
-    pick: ({ data }) => table.at("scenario", data[2]) !== null && copyReplay(study, table.at("scenario", data[2])),
+    pick: (params) => table.at("scenario", rowOfMark(params)) !== null && copyReplay(study, table.at("scenario", rowOfMark(params))),
+    name: `${study.name} search`,
+    selection: study.selection,
+    rowOf: (params) => (rowOfMark(params) === null ? null : scenarioRow(study, table, rowOfMark(params))),
+    litAt: (row, shown) => evaluationsOf(study, table, row).filter((each) => objective.at(each) !== null).map((each) => ({ at: shown.convertToPixel({ gridIndex: 0 }, [each, Math.min(objective.at(each), high)]) })),
+    csv: () => [["evaluation", "feasible", "objective"], ...all.map((row) => [row, table.at("feasible", row), objective.at(row)])],
   });
-  return h("div", {}, chart.element, strategies(study, table), searches(study));
+  return h("div", { class: "parts" }, chart.element, strategies(study, table), searches(study));
 }
 
 function searches(study) {
@@ -96,6 +130,7 @@ function strategies(study, table) {
   if (columns.length === 0) return null;
   const best = study.tables.get("best");
   const ranges = columns.map((column) => extent(column.numbers()));
+  const shareOf = (i, row) => (columns[i].at(row) - ranges[i][0]) / (ranges[i][1] - ranges[i][0]);
   const chart = figure({
     height: 60 + 54 * columns.length,
     option: (theme) => ({
@@ -113,7 +148,7 @@ function strategies(study, table) {
             const value = column.at(row);
             if (value === null) return null;
             const [least, most] = ranges[i];
-            return { value: [(value - least) / (most - least), i, row], itemStyle: { color: table.at("feasible", row) === 1 ? outcomeColour("held") : theme.soft } };
+            return { value: [(value - least) / (most - least), i, row], itemStyle: { color: table.at("feasible", row) === 1 ? outcomeColour("held") : theme.soft, opacity: isSelected(study, table, row) ? 0.5 : 0.07 } };
           }).filter(Boolean)),
         },
         best && best.rows
@@ -129,6 +164,11 @@ function strategies(study, table) {
       ].filter(Boolean),
     }),
     describe: () => `Where the search looked in each of ${plural(columns.length, "variable")}.`,
+    name: `${study.name} where it looked`,
+    selection: study.selection,
+    rowOf: (params) => (rowOfMark(params) === null ? null : scenarioRow(study, table, rowOfMark(params))),
+    litAt: (row, shown) => evaluationsOf(study, table, row).flatMap((each) => columns.map((_, i) => ({ at: shown.convertToPixel({ gridIndex: 0 }, [shareOf(i, each), i]) }))),
+    csv: () => [["evaluation", "feasible", ...columns.map((column) => column.name)], ...rowsOf(table).map((row) => [row, table.at("feasible", row), ...columns.map((column) => column.at(row))])],
     note: "One stroke per evaluation; the diamond is the best strategy. A diamond at an end says that the range is worth widening.",
     pick: ({ data }) => Array.isArray(data?.value) && table.at("scenario", data.value[2]) !== null && copyReplay(study, table.at("scenario", data.value[2])),
   });

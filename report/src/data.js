@@ -179,6 +179,7 @@ export function readStudy(document) {
     trace: page.trace ? readTrace(page.trace, buffer) : null,
     replays: (page.replays ?? []).map((each) => ({ ...each, trace: readTrace(each.trace, buffer) })),
     sound: page.sound ?? null,
+    measured: page.measured ?? null,
     buffer,
     column: (values) => reader(values, buffer),
     ...readClaims(page),
@@ -190,5 +191,7 @@ function readTrace(data, buffer) {
     ...signal,
     curves: signal.curves.map((curve) => plainColumn(curve.name, signal.units, "", curve.values, buffer)),
   }));
-  return { ...data, time: plainColumn("time_s", "s", "time", data.time_s, buffer), signals };
+  const { contacts } = data;
+  const events = contacts && new Table(["time_s", "surface", "kind"].map((name) => plainColumn(name, name === "time_s" ? "s" : "", "", contacts[name], buffer)), contacts.rows);
+  return { ...data, time: plainColumn("time_s", "s", "time", data.time_s, buffer), signals, contacts: events ?? null };
 }

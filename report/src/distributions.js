@@ -1,6 +1,7 @@
 // How a metric is spread over the scenarios: a histogram by outcome, or boxes by group.
 
 import { axis, figure } from "./chart.js";
+import { rectangle } from "./chart_overlay.js";
 import { boundOf } from "./claims.js";
 import { h, select } from "./dom.js";
 import { legend, outcomeList } from "./legend.js";
@@ -30,7 +31,7 @@ function rowsOf(study) {
   return rows.length >= 8 ? rows : all;
 }
 
-/** Values by outcome; the far tail of a skewed metric is folded into the last bin. */
+/** Values by outcome, of the scenarios selected; the far tail of a skewed metric is folded into the last bin. */
 function histogram(study, column, rows) {
   const values = numbersOf(column, rows);
   const [least, most] = extent(values);
@@ -40,13 +41,15 @@ function histogram(study, column, rows) {
   const step = edges[1] - edges[0];
   const bins = edges.length - 1;
   const counts = Object.fromEntries(OUTCOMES.map((word) => [word, new Array(bins).fill(0)]));
+  const all = new Array(bins).fill(0);
   for (const row of rows) {
     const value = column.at(row);
     if (value === null) continue;
     const bin = Math.max(0, Math.min(bins - 1, Math.floor((value - edges[0]) / step + 1e-9)));
-    counts[study.scenarios.at("outcome", row)][bin] += 1;
+    all[bin] += 1;
+    if (study.selection.has(row)) counts[study.scenarios.at("outcome", row)][bin] += 1;
   }
-  return { edges, step, counts, folded, values };
+  return { edges, step, counts, all, folded, values };
 }
 
 function binTip(column, bins, index) {
@@ -58,11 +61,9 @@ function binTip(column, bins, index) {
   );
 }
 
-function histogramOption(study, theme, column, rows) {
-  const bins = histogram(study, column, rows);
-  const { edges, step, counts } = bins;
-  const limit = boundOf(study, column.name);
-  const series = OUTCOMES.filter((word) => counts[word].some((count) => count > 0)).map((word) => ({
+/** One outcome's part of every bar, standing on the parts of those before it. */
+function barSeries(theme, { edges, step, counts }, word) {
+  return {
     type: "custom",
     name: outcomeLabel(word),
     data: counts[word].map((count, i) => [edges[i] + step / 2, count, i, OUTCOMES.slice(0, OUTCOMES.indexOf(word)).reduce((sum, other) => sum + counts[other][i], 0)]).filter((each) => each[1] > 0),
@@ -73,10 +74,30 @@ function histogramOption(study, theme, column, rows) {
       const [right, bottom] = api.coord([api.value(0) + step / 2, below]);
       return { type: "rect", shape: { x: left + 0.5, y: top, width: Math.max(1, right - left - 1), height: bottom - top }, style: { fill: outcomeColour(word) }, emphasis: { style: { stroke: theme.ink, lineWidth: 1.5 } } };
     },
-  }));
-  const most = Math.max(...edges.slice(0, -1).map((_, i) => OUTCOMES.reduce((sum, word) => sum + counts[word][i], 0)));
+  };
+}
+
+/** Behind what is selected: all there is. */
+function behind(theme, { edges, step, all }) {
+  return {
+    type: "custom", name: "all", silent: true, data: all.map((count, i) => [edges[i] + step / 2, count]).filter((each) => each[1] > 0), encode: { x: 0, y: 1 },
+    renderItem: (params, api) => {
+      const [left, top] = api.coord([api.value(0) - step / 2, api.value(1)]);
+      const [right, bottom] = api.coord([api.value(0) + step / 2, 0]);
+      return { type: "rect", shape: { x: left + 0.5, y: top, width: Math.max(1, right - left - 1), height: bottom - top }, style: { fill: theme.soft, opacity: 0.16 } };
+    },
+  };
+}
+
+function histogramOption(study, theme, column, rows) {
+  const bins = histogram(study, column, rows);
+  const { edges, step, counts, all } = bins;
+  const limit = boundOf(study, column.name);
+  const series = OUTCOMES.filter((word) => counts[word].some((count) => count > 0)).map((word) => barSeries(theme, bins, word));
+  if (study.selection.active) series.unshift(behind(theme, bins));
+  const most = Math.max(...all);
   const shown = limit !== null && limit >= edges[0] - 2 * step && limit <= edges[edges.length - 1] + 6 * step;
-  if (shown) series[0].markLine = limitLine(theme, column, limit);
+  if (shown && series.length) series[0].markLine = limitLine(theme, column, limit);
   return {
     grid: { left: 8, right: 20, top: 40, bottom: 44, containLabel: true },
     xAxis: axis(theme, { name: label(column.name), units: column.units, most: Math.max(...edges.map(Math.abs)), lines: false, min: Math.min(edges[0], shown ? limit : Infinity), max: Math.max(edges[edges.length - 1], shown ? limit * 1.02 : -Infinity) }),
@@ -97,10 +118,10 @@ function limitLine(theme, column, limit, { upsideDown = false } = {}) {
   };
 }
 
-function groupsOf(column, group, rows) {
+function groupsOf(study, column, group, rows) {
   return group.distinct.map((value) => {
     const values = [];
-    for (const row of rows) if (group.at(row) === value && column.at(row) !== null) values.push(column.at(row));
+    for (const row of rows) if (group.at(row) === value && column.at(row) !== null && study.selection.has(row)) values.push(column.at(row));
     return { value, values: values.sort((a, b) => a - b) };
   });
 }
@@ -108,7 +129,7 @@ function groupsOf(column, group, rows) {
 const LEVELS = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 function boxOption(study, theme, column, group, rows) {
-  const groups = groupsOf(column, group, rows).filter((each) => each.values.length);
+  const groups = groupsOf(study, column, group, rows).filter((each) => each.values.length);
   const limit = boundOf(study, column.name);
   const scale = Math.max(...column.numbers().map(Math.abs));
   return {
@@ -154,13 +175,38 @@ export function distributions(study) {
   if (groups.length) {
     controls.push(select("By", [{ value: "", label: "outcome" }, ...groups.map((each) => ({ value: each.name, label: label(each.name) }))], group?.name ?? "", (name) => { group = groups.find((each) => each.name === name) ?? null; chart.redraw(); }));
   }
+  const byOutcome = outcomeList(OUTCOMES.filter((word) => rows.some((row) => study.scenarios.at("outcome", row) === word)), null, study.selection);
+  const selected = () => rows.filter((row) => study.selection.has(row));
   const chart = figure({
     height: () => (group ? 90 + 44 * group.distinct.length : 340),
     controls,
-    legend: (theme) => (group ? legend([[theme.accent, "box: the middle half; whiskers: from 5 % to 95 %", "line"]]) : outcomeList(OUTCOMES.filter((word) => rows.some((row) => study.scenarios.at("outcome", row) === word)))),
+    name: `${study.name} spread`,
+    selection: study.selection,
+    litAt: (row, shown) => valueLine(column, row, shown),
+    brush: (shown) => valueBrush(study, () => column, shown),
+    csv: () => [["id", "outcome", ...(group ? [group.name] : []), column.name], ...selected().map((row) => [study.scenarios.at("id", row), study.scenarios.at("outcome", row), ...(group ? [group.at(row)] : []), column.at(row)])],
+    legend: (theme) => (group ? legend([[theme.accent, "box: the middle half; whiskers: from 5 % to 95 %", "line"]]) : byOutcome),
     option: (theme) => (group ? boxOption(study, theme, column, group, rows) : histogramOption(study, theme, column, rows)),
-    describe: () => `Distribution of ${label(column.name)}. ${quantileText(column, rows)}`,
-    note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${quantileText(column, rows)}`,
+    describe: () => `Distribution of ${label(column.name)}. ${quantileText(column, selected())}`,
+    note: () => `${rows.length < study.scenarios.rows ? `The best strategy on its ${plural(rows.length, "product")}. ` : ""}${study.selection.active ? `Of the ${plural(selected().length, "scenario")} selected: ` : ""}${quantileText(column, selected())}`,
   });
   return chart.element;
+}
+
+/** A scenario's value as a line from top to bottom. */
+function valueLine(column, row, chart) {
+  const value = column.at(row);
+  if (value === null) return [];
+  const [x] = chart.convertToPixel({ gridIndex: 0 }, [value, 0]);
+  return [{ path: [[x, 34], [x, chart.getHeight() - 44]] }];
+}
+
+/** A drag along the axis selects a range of the metric. */
+function valueBrush(study, column, chart) {
+  const grid = { gridIndex: 0 };
+  return {
+    inside: (px, py) => chart.containPixel(grid, [px, py]),
+    shape: ([x0], [x1]) => rectangle([x0, 30], [x1, chart.getHeight() - 44]),
+    done: (from, to) => to && study.selection.setRanges([[column(), [from, to].map((at) => chart.convertFromPixel(grid, at)[0])]]),
+  };
 }

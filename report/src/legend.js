@@ -7,9 +7,17 @@ export function swatch(background) {
   return h("i", { class: "swatch", style: `background:${background}` });
 }
 
-/** The outcomes that occur; with `counts`, how often. */
-export function outcomeList(words, counts = null) {
-  return h("ul", { class: "legend" }, words.map((word) => h("li", {}, swatch(outcomeVariable(word)), outcomeLabel(word), counts ? [" ", h("b", {}, thousands(counts[word]))] : null)));
+/** The outcomes that occur; with `counts`, how often; with a selection, a press selects those of this outcome. */
+export function outcomeList(words, counts = null, selection = null) {
+  const inside = (word) => [swatch(outcomeVariable(word)), h("span", {}, outcomeLabel(word), counts ? [" ", h("b", {}, thousands(counts[word]))] : null)];
+  if (!selection || words.length < 2) return h("ul", { class: "legend" }, words.map((word) => h("li", {}, inside(word))));
+  return h("ul", { class: "legend", "aria-label": "Outcomes; press one to select its scenarios" }, words.map((word) => h("li", {}, outcomeButton(word, inside(word), selection))));
+}
+
+function outcomeButton(word, inside, selection) {
+  const button = h("button", { type: "button", class: "entry", "aria-pressed": "false", onclick: () => selection.toggleOutcome(word) }, inside);
+  selection.on(() => button.setAttribute("aria-pressed", String(selection.outcomes.has(word))));
+  return button;
 }
 
 /** Entries [colour, text] or [colour, text, "line" | "dashed" | "pale"]. */

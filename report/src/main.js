@@ -9,12 +9,16 @@ import { damageRemark, judgesDamage } from "./claims.js";
 import { h, showsItsOverflow } from "./dom.js";
 import { findings, otherTables } from "./findings.js";
 import { outcomeMap } from "./outcome_map.js";
+import { parallel } from "./parallel.js";
 import { pareto } from "./pareto.js";
 import { notices, provenance } from "./provenance.js";
 import { sensitivity } from "./sensitivity.js";
 import { replay } from "./replay.js";
 import { restsOn } from "./rests_on.js";
 import { sizing } from "./sizing.js";
+import { Selection } from "./selection.js";
+import { selectionBar } from "./selection_bar.js";
+import { slices, slicesLead, slicesTitle } from "./slices.js";
 import { scenarioTable } from "./table.js";
 import { startTheme, themeButton } from "./theme.js";
 import { traceCurves } from "./trace.js";
@@ -32,7 +36,9 @@ const SECTIONS = [
   ["sizing", "Sizing sheet", "What the rules of gripper makers ask for, beside what was simulated; on one page of paper.", sizing, "Sizing"],
   ["convergence", "The search", "Every strategy that was tried, in order.", convergence],
   ["findings", "Constraints and checks", "What the best strategy has to meet, and whether it still does when looked at more closely.", findings, "Checks"],
-  ["map", "Outcomes", "Each mark is a scenario. The pointer shows its numbers, a click copies the command that replays it.", outcomeMap],
+  ["map", "Outcomes", "Each mark is a scenario. The pointer shows its numbers, a click copies the command that replays it, a drag selects.", outcomeMap],
+  ["slices", slicesTitle, slicesLead, slices, "Slices"],
+  ["parallel", "Everything at once", "A line per scenario through all its inputs and metrics. Drag along an axis to select.", parallel, "All axes"],
   ["distributions", "Spread", "How a metric is distributed over the scenarios.", distributions],
   ["rests_on", "What this answer rests on", "Every value of product, gripper and limits, and who says so.", restsOn, "Sources"],
   ["scenarios", "Scenarios", "Every scenario of the study. Sort by a column, filter by conditions, take them along as CSV.", (study) => (study.scenarios.rows ? scenarioTable(study) : null)],
@@ -52,7 +58,8 @@ function sectionOf(study, [id, title, lead, content]) {
     body = h("p", { class: "banner" }, `This part of the page could not be drawn: ${error.message}`);
   }
   if (!body) return null;
-  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, title), h("p", { class: "lead" }, typeof lead === "function" ? lead(study) : lead)), h("div", { class: "content" }, body));
+  const said = (text) => (typeof text === "function" ? text(study) : text);
+  return h("section", { id, class: WIDE.has(id) ? "wide" : null, "aria-labelledby": `${id}-title` }, h("div", { class: "margin" }, h("h2", { id: `${id}-title` }, said(title)), h("p", { class: "lead" }, said(lead))), h("div", { class: "content" }, body));
 }
 
 function header(study, sections) {
@@ -71,9 +78,10 @@ function footer() {
 function start() {
   startTheme();
   const study = readStudy(document);
+  study.selection = new Selection(study.scenarios);
   const built = SECTIONS.map((each) => [each[0], each[4] ?? each[1], sectionOf(study, each)]).filter((each) => each[2]);
   const page = document.getElementById("page");
-  page.append(header(study, built), h("main", {}, answer(study), built.map((each) => each[2])), footer());
+  page.append(header(study, built), h("main", {}, answer(study), built.map((each) => each[2])), footer(), ...[selectionBar(study)].filter(Boolean));
 }
 
 start();

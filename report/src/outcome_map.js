@@ -1,6 +1,7 @@
 // Outcomes over two quantities: cells where the study is a grid, marks where it is not.
 
 import { axis, figure, logAxis, wantsLog } from "./chart.js";
+import { rectangle } from "./chart_overlay.js";
 import { h, select } from "./dom.js";
 import { heldWords, judgesDamage } from "./claims.js";
 import { outcomeList } from "./legend.js";
@@ -15,6 +16,8 @@ const RANDOM_KINDS = new Set(["sample", "compare", "sensitivity", "robust"]);
 const TELLING = ["friction_margin_min", "contact_yield_ratio_max", "permanent_set_max_m", "cycle_time_s"];
 const GRID_MOST = 260;
 const SLICE_MOST = 60;
+/** How much is left of what is not selected. */
+const FADED = 0.13;
 
 /** Inputs and metrics that vary and are numbers. */
 function choices(study) {
@@ -56,8 +59,9 @@ function chosenRows(study, slices, slice) {
   return rows;
 }
 
-/** Per cell the most serious outcome and how many scenarios share it. */
+/** Per cell the most serious outcome and how many scenarios share it; of those selected where there are some. */
 function cellsOf(study, x, y, rows) {
+  const { selection } = study;
   const xIndex = new Map(x.distinct.map((value, i) => [value, i]));
   const yIndex = new Map(y.distinct.map((value, i) => [value, i]));
   const cells = new Map();
@@ -68,8 +72,9 @@ function cellsOf(study, x, y, rows) {
     const key = i * 4096 + j;
     const cell = cells.get(key);
     const outcome = study.scenarios.at("outcome", row);
-    if (!cell) cells.set(key, { i, j, row, outcome, count: 1 });
-    else {
+    const faded = !selection.has(row);
+    if (!cell || (cell.faded && !faded)) cells.set(key, { i, j, row, outcome, faded, count: 1 });
+    else if (faded === cell.faded) {
       cell.count += 1;
       if (SERIOUSNESS.indexOf(outcome) < SERIOUSNESS.indexOf(cell.outcome)) Object.assign(cell, { row, outcome });
     }
@@ -156,7 +161,7 @@ function gridOption(study, theme, state) {
           const rect = {
             type: "rect",
             shape: { x: px - width / 2 + gap / 2, y: py - height / 2 + gap / 2, width: width - gap, height: height - gap, r: dense ? 0 : 1.5 },
-            style: { fill: outcomeColour(cell.outcome), stroke: cell.outcome === "not_run" ? theme.line : undefined },
+            style: { fill: outcomeColour(cell.outcome), opacity: cell.faded ? FADED : 1, stroke: cell.outcome === "not_run" ? theme.line : undefined },
             emphasis: { style: { stroke: theme.ink, lineWidth: 2 } },
           };
           if (!best) return rect;
@@ -192,22 +197,57 @@ function isPlaced(study, column) {
   return column.isText || (study.scenarios.inputs.includes(column) && column.distinct.length <= PLACES_MOST);
 }
 
+/** Where a scenario stands along an axis: its value, or the number of its place. */
+function placeOn(column, placed) {
+  if (!placed) return (row) => column.at(row);
+  const index = new Map(column.distinct.map((value, i) => [value, i]));
+  return (row) => index.get(column.at(row)) ?? null;
+}
+
+/** A drag selects what lies in it: a range of each axis, of places those it covers. */
+function mapBrush(study, current, chart) {
+  const grid = { gridIndex: 0 };
+  const range = (column, placed, [from, to]) => {
+    if (!placed) return [from, to];
+    const last = column.distinct.length - 1;
+    const ends = [from, to].map((at) => Math.min(last, Math.max(0, Math.round(at))));
+    return column.isText ? ends : ends.map((at) => column.distinct[at]);
+  };
+  return {
+    inside: (px, py) => chart.containPixel(grid, [px, py]),
+    shape: rectangle,
+    done: (from, to) => {
+      if (!to) return;
+      const { x, y, grid: isGridMap } = current();
+      const [a, b] = [from, to].map((at) => chart.convertFromPixel(grid, at));
+      study.selection.setRanges([[x, range(x, isGridMap || isPlaced(study, x), [a[0], b[0]])], [y, range(y, isGridMap || isPlaced(study, y), [a[1], b[1]])]]);
+    },
+  };
+}
+
+/** Where a scenario stands on the map, if it is shown. */
+function mapPlace(study, { x, y, grid, slices, slice }, row, chart) {
+  if (slices.some((column) => slice.get(column.name) !== undefined && column.at(row) !== slice.get(column.name))) return [];
+  const values = [x, y].map((column) => placeOn(column, grid || isPlaced(study, column))(row));
+  return values.includes(null) ? [] : [{ at: chart.convertToPixel({ gridIndex: 0 }, values) }];
+}
+
+function mapCsv(study, { x, y, slices, slice }) {
+  const { scenarios } = study;
+  const names = [scenarios.column("id"), scenarios.column("outcome"), x, y];
+  return [names.map((column) => column.name), ...chosenRows(study, slices, slice).filter((row) => study.selection.has(row)).map((row) => names.map((column) => column.at(row)))];
+}
+
 function marksOption(study, theme, state) {
   const { x, y, slices, slice } = state;
-  const place = (column) => {
-    if (!isPlaced(study, column)) return (row) => column.at(row);
-    const index = new Map(column.distinct.map((value, i) => [value, i]));
-    return (row) => index.get(column.at(row)) ?? null;
-  };
+  const place = (column) => placeOn(column, isPlaced(study, column));
   const [xOf, yOf] = [place(x), place(y)];
   const rows = chosenRows(study, slices, slice);
+  const { selection } = study;
+  const pointsWhere = (test) => rows.filter(test).map((row) => [xOf(row), yOf(row), row]).filter(([a, b]) => a !== null && b !== null);
+  const others = selection.active ? pointsWhere((row) => !selection.has(row)) : [];
   const series = OUTCOMES.map((word) => {
-    const data = [];
-    for (const row of rows) {
-      if (study.scenarios.at("outcome", row) !== word) continue;
-      const [a, b] = [xOf(row), yOf(row)];
-      if (a !== null && b !== null) data.push([a, b, row]);
-    }
+    const data = pointsWhere((row) => study.scenarios.at("outcome", row) === word && selection.has(row));
     const many = rows.length > 3000;
     return {
       type: "scatter",
@@ -227,7 +267,7 @@ function marksOption(study, theme, state) {
     xAxis: typed(x, false),
     yAxis: typed(y, true),
     tooltip: { trigger: "item", formatter: ({ data }) => scenarioTip(study, data[2], metricLines(study, state, data[2])) },
-    series,
+    series: others.length ? [{ type: "scatter", name: "not selected", silent: true, symbolSize: rows.length > 400 ? 3.5 : 6, large: others.length > 4000, itemStyle: { color: theme.soft, opacity: 0.22 }, data: others }, ...series] : series,
   };
 }
 
@@ -285,7 +325,13 @@ export function outcomeMap(study) {
       select("Upwards", options, y.name, (name) => { y = named(name); change(); }),
       sliceBox,
     ],
-    legend: outcomeList(OUTCOMES.filter((word) => study.scenarios.counts[word])),
+    legend: outcomeList(OUTCOMES.filter((word) => study.scenarios.counts[word]), null, study.selection),
+    name: `${study.name} outcomes`,
+    selection: study.selection,
+    rowOf: ({ data }) => (Array.isArray(data) ? (state.grid ? cells[data[2]]?.row ?? null : data[2] ?? null) : null),
+    litAt: (row, shown) => mapPlace(study, state, row, shown),
+    brush: (shown) => mapBrush(study, () => state, shown),
+    csv: () => mapCsv(study, state),
     option: (theme) => {
       const option = state.grid ? gridOption(study, theme, state) : marksOption(study, theme, state);
       cells = option.cells ?? [];

@@ -1,6 +1,6 @@
 // The trade-off between objectives: the front, its knee, and what else was tried.
 
-import { evaluationTip } from "./convergence.js";
+import { evaluationsOf, evaluationTip, faded, rowOfMark, scenarioRow } from "./convergence.js";
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
 import { legend } from "./legend.js";
@@ -73,13 +73,13 @@ export function pareto(study) {
         yAxis: rangeAxis(study, theme, y, [...ys, ...others.map((point) => point[1])], true),
         tooltip: {
           trigger: "item",
-          formatter: ({ data, seriesName }) =>
-            seriesName === "tried" ? evaluationTip(study, evaluations, data[2], described.map((each) => ({ ...each, column: evaluations.column(each.column.name) }))) : frontTip(study, front, data[2], described),
+          formatter: (params) =>
+            params.seriesName === "tried" ? evaluationTip(study, evaluations, rowOfMark(params), described.map((each) => ({ ...each, column: evaluations.column(each.column.name) }))) : frontTip(study, front, rowOfMark(params), described),
         },
         series: [
-          { type: "scatter", name: "tried", symbolSize: 5, itemStyle: { color: theme.soft, opacity: 0.35 }, data: others },
+          { type: "scatter", name: "tried", symbolSize: 5, itemStyle: { color: theme.soft, opacity: 0.35 }, data: others.map((point) => faded(study, evaluations, point, 0.35)) },
           objectives.length === 2 ? { type: "line", name: "front", silent: true, symbol: "none", lineStyle: { color: theme.accent, width: 1.5, opacity: 0.55 }, data: staircase(points) } : null,
-          { type: "scatter", name: "front", symbolSize: 11, itemStyle: { color: theme.accent, borderColor: theme.paper, borderWidth: 1.5 }, data: points, z: 4 },
+          { type: "scatter", name: "front", symbolSize: 11, itemStyle: { color: theme.accent, borderColor: theme.paper, borderWidth: 1.5 }, data: points.map((point) => faded(study, front, point, 1)), z: 4 },
           { type: "scatter", name: "knee", symbolSize: 20, symbol: "circle", itemStyle: { color: "transparent", borderColor: theme.ink, borderWidth: 2 }, data: knees, z: 5, label: { show: knees.length === 1, formatter: "knee", position: "right", color: theme.ink, fontSize: 13, fontWeight: 600, distance: 8, textBorderColor: theme.paper, textBorderWidth: 4 } },
         ].filter(Boolean),
       };
@@ -87,10 +87,15 @@ export function pareto(study) {
     describe: () => `Front of ${plural(front.rows, "strategy", "strategies")} over ${described.map((each) => each.name).join(" and ")}. The table below holds the same values.`,
     legend: (theme) => legend([[theme.accent, "strategies that no other beats in everything"], [theme.soft, "other feasible ones"]]),
     note: `Less is better on both axes.${objectives.length > 2 ? " With three objectives, two are shown at a time, so a point may seem beaten here." : ""}`,
-    pick: ({ data, seriesName }) => {
-      const table = seriesName === "tried" ? evaluations : front;
-      if (Array.isArray(data) && table.at("scenario", data[2]) !== null) copyReplay(study, table.at("scenario", data[2]));
+    pick: (params) => {
+      const [table, row] = [params.seriesName === "tried" ? evaluations : front, rowOfMark(params)];
+      if (row !== null && table.at("scenario", row) !== null) copyReplay(study, table.at("scenario", row));
     },
+    name: `${study.name} trade-off`,
+    selection: study.selection,
+    rowOf: (params) => (rowOfMark(params) === null ? null : scenarioRow(study, params.seriesName === "tried" ? evaluations : front, rowOfMark(params))),
+    litAt: (row, shown) => [front, evaluations].filter(Boolean).flatMap((table) => evaluationsOf(study, table, row).map((each) => [x, y].map((column) => table.at(column.name, each)))).filter((values) => !values.includes(null) && shown.containPixel({ gridIndex: 0 }, shown.convertToPixel({ gridIndex: 0 }, values))).slice(0, 1).map((values) => ({ at: shown.convertToPixel({ gridIndex: 0 }, values) })),
+    csv: () => [[...objectives.map(objectiveLabel), "knee"], ...Array.from({ length: front.rows }, (_, row) => [...objectives.map((column) => column.at(row)), front.at("knee", row)])],
   });
   return h("div", {}, chart.element, h("details", { open: front.rows <= 12 }, h("summary", {}, "As a table"), genericTable(study, front, { name: "pareto", titles: Object.fromEntries(described.map((each) => [each.column.name, each.name])) })));
 }

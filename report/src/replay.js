@@ -1,5 +1,6 @@
 // Scenarios in motion: the scene, the instruments beside it, and the signals below it, at one time.
 
+import { contactEvents } from "./contact_events.js";
 import { h, select } from "./dom.js";
 import { Clock } from "./replay/clock.js";
 import { gradient } from "./replay/colour_map.js";
@@ -87,7 +88,7 @@ class Replay {
     this.instruments.set(clock.time);
     if (!study.clock) {
       const charts = timeCharts({ ...study, trace: now[0].trace, row: now[0].row, stripsMost: 4 }, clock);
-      this.charts.replaceChildren(...[now.length > 1 ? differenceOfForces(now, clock) : null, charts].filter(Boolean));
+      this.charts.replaceChildren(...[now.length > 1 ? differenceOfForces(now, clock) : null, charts, contactEvents({ trace: now[0].trace, name: now[0].title }, clock)].filter(Boolean));
     }
     this.refresh();
   }
@@ -98,7 +99,7 @@ class Replay {
     this.clock.on((clock, from) => {
       this.readout.textContent = `${clock.time.toFixed(3)} s  ${this.line.phaseNow(clock.time)}`;
       const now = performance.now();
-      if (from !== null && clock.playing && now - told < 60) return;
+      if (from !== null && clock.playing && now - told < 100) return;
       told = now;
       this.instruments.set(clock.time);
     });

@@ -3,6 +3,7 @@
 import { axis, figure } from "./chart.js";
 import { h, select } from "./dom.js";
 import { capital } from "./answer/parts.js";
+import { wholeStudy } from "./claims.js";
 import { effectNote, effects, firstMetric } from "./tables.js";
 import { tip, tipLine } from "./scenario.js";
 import { genericTable } from "./table.js";
@@ -54,6 +55,8 @@ export function sensitivity(study) {
     );
   const chart = figure({
     height: () => 84 + 46 * effects(table, metric).length,
+    name: `${study.name} what matters`,
+    csv: () => [table.columns.map((column) => column.name), ...effects(table, metric).map(({ row }) => table.columns.map((column) => column.at(row)))],
     controls: metrics.length > 1 ? [select("Metric", metrics.map((each) => ({ value: each, label: label(each) })), metric, (name) => { metric = name; chart.redraw(); })] : [],
     option: (theme) => {
       const rows = effects(table, metric);
@@ -80,7 +83,7 @@ export function sensitivity(study) {
     describe: () => effectNote(table, metric) ? `${capital(label(metric))} ${effectNote(table, metric)}.` : `Effects on ${label(metric)}: ${effects(table, metric).map((each) => `${label(each.key)} ${text(each.value)}`).join(", ")}.`,
     note: () => effectNote(table, metric) ? `${capital(label(metric))} ${effectNote(table, metric)}.` : `${morris ? "Bars: how far the metric moves over the input's range, on average. Open diamonds: how much that depends on the other inputs." : "Pale: total effect, with everything the input interacts with. Full: on its own."} Lines: ${typeof table.attributes.confidence === "number" ? percent(table.attributes.confidence) : "confidence"} intervals; an interval that reaches zero shows no effect.${leftOut(table)}`,
   });
-  return h("div", {}, chart.element, h("details", {}, h("summary", {}, "As a table"), genericTable(study, table, { name: "sensitivity" })));
+  return h("div", {}, wholeStudy(study), chart.element, h("details", {}, h("summary", {}, "As a table"), genericTable(study, table, { name: "sensitivity" })));
 }
 
 function leftOut(table) {

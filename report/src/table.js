@@ -1,77 +1,15 @@
 // A table that sorts, filters, pages and leaves as CSV.
 
+import { csvOf, fileName } from "./csv.js";
 import { copy, download, freshId, h, scrollBox } from "./dom.js";
+import { parseFilter } from "./filter.js";
 import { replayCommand } from "./scenario.js";
 import { inWords } from "./tables.js";
-import { label, leaf, number, OUTCOMES, outcomeLabel, plural, scaleFor, thousands } from "./words.js";
+import { label, number, OUTCOMES, outcomeLabel, plural, scaleFor, thousands } from "./words.js";
 
 const PAGE = 25;
 /** Columns whose texts speak of keys. */
 const IN_KEYS = new Set(["start", "key", "note", "binding", "termination"]);
-
-/** A cell as CSV. Texts that a spreadsheet would take for a formula get an apostrophe in front. */
-function csvCell(value, column) {
-  if (value === null || value === undefined) return "";
-  if (typeof value === "number") return String(column.single ? Number(value.toPrecision(7)) : value);
-  const text = /^[=+\-@\t\r]/.test(value) ? `'${value}` : String(value);
-  return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-}
-
-export function csvOf(columns, rows) {
-  const lines = [columns.map((column) => csvCell(column.name, column)).join(",")];
-  for (const row of rows) lines.push(columns.map((column) => csvCell(column.at(row), column)).join(","));
-  return `${lines.join("\r\n")}\r\n`;
-}
-
-function findColumn(columns, word) {
-  const name = word.toLowerCase();
-  return columns.find((column) => column.name.toLowerCase() === name) ?? columns.find((column) => leaf(column.name).toLowerCase() === name) ?? null;
-}
-
-const COMPARE = {
-  "<": (a, b) => a < b,
-  "<=": (a, b) => a <= b,
-  ">": (a, b) => a > b,
-  ">=": (a, b) => a >= b,
-  "=": (a, b) => a === b,
-  "!=": (a, b) => a !== b,
-};
-
-function condition(column, sign, text) {
-  if (!column.isText) {
-    const wanted = Number(text);
-    if (Number.isNaN(wanted)) return null;
-    // Numbers are compared as they are shown: 0.1 finds 0.1 though the column holds its nearest double.
-    const same = (value) => Math.abs(value - wanted) <= 1e-9 * Math.max(Math.abs(value), Math.abs(wanted));
-    if (sign === "=") return (row) => column.at(row) !== null && same(column.at(row));
-    if (sign === "!=") return (row) => column.at(row) !== null && !same(column.at(row));
-    return (row) => column.at(row) !== null && COMPARE[sign](column.at(row), wanted);
-  }
-  const wanted = text.replaceAll('"', "").toLowerCase();
-  return (row) => COMPARE[sign](String(column.at(row) ?? "").toLowerCase(), wanted);
-}
-
-/** "cycle_time_s < 1.5, dropped": conditions on columns, other words anywhere in the texts. */
-export function parseFilter(text, columns) {
-  const tests = [];
-  const rest = text.replace(/([\w.[\]]+)\s*(<=|>=|!=|=|<|>)\s*("[^"]*"|[^\s,]+)/g, (whole, name, sign, value) => {
-    const column = findColumn(columns, name);
-    if (!column) throw new Error(`no column named ${name}`);
-    const test = condition(column, sign, value);
-    if (!test) throw new Error(`${value} is no number`);
-    tests.push(test);
-    return " ";
-  });
-  const texts = columns.filter((column) => column.isText);
-  for (const word of rest.split(/[\s,]+/).filter((each) => each && each.toLowerCase() !== "and")) {
-    const wanted = word.toLowerCase();
-    tests.push((row) => texts.some((column) => {
-      const value = String(column.at(row) ?? "").toLowerCase();
-      return value.includes(wanted) || value.replaceAll("_", " ").includes(wanted);
-    }));
-  }
-  return (row) => tests.every((test) => test(row));
-}
 
 /** Ascending or descending; what does not exist comes last either way. */
 function sortRows(rows, column, descending) {
@@ -96,16 +34,44 @@ function formatOf(column) {
 }
 
 class DataTable {
-  constructor({ columns, rows, name, titles = {}, chips = null, replay = null, all = columns, filterable = true }) {
-    Object.assign(this, { columns, rows, name, titles, chips, replay, all, filterable });
+  constructor({ columns, rows, name, titles = {}, chips = null, replay = null, all = columns, filterable = true, selection = null }) {
+    Object.assign(this, { columns, rows, name, titles, chips, replay, all, filterable, selection });
     this.order = Array.from({ length: rows }, (_, row) => row);
     this.sort = null;
     this.page = 0;
-    this.words = new Set();
     this.filter = () => true;
     this.formats = new Map();
     this.build();
     this.refresh();
+    if (selection) this.followSelection();
+  }
+
+  /** The table of scenarios shows what the page has selected, and selects for all of it. */
+  followSelection() {
+    const { selection } = this;
+    selection.on(() => {
+      if (selection.text.trim() !== this.input.value.trim()) this.input.value = selection.text;
+      this.tell(selection.problem);
+      this.refresh();
+    });
+    selection.onLight(() => this.light());
+    this.body.addEventListener("pointerover", (event) => selection.light(this.rowAt(event.target)));
+    this.body.addEventListener("pointerleave", () => selection.light(null));
+    this.body.addEventListener("focusin", (event) => selection.light(this.rowAt(event.target)));
+    this.body.addEventListener("focusout", () => selection.light(null));
+  }
+
+  rowAt(element) {
+    const row = element.closest("tr")?.dataset.row;
+    return row === undefined ? null : Number(row);
+  }
+
+  light() {
+    for (const element of this.body.children) {
+      const row = this.rowAt(element);
+      element.classList.toggle("lit", row !== null && row === this.selection.lit);
+      element.classList.toggle("marked", this.selection.marked.has(row));
+    }
   }
 
   formatOf(column) {
@@ -133,11 +99,9 @@ class DataTable {
   }
 
   chip(word) {
-    const button = h("button", { type: "button", class: "chip", "aria-pressed": "false", onclick: () => {
-      if (!this.words.delete(word)) this.words.add(word);
-      button.setAttribute("aria-pressed", String(this.words.has(word)));
-      this.refresh();
-    } }, h("i", { class: "swatch", style: `background:var(--${word.replaceAll("_", "-")})` }), outcomeLabel(word));
+    const { selection } = this;
+    const button = h("button", { type: "button", class: "chip", "aria-pressed": "false", onclick: () => selection.toggleOutcome(word) }, h("i", { class: "swatch", style: `background:var(--${word.replaceAll("_", "-")})` }), outcomeLabel(word));
+    selection.on(() => button.setAttribute("aria-pressed", String(selection.outcomes.has(word))));
     return button;
   }
 
@@ -163,24 +127,30 @@ class DataTable {
   }
 
   read() {
+    if (this.selection) {
+      this.selection.setText(this.input.value);
+      return;
+    }
+    let problem = "";
     try {
       this.filter = parseFilter(this.input.value, this.all);
-      this.input.removeAttribute("aria-invalid");
-      this.problem = "";
     } catch (error) {
-      this.input.setAttribute("aria-invalid", "true");
-      this.problem = error.message;
+      problem = error.message;
     }
+    this.tell(problem);
     this.refresh();
   }
 
+  tell(problem) {
+    this.problem = problem;
+    if (problem) this.input.setAttribute("aria-invalid", "true");
+    else this.input.removeAttribute("aria-invalid");
+  }
+
   refresh() {
-    const outcome = this.all.find((column) => column.name === "outcome");
+    const passes = this.selection ? (row) => this.selection.has(row) : this.filter;
     let rows = [];
-    for (let row = 0; row < this.rows; row += 1) {
-      if (this.words.size && !this.words.has(outcome.at(row))) continue;
-      if (this.filter(row)) rows.push(row);
-    }
+    for (let row = 0; row < this.rows; row += 1) if (passes(row)) rows.push(row);
     if (this.sort) rows = sortRows(rows, this.sort.column, this.sort.descending);
     this.order = rows;
     this.page = 0;
@@ -218,6 +188,7 @@ class DataTable {
   draw() {
     const from = this.page * PAGE;
     this.body.replaceChildren(...this.order.slice(from, from + PAGE).map((row) => this.rowElement(row)));
+    if (this.selection) this.light();
     if (this.order.length === 0) this.body.append(h("tr", {}, h("td", { colspan: this.columns.length, class: "empty" }, "No row fits the filter.")));
     this.drawPager();
   }
@@ -225,15 +196,23 @@ class DataTable {
   rowElement(row) {
     return h(
       "tr",
-      {},
+      this.selection ? { "data-row": String(row) } : {},
       this.columns.map((column) => {
         const value = column.at(row);
         const text = this.formatOf(column).text(value);
         const swatch = column.name === "outcome" ? h("i", { class: "swatch", style: `background:var(--${String(value).replaceAll("_", "-")})` }) : null;
+        if (this.selection && this.rows > 1 && column.name === "id") return h("td", { class: "number" }, this.markBox(row, text), this.replay ? this.replayButton(row, text) : text);
         if (this.replay && value !== null && ["id", "scenario"].includes(column.name)) return h("td", { class: "number" }, this.replayButton(row, text));
         return h("td", { class: column.isText ? (column.name === "cause" ? "text" : null) : "number" }, swatch, text);
       }),
     );
+  }
+
+  /** Marks a scenario in every chart, for good. */
+  markBox(row, text) {
+    const box = h("input", { type: "checkbox", class: "mark", "aria-label": `mark scenario ${text}`, title: "mark this scenario in every chart", onchange: () => this.selection.toggleMark(row) });
+    box.checked = this.selection.marked.has(row);
+    return box;
   }
 
   /** The number of a scenario is a button that copies its command. */
@@ -280,6 +259,6 @@ export function scenarioTable(study) {
   const columns = all.filter((column) => ["id", "outcome"].includes(column.name) || shownInputs.includes(column) || shownMetrics.slice(0, 4).includes(column) || (column.name === "cause" && hasCause));
   const chips = OUTCOMES.filter((word) => scenarios.counts[word]);
   const replay = study.replay_command ? (row) => copy(replayCommand(study, scenarios.at("id", row))) : null;
-  const table = new DataTable({ columns, all, rows: scenarios.rows, name: `${study.name.replace(/[^\w.-]+/g, "_")}_scenarios`, chips: chips.length > 1 ? chips : null, replay, filterable: scenarios.rows > 1 });
+  const table = new DataTable({ columns, all, rows: scenarios.rows, name: `${fileName(study.name)}_scenarios`, chips: chips.length > 1 ? chips : null, replay, filterable: scenarios.rows > 1, selection: study.selection });
   return h("div", {}, table.element, replay ? h("p", { class: "note" }, "The number of a scenario copies the command that replays it.") : null, scenarios.sevenDigits ? h("p", { class: "note" }, "This page keeps seven digits of each metric; results.h5 has all of them.") : null);
 }

@@ -60,7 +60,7 @@ export function colours() {
     accent: of("--accent"),
     bad: of("--bad"),
     faint: of("--faint"),
-    font: of("--sans"),
+    font: of("--sans").replaceAll('"', "'"), // a drawing keeps it inside double quotes
     series: [of("--accent"), "#4a7fb0", "#e0702d", "#c583b0", of("--soft"), "#9fd0ee"],
   };
 }

@@ -2,10 +2,12 @@
 
 import { axis, figure } from "./chart.js";
 import { h } from "./dom.js";
+import { contactEvents } from "./contact_events.js";
 import { legend } from "./legend.js";
 import { tip, tipLine } from "./scenario.js";
 import { fingerForces } from "./replay/panel.js";
 import { outcomeColour } from "./theme.js";
+import { followClock } from "./time_cursor.js";
 import { phasesOf, strips } from "./trace_strips.js";
 import { number, plural, quantity, scaleFor, thousands } from "./words.js";
 
@@ -135,30 +137,10 @@ function outcomeEvent(study) {
   return time === null ? "" : `The outcome was decided at ${quantity(time, "s")}. `;
 }
 
-/** A line through all strips at the time of the clock; a press in the chart sets it. */
-function followClock({ element, chart }, clock) {
-  const canvas = element.querySelector(".chart");
-  const cursor = h("div", { class: "time-cursor", "aria-hidden": "true" });
-  element.classList.add("timed");
-  element.append(cursor);
-  clock.on(() => {
-    const at = chart()?.convertToPixel({ xAxisIndex: 0 }, clock.time);
-    cursor.hidden = !(at >= 0) || at > canvas.clientWidth;
-    if (cursor.hidden) return;
-    cursor.style.transform = `translateX(${at}px)`;
-    cursor.style.top = `${canvas.offsetTop}px`;
-    cursor.style.height = `${canvas.clientHeight}px`;
-  });
-  const set = (event) => {
-    const box = canvas.getBoundingClientRect();
-    const time = chart()?.convertFromPixel({ xAxisIndex: 0 }, event.clientX - box.left);
-    if (!Number.isFinite(time)) return;
-    clock.pause();
-    clock.jump(time);
-  };
-  canvas.addEventListener("pointerdown", (event) => { if (event.pointerType === "mouse" && event.button === 0 && !event.shiftKey) set(event); });
-  canvas.addEventListener("click", set);
-  return element;
+/** The curves that are drawn, row by row. */
+function signalLines(trace, shown) {
+  const curves = shown.flatMap((strip) => strip.curves.map((curve) => [curve.name ? `${strip.name}: ${curve.name}` : strip.name, curve]));
+  return [["time_s", ...curves.map(([name]) => name)], ...Array.from({ length: trace.time.rows }, (_, row) => [trace.time.at(row), ...curves.map(([, curve]) => curve.at(row))])];
 }
 
 export function timeCharts(study, clock = null) {
@@ -170,6 +152,8 @@ export function timeCharts(study, clock = null) {
   const limited = shown.some(isLimitShown);
   const chart = figure({
     height: TOP + 34 + STRIP * shown.length,
+    name: `${study.name} over time`,
+    csv: () => signalLines(trace, shown),
     legend: (theme) => (limited ? legend([[theme.bad, "limit", "dashed"]]) : null),
     option: (theme, width) => option(study, shown, phases, theme, width),
     describe: () => `${plural(shown.length, "signal")} over ${quantity(trace.time.at(trace.time.rows - 1), "s")}: ${shown.map((strip) => strip.title).join(", ")}. Phases: ${phases.map((phase) => `${phase.name} until ${number(phase.to, 3)} s`).join(", ")}.`,
@@ -180,7 +164,8 @@ export function timeCharts(study, clock = null) {
 }
 
 export function traceCurves(study) {
-  return timeCharts(study, study.clock);
+  const charts = timeCharts(study, study.clock);
+  return charts && h("div", { class: "parts" }, charts, contactEvents(study, study.clock));
 }
 
 /** How hard the fingers press in two scenarios at the same time, and the difference. */
@@ -193,6 +178,8 @@ export function differenceOfForces(models, clock) {
   const values = times.map((t) => models.map((model, i) => mean(forces[i], t, model.end)));
   const chart = figure({
     height: 230,
+    name: "forces of two scenarios",
+    csv: () => [["time_s", ...models.map((model) => `${model.title}, mean finger force_N`), "difference_N"], ...times.map((t, k) => [t, ...values[k], values[k].includes(null) ? null : values[k][1] - values[k][0]])],
     legend: (theme) => legend([...models.map((model) => [outcomeColour(model.outcome), model.title, "line"]), [theme.ink, "difference, second less first", "dashed"]]),
     describe: () => `Mean force of the fingers of ${models.map((model) => model.title).join(" and ")} over ${quantity(clock.end, "s")}, and their difference.`,
     option: (theme) => ({

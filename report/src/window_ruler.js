@@ -4,7 +4,7 @@
 import { judgesDamage } from "./claims.js";
 import { h } from "./dom.js";
 import { legend } from "./legend.js";
-import { number } from "./words.js";
+import { number, plural, shortText } from "./words.js";
 
 function tried(study) {
   const force = study.scenarios.column("strategy.grip_force_N");
@@ -51,6 +51,17 @@ function reach(at, { low, high, words }) {
   return h("div", { class: "reach" }, h("span", { class: "reach-bar", style: `left:${at(low)}%;width:${at(high) - at(low)}%` }), tick((at(low) + at(high)) / 2, "gripper", words));
 }
 
+/** Forces at which specimens broke: a stroke each below the ruler, and in words how many of them the window's upper end spares. */
+function rug({ measured }, at, [least, most], damage_N) {
+  if (!measured) return null;
+  const values = [...measured.rupture_N].sort((a, b) => a - b);
+  const shown = values.filter((force) => force >= least && force <= most);
+  const weaker = damage_N === null ? null : values.filter((force) => force < damage_N).length;
+  const beyond = values.length - shown.length;
+  const words = `${plural(values.length, "specimen")} broke between ${number(values[0], 3)} and ${number(values[values.length - 1], 3)} N (${shortText(measured.file.replace(/\.csv$/i, ""))})${beyond ? `, ${beyond} of them outside this range` : ""}${weaker === null ? "" : `; ${weaker || "none"} below the window's upper end`}`;
+  return h("div", { class: "rug" }, h("div", { class: "strokes", "aria-hidden": "true" }, shown.map((force) => h("i", { style: `left:${at(force)}%` }))), h("p", {}, words));
+}
+
 export function windowRuler(study, ends, set = null) {
   const range = tried(study);
   if (!range) return null;
@@ -82,6 +93,7 @@ export function windowRuler(study, ends, set = null) {
       set ? h("span", { class: "pin", style: `left:${at(set.force_N)}%` }) : null,
     ),
     gripper ? reach(at, gripper) : null,
+    rug(study, at, range, judged ? ends.damage_force_N ?? null : null),
     h("div", { class: "tick-ends" }, h("span", {}, `${number(least)} N`), h("span", {}, `${number(most)} N`)),
     holdLine,
     damageLine,

@@ -37,6 +37,32 @@ function forces(window) {
   return ["hold_force_N", "damage_force_N", "hold_bracket_high_N", "damage_bracket_low_N", "hold_bracket_low_N", "damage_bracket_high_N"].flatMap((name) => window.column(name).numbers());
 }
 
+const sameInputs = new WeakMap();
+
+/** The scenarios of each combination of the window's inputs. */
+function scenariosOf(study, row) {
+  const { window, scenarios } = study;
+  if (!sameInputs.has(window)) {
+    const columns = window.inputs.map((column) => [column, scenarios.column(column.name)]);
+    const keyOf = (at) => JSON.stringify(columns.map(at));
+    const found = new Map();
+    if (columns.every(([, own]) => own)) {
+      for (let each = 0; each < scenarios.rows; each += 1) {
+        const key = keyOf(([, own]) => own.at(each));
+        if (found.has(key)) found.get(key).push(each);
+        else found.set(key, [each]);
+      }
+    }
+    sameInputs.set(window, (one) => found.get(keyOf(([column]) => column.at(one))) ?? []);
+  }
+  return sameInputs.get(window)(row);
+}
+
+/** A bar none of whose scenarios is selected is faded. */
+function isFaded(study, row) {
+  return study.selection.active && !scenariosOf(study, row).some((each) => study.selection.has(each));
+}
+
 function barItem(study, theme, row, index, api, top) {
   const { window } = study;
   const judged = judgesDamage(study);
@@ -62,7 +88,27 @@ function barItem(study, theme, row, index, api, top) {
   if (at("hold_force_N") !== null) children.push(rule(at("hold_force_N"), outcomeColour("dropped")));
   if (at("damage_force_N") !== null && judged) children.push(rule(at("damage_force_N"), outcomeColour("damaged")));
   if (at("set_point_exists") === 1 && judged) children.push({ type: "path", shape: { pathData: "M0 -6L6 0L0 6L-6 0Z", x: px + width / 2 - 6, y: y(at("set_point_N")) - 6, width: 12, height: 12 }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
+  if (isFaded(study, row)) for (const child of children) child.style.opacity = 0.15 * (child.style.opacity ?? 1);
   return { type: "group", children };
+}
+
+const WINDOW_COLUMNS = ["exists", "hold_force_N", "damage_force_N", "hold_bracket_low_N", "hold_bracket_high_N", "damage_bracket_low_N", "damage_bracket_high_N", "set_point_N", "set_point_tolerance_N"];
+
+/** What a chart of windows has for every one of them: how it is saved, and which bars hold a scenario. */
+function windowParts(study, rowsShown) {
+  const { window } = study;
+  const columns = [...window.inputs, ...WINDOW_COLUMNS.map((name) => window.column(name)).filter(Boolean)];
+  const hasRow = (row, scenario) => scenariosOf(study, row).includes(scenario);
+  return {
+    name: `${study.name} windows`,
+    selection: study.selection,
+    csv: () => [columns.map((column) => column.name), ...rowsShown().map((row) => columns.map((column) => column.at(row)))],
+    litAt: (scenario, shown) => {
+      const index = rowsShown().findIndex((row) => hasRow(row, scenario));
+      const force = study.scenarios.at("strategy.grip_force_N", scenario);
+      return index < 0 || force === null ? [] : [{ at: shown.convertToPixel({ gridIndex: 0 }, [index, force]) }];
+    },
+  };
 }
 
 /** Does every combination of the inputs' values occur? Inputs that vary together do not. */
@@ -91,6 +137,7 @@ function allAtOnce(study, window, inputs) {
   const shown = Array.from({ length: Math.min(window.rows, 40) }, (_, row) => row);
   return figure({
     height: 380,
+    ...windowParts(study, () => shown),
     option: (theme) => ({
       grid: { left: 8, right: 12, top: 34, bottom: 12, containLabel: true },
       xAxis: { ...axis(theme, { name: "", type: "category" }), data: shown.map((row) => inputs.map((column) => shortValue(column, row)).join("\n")), axisLabel: { color: theme.soft, fontSize: 12, lineHeight: 17, interval: 0 } },
@@ -140,6 +187,7 @@ export function windows(study) {
   };
   const chart = figure({
     height: 360,
+    ...windowParts(study, () => rowsOf(window, x, others, slice)),
     controls: inputs.length > 1 ? [select("Across", inputs.map((column) => ({ value: column.name, label: label(column.name) })), x.name, (name) => { x = window.column(name); prepare(); chart.redraw(); }), sliceBox] : [],
     option: (theme) => {
       const rows = rowsOf(window, x, others, slice);

@@ -173,6 +173,8 @@ class CommandLine {
     report.add_option("--scenario", shown_, "show this one in motion too; may repeat")->type_name("ID");
     report.add_flag("--no-replay", no_replay_, "nothing in motion: nothing is run again");
     report.add_option("--index", index_, "instead a page over all runs below this folder")->type_name("DIR");
+    report.add_option("--measured", measured_, "forces at which specimens broke, beside the window")
+        ->type_name("FILE.csv");
     report.add_option("--audio", audio_, "the sound of the scenario shown first, as a file too")
         ->type_name("FILE.wav");
   }
@@ -241,6 +243,7 @@ class CommandLine {
       report.scenarios.push_back(static_cast<std::uint64_t>(id));
     }
     if (!audio_.empty()) report.audio = audio_;
+    if (!measured_.empty()) report.measured = measured_;
     if (no_replay_ && (!shown_.empty() || report.audio)) {
       throw UsageError{"--scenario and --audio run scenarios again, --no-replay none", "report"};
     }
@@ -357,7 +360,7 @@ class CommandLine {
   std::optional<long> threads_;
   std::optional<long long> scenario_;
   std::vector<long long> shown_;
-  std::string audio_, index_, shard_;
+  std::string audio_, index_, measured_, shard_;
   bool no_replay_ = false;
   std::optional<double> at_s_;
   RunArguments run_;

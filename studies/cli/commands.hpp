@@ -79,9 +79,10 @@ struct ReportArguments {
   /// None: report.html beside the results, or the name of another results file with .html.
   std::optional<std::filesystem::path> output{};
   std::string program = "unbruised";
-  bool moving = true;                            ///< with scenarios that are run again to be seen
-  std::vector<std::uint64_t> scenarios{};        ///< that are shown beside those the study makes worth seeing
-  std::optional<std::filesystem::path> audio{};  ///< a WAV file of the first of them
+  bool moving = true;                               ///< with scenarios that are run again to be seen
+  std::vector<std::uint64_t> scenarios{};           ///< that are shown beside those the study makes worth seeing
+  std::optional<std::filesystem::path> audio{};     ///< a WAV file of the first of them
+  std::optional<std::filesystem::path> measured{};  ///< a CSV file of forces for the ruler of a window
 };
 int report_command(const ReportArguments& arguments);
 int verify_command(const std::filesystem::path& directory);

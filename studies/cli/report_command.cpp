@@ -2,6 +2,7 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
+#include "studies/cli/measured.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/cli/replays.hpp"
 #include "studies/report/report_page.hpp"
@@ -52,7 +53,15 @@ MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, 
                                .tables = recorded.tables.found,
                                .window = recorded.tables.window ? &*recorded.tables.window : nullptr,
                                .trace = recorded.has_trace ? &trace : nullptr};
-  const ReportContext context = context_of(recorded, arguments);
+  ReportContext context = context_of(recorded, arguments);
+  if (arguments.measured) {
+    auto measured = read_measured_forces(*arguments.measured);
+    if (!measured) return measured.error();
+    context.measured = std::move(*measured);
+    if (content.window == nullptr) {
+      print_note("the study has no window, so the measured forces are not on its page");
+    }
+  }
   if (arguments.audio) {
     if (auto error = write_audio(context.replays, *arguments.audio)) return error;
   }

@@ -140,8 +140,18 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
 }
 
 std::string answer_line(const StudyTables& tables, std::string_view study_kind) {
+  if (tables.rows.size() == 1 && !tables.window) {
+    const ScenarioResult& only = tables.rows.front().result;
+    return joined({outcome_word(only.outcome), only.cause.empty() ? "" : ": ", only.cause});
+  }
   const std::string counts = outcome_line(tables.rows), balances = balance_line(tables.rows);
-  for (std::string& line : summary_lines(tables, study_kind)) {
+  std::vector<std::string> lines = summary_lines(tables, study_kind);
+  for (const std::string_view first : {"best: ", "set-point"}) {
+    for (std::string& line : lines) {
+      if (line.starts_with(first)) return std::move(line);
+    }
+  }
+  for (std::string& line : lines) {
     if (line != counts && line != balances && line != tables.damage_note) return std::move(line);
   }
   return counts;

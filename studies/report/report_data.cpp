@@ -234,6 +234,9 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   for (const ResultTable& table : content.tables) page["tables"].push_back(table_json(packed, table));
   if (content.trace != nullptr && !content.trace->time_s.empty())
     page["trace"] = trace_json(packed, *content.trace);
+  if (!context.measured.rupture_N.empty()) {
+    page["measured"] = {{"file", context.measured.file}, {"rupture_N", context.measured.rupture_N}};
+  }
   page["replays"] = json::array();
   if (!context.replays.empty()) page["sound"] = sound_json(sound_map(context.replays));
   for (const ScenarioReplay& seen : context.replays) {

@@ -13,6 +13,12 @@
 
 namespace unbruised::studies {
 
+/// What was measured of products like these, as the user names it.
+struct MeasuredForces {
+  std::string file;               ///< without its folders
+  std::vector<double> rupture_N;  ///< of one finger, one for each specimen
+};
+
 /// What the page says beside the study's own tables.
 struct ReportContext {
   std::string replay_command;             ///< without the id; empty where there is no run directory to replay from
@@ -21,6 +27,7 @@ struct ReportContext {
   std::string digest;                     ///< digest of digests, 16 hex digits; may stay empty
   std::vector<std::string> summary;       ///< the lines `info` prints
   std::vector<ScenarioReplay> replays{};  ///< what there is to see
+  MeasuredForces measured{};              ///< a rug on the ruler of a window; may be empty
 };
 
 struct ReportData {

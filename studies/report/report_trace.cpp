@@ -13,7 +13,28 @@ namespace {
 using nlohmann::json;
 using Digits = PackedColumns::Digits;
 
+/// Of more contact events than this an even pick is in a page.
+constexpr std::size_t kEventsMost = 6000;
+
 std::size_t part_start(std::size_t part, std::size_t rows) { return part * rows / (kTraceRowsMost / 2); }
+
+/// What the contact state register saw: when, of which surface, and what.
+json contacts_json(PackedColumns& packed, const Trace& trace) {
+  const std::size_t count = trace.events.size();
+  const std::size_t kept = std::min(count, kEventsMost);
+  std::vector<double> times;
+  std::vector<std::string> surfaces, kinds;
+  for (std::size_t i = 0; i < kept; ++i) {
+    const ContactEvent& event = trace.events[i * count / kept];
+    times.push_back(event.time_s);
+    surfaces.push_back(surface_word(trace, event.surface));
+    kinds.emplace_back(kContactEventWords[static_cast<std::size_t>(event.kind)]);
+  }
+  return {{"rows", kept},
+          {"time_s", packed.numbers(times, Digits::seven)},
+          {"surface", packed.texts(surfaces)},
+          {"kind", packed.texts(kinds)}};
+}
 
 }  // namespace
 
@@ -41,6 +62,7 @@ json trace_json(PackedColumns& packed, const Trace& trace) {
           {"thinned", thin},
           {"particles", trace.particle_count},
           {"events", trace.events.size()},
+          {"contacts", contacts_json(packed, trace)},
           {"time_s", packed.numbers(thin ? thinned_times(trace.time_s) : trace.time_s)},
           {"signals", std::move(signals)}};
 }

@@ -37,9 +37,10 @@ std::string row_of(const ShelfRun& run, const fs::path& folder) {
   const std::string linked =
       run.has_report ? joined({"<a href=\"", html_text(address_of(report)), "\">", name, "</a>"}) : name;
   const std::string tone = run.state == "complete" ? "met" : run.state == "damaged" ? "broken" : "decides";
-  return joined({"<tr><th scope=\"row\">", linked, "<small>", html_text(run.directory.string()), "</small></th>",
-                 cell(run.kind), cell(run.answer), cell(run.created_utc), "<td class=\"state ", tone, "\">",
-                 html_text(run.state), "</td></tr>\n"});
+  return joined({"<tr><th scope=\"row\">", linked, "<small>",
+                 html_text(run.directory.lexically_relative(folder).string()), "</small></th>", cell(run.kind),
+                 cell(run.answer), cell(run.created_utc), "<td class=\"state ", tone, "\">", html_text(run.state),
+                 "</td></tr>\n"});
 }
 
 }  // namespace

@@ -121,6 +121,10 @@ void Hdf5File::write(const std::string& name, std::span<const std::int8_t> value
   write_raw(name, H5T_STD_I8LE, H5T_NATIVE_INT8, values.data(), extents, &fill);
 }
 
+void Hdf5File::write(const std::string& name, std::span<const std::uint8_t> values, const Hdf5Extents& extents) {
+  write_raw(name, H5T_STD_U8LE, H5T_NATIVE_UINT8, values.data(), extents, nullptr);
+}
+
 void Hdf5File::write(const std::string& name, std::span<const std::int32_t> values, const Hdf5Extents& extents) {
   write_raw(name, H5T_STD_I32LE, H5T_NATIVE_INT32, values.data(), extents, nullptr);
 }

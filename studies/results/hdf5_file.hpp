@@ -34,6 +34,7 @@ class Hdf5File {
   void write(const std::string& name, std::span<const double> values, const Hdf5Extents& extents);
   void write(const std::string& name, std::span<const std::int8_t> values, const Hdf5Extents& extents,
              std::int8_t fill);
+  void write(const std::string& name, std::span<const std::uint8_t> values, const Hdf5Extents& extents);
   void write(const std::string& name, std::span<const std::int32_t> values, const Hdf5Extents& extents);
   void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Extents& extents);
   void write(const std::string& name, std::span<const std::uint64_t> values, const Hdf5Extents& extents);

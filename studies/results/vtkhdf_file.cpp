@@ -16,8 +16,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Kinds of cells, as VTK numbers them.
-enum class Cell : std::int8_t { vertex = 1, line = 3, triangle = 5, quad = 9 };
+/// Kinds of cells, as VTK numbers them; its reader takes no other type than this.
+enum class Cell : std::uint8_t { vertex = 1, line = 3, triangle = 5, quad = 9 };
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -71,7 +71,7 @@ class Grid {
     return all;
   }
 
-  std::vector<std::int8_t> types;
+  std::vector<std::uint8_t> types;
   std::vector<std::int64_t> offsets, connectivity;
   std::vector<std::int32_t> part;
 
@@ -84,7 +84,7 @@ class Grid {
   static constexpr double kEndless_m = 0.4;
 
   void add(Cell type, const std::vector<int>& points, int of_part) {
-    types.push_back(static_cast<std::int8_t>(type));
+    types.push_back(static_cast<std::uint8_t>(type));
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     connectivity.insert(connectivity.end(), points.begin(), points.end());
     part.push_back(of_part);
@@ -228,7 +228,7 @@ std::string vtkhdf_image(const std::filesystem::path& path, const Replay& replay
     points.insert(points.end(), here.begin(), here.end());
   }
   file.write(at + "/Points", std::span<const double>(points), {points.size() / 3, 3});
-  file.write(at + "/Types", std::span<const std::int8_t>(grid.types), {grid.types.size()}, 0);
+  file.write(at + "/Types", std::span<const std::uint8_t>(grid.types), {grid.types.size()});
   file.write(at + "/Offsets", std::span<const std::int64_t>(grid.offsets), {grid.offsets.size()});
   file.write(at + "/Connectivity", std::span<const std::int64_t>(grid.connectivity), {grid.connectivity.size()});
   file.write(at + "/CellData/part", std::span<const std::int32_t>(grid.part), {grid.part.size()});

@@ -20,7 +20,7 @@ const COMMON = ["--headless", "--no-sandbox", "--disable-quic", "--no-first-run"
 
 const browsers = {};
 before(async () => {
-  browsers.drawn = await chromium.launch({ executablePath: chromiumPath, args: [...COMMON, "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] });
+  browsers.drawn = await chromium.launch({ executablePath: chromiumPath, args: [...COMMON, "--disable-gpu", "--enable-unsafe-swiftshader"] });
   browsers.bare = await chromium.launch({ executablePath: chromiumPath, args: [...COMMON, "--disable-gpu", "--disable-3d-apis"] });
 });
 after(() => Promise.all(Object.values(browsers).map((browser) => browser.close())));
@@ -54,7 +54,11 @@ const drawn = async (page, more, from) => {
   const wanted = (from ?? (await framesOf(page))) + more;
   await page.waitForFunction((count) => Number(document.querySelector("canvas.scene").dataset.frames ?? 0) >= count, wanted);
 };
-const picture = (page) => page.locator("canvas.scene").evaluate((canvas) => canvas.toDataURL());
+/** The scene as it stands, sharp. */
+const picture = async (page) => {
+  await page.waitForFunction(() => document.querySelector("canvas.scene").dataset.rest === "yes");
+  return page.locator("canvas.scene").evaluate((canvas) => canvas.toDataURL());
+};
 const digitsOf = (page, row) => page.locator("#replay .panel tr", { hasText: row }).first().locator(".digits").allInnerTexts();
 
 /** Does an act change what is drawn? */
@@ -90,6 +94,7 @@ test("slider, scene, digits and charts show one time", async () => {
   assert.ok(held > 1.3 && held < 1.7, `a grip of 1.5 N presses with ${held} N`);
   assert.ok(damaged > 8 && damaged < 10, `a grip of 9 N presses with ${damaged} N`);
   // The line through the charts stands in their middle.
+  await page.locator("#replay .replay-charts .chart").last().scrollIntoViewIfNeeded();
   const cursor = await page.locator("#replay .time-cursor").last().boundingBox();
   const chart = await page.locator("#replay .replay-charts .chart").last().boundingBox();
   assert.ok(Math.abs((cursor.x - chart.x - 52) / (chart.width - 62) - 0.5) < 0.02);
@@ -142,11 +147,11 @@ test("views, drags, keys, colours and factors change the scene", async () => {
     await page.mouse.move(box.x + 260, box.y + 190);
     await page.mouse.up();
   }), "a drag");
-  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("Colour").selectOption("pressure_Pa")), "colour");
+  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("Colour", { exact: true }).selectOption("pressure_Pa")), "colour");
   assert.match(await page.locator("#replay .field-legend").innerText(), /contact pressure[\s\S]*kPa/);
-  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("Deformation").selectOption("20")), "factor");
+  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("Deformation", { exact: true }).selectOption("20")), "factor");
   assert.match(await page.locator("#replay .replay-left .note").innerText(), /20 times as large as it is, to [\d.]+ µm/);
-  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("forces").uncheck()), "arrows");
+  assert.ok(await changes(page, () => page.locator("#replay").getByLabel("forces", { exact: true }).uncheck()), "arrows");
   assert.ok(await changes(page, () => page.locator("#replay").getByLabel("Beside it").selectOption("")), "one scene");
   await close();
 });

@@ -22,6 +22,7 @@ export function timeLine(clock) {
   let phaseNow = () => "";
   const show = (models, study) => {
     const [model] = models;
+    ticks.classList.toggle("two", models.length > 1);
     ticks.replaceChildren(...models.flatMap((each, i) => eventTicks(each, clock.end, (time) => { clock.pause(); clock.jump(time); }).map((tick) => { tick.classList.toggle("second", i > 0); return tick; })));
     const found = phasesOf({ ...study, trace: model.trace });
     phases.replaceChildren(...found.map((phase) => h("span", { style: `left:${(100 * phase.from) / clock.end}%;width:${(100 * (phase.to - phase.from)) / clock.end}%` }, h("em", {}, phase.name))));

@@ -5,6 +5,8 @@ import { boundOf } from "../claims.js";
 import { surfaceWords } from "./events.js";
 import { label, number, quantity, scaleFor } from "../words.js";
 
+/** In N, N m, J, m: below it numbers are rounding. */
+const LEAST_TOLD = 1e-9;
 const WRENCH = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
 const ENERGIES = ["kinetic_energy_J", "elastic_energy_J", "contact_energy_J", "plastic_work_J", "dissipated_energy_J"];
 const SHORT = { kinetic_energy_J: "motion", elastic_energy_J: "elastic", contact_energy_J: "contact layers", plastic_work_J: "plastic work", dissipated_energy_J: "lost so far" };
@@ -102,18 +104,23 @@ function makeBar(row, most, colour) {
   const place = (value) => (row.signed ? 50 + (50 * value) / reach : (100 * value) / reach);
   const limit = row.limit !== null && reach > 0 && Math.abs(row.limit) <= reach ? h("i", { class: "bar-limit", style: `left:${place(row.limit)}%` }) : null;
   const element = h("div", { class: `meter${row.signed ? " signed" : ""}`, "aria-hidden": "true" }, fill, limit);
+  let shown = null;
   const set = (value) => {
     const at = Math.min(100, Math.max(0, value === null || !(reach > 0) ? place(0) || 0 : place(value)));
     const zero = row.signed ? 50 : 0;
+    element.classList.toggle("over", value !== null && row.limit !== null && (row.limit === 0 ? value < 0 : Math.abs(value) > row.limit));
+    if (shown !== null && Math.abs(at - shown) < 0.4) return;
+    shown = at;
     fill.style.left = `${Math.min(zero, at)}%`;
     fill.style.width = `${Math.abs(at - zero)}%`;
-    element.classList.toggle("over", value !== null && row.limit !== null && (row.limit === 0 ? value < 0 : Math.abs(value) > row.limit));
   };
   return { element, set };
 }
 
-function digits(value, scale) {
-  return value === null || value === undefined ? "–" : number(Math.abs(value) < 1e-12 ? 0 : value / scale.factor, 3);
+/** What is a ten-thousandth of the largest, or less than any instrument tells apart, is 0. */
+function digits(value, scale, most) {
+  if (value === null || value === undefined) return "–";
+  return number(Math.abs(value) < Math.max(1e-4 * most, LEAST_TOLD) ? 0 : value / scale.factor, 3);
 }
 
 /** @returns { element, set(time) } for one model or two beside each other */
@@ -139,7 +146,8 @@ export function panel(study, models) {
       setters.push((time) => {
         const value = each.at(Math.min(time, models[i].end));
         bar.set(value);
-        text.textContent = digits(value, scale);
+        const said = digits(value, scale, most);
+        if (text.textContent !== said) text.textContent = said;
       });
       return h("td", {}, bar.element, text);
     });

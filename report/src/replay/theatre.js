@@ -11,14 +11,29 @@ const FIELD_OF_VIEW = 28;
 const SHOWN_EXTENTS = 3.2;
 /** Of the product's rise the camera follows so much: what is lifted is seen to rise. */
 const FOLLOW_UP = 0.62;
-const SLOW_FRAME_MS = 30;
+/** Pictures further apart than this are coarser while they move; the still one is sharp again. */
+const SLOW_FRAME_MS = 36;
+const [COARSEST, COARSER] = [0.6, 0.8];
+const REST_MS = 220;
+
+/** "yes", "by the processor" (slowly), or null. */
+function webGL() {
+  try {
+    const context = document.createElement("canvas").getContext("webgl2");
+    if (!context) return null;
+    const names = context.getExtension("WEBGL_debug_renderer_info");
+    const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+    context.getExtension("WEBGL_lose_context")?.loseContext();
+    return /swiftshader|llvmpipe|software|basic render/i.test(name) ? "by the processor" : "yes";
+  } catch {
+    return null;
+  }
+}
+
+const drawing = webGL();
 
 export function hasWebGL() {
-  try {
-    return document.createElement("canvas").getContext("webgl2") !== null;
-  } catch {
-    return false;
-  }
+  return drawing !== null;
 }
 
 export class Theatre {
@@ -33,13 +48,15 @@ export class Theatre {
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 10);
     this.camera.up.set(0, 0, 1);
     this.seen = true;
-    this.ratio = Math.min(2, window.devicePixelRatio || 1);
-    this.drawTimes = [];
+    // A processor that draws smooths no edges; its still pictures have twice the points instead.
+    this.sharp = drawing === "yes" ? Math.min(2, window.devicePixelRatio || 1) : 2;
+    this.ratio = Math.min(this.sharp, drawing === "yes" ? 2 : 1);
+    this.intervals = [];
     clock.on(() => this.ask());
     onTheme(() => this.rebuild());
     new ResizeObserver(() => this.ask()).observe(this.element);
     new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; this.ask(); }).observe(this.element);
-    window.addEventListener("beforeprint", () => this.draw());
+    window.addEventListener("beforeprint", () => this.draw(this.sharp));
   }
 
   show(models) {
@@ -68,19 +85,32 @@ export class Theatre {
     });
   }
 
+  /** Some time after the last movement one sharp picture. */
+  restSoon() {
+    clearTimeout(this.resting);
+    if (this.ratio >= this.sharp) this.canvas.dataset.rest = "yes";
+    else {
+      delete this.canvas.dataset.rest;
+      if (this.clock.playing) return;
+      this.resting = setTimeout(() => {
+        this.draw(this.sharp);
+        this.canvas.dataset.rest = "yes";
+      }, REST_MS);
+    }
+  }
+
   start() {
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true, powerPreference: "low-power" });
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: drawing === "yes", preserveDrawingBuffer: true, powerPreference: "low-power" });
     this.renderer.autoClear = false;
   }
 
-  draw() {
+  draw(ratio = this.ratio) {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     if (!this.stages.length || !width) return;
     if (!this.renderer) this.start();
-    const begin = performance.now();
     const { renderer } = this;
-    renderer.setPixelRatio(this.ratio);
+    renderer.setPixelRatio(ratio);
     renderer.setSize(width, height, false);
     renderer.setScissorTest(true);
     const upright = height > width;
@@ -95,7 +125,10 @@ export class Theatre {
       renderer.clear();
       renderer.render(stage.scene, this.camera);
     });
-    this.measure(performance.now() - begin);
+    if (ratio === this.ratio) {
+      this.measure(performance.now());
+      this.restSoon();
+    }
     this.canvas.dataset.frames = String(Number(this.canvas.dataset.frames ?? 0) + 1);
   }
 
@@ -114,14 +147,16 @@ export class Theatre {
     camera.updateProjectionMatrix();
   }
 
-  /** A machine that draws slowly gets fewer points. */
-  measure(milliseconds) {
-    this.drawTimes.push(milliseconds);
-    if (this.drawTimes.length < 12) return;
-    const middle = [...this.drawTimes].sort((a, b) => a - b)[6];
-    this.drawTimes = [];
-    this.milliseconds = middle;
-    if (middle > SLOW_FRAME_MS && this.ratio > 0.6) this.ratio = Math.max(0.6, 0.75 * this.ratio);
+  /** A machine that draws slowly gets fewer points while it plays. */
+  measure(now) {
+    const passed = now - (this.drawnAt ?? now);
+    this.drawnAt = now;
+    if (!this.clock.playing || passed > 1000) return;
+    this.intervals.push(passed);
+    if (this.intervals.length < 12) return;
+    const middle = [...this.intervals].sort((a, b) => a - b)[6];
+    this.intervals = [];
+    if (middle > SLOW_FRAME_MS) this.ratio = Math.max(COARSEST, COARSER * this.ratio);
   }
 
   describe(text) {

@@ -39,6 +39,16 @@ TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
   EXPECT_EQ(summary_lines(tables, "robust").back(), "answer: none yet; a study of kind robust has it at its end");
 }
 
+TEST(Summary, TheAnswerInALineIsTheBestElseTheOutcomeOfTheOnlyScenario) {
+  StudyTables tables;
+  tables.inputs = {{"strategy.grip_force_N", "N", ""}};
+  tables.rows = {row_of(0, Outcome::damaged, 1.0, 9.0)};
+  tables.rows[0].result.cause = "contact_yield_ratio_max > limits.contact_yield_ratio";
+  EXPECT_EQ(answer_line(tables, "simulate"), "damaged: contact_yield_ratio_max > limits.contact_yield_ratio");
+  tables.rows.push_back(row_of(1, Outcome::held, 2.0, 0.1));
+  EXPECT_TRUE(answer_line(tables, "simulate").starts_with("best: scenario 1")) << answer_line(tables, "simulate");
+}
+
 TEST(Summary, SaysThatNobodyLookedAtDamageBeforeAnythingElseIsClaimed) {
   StudyTables tables;
   tables.rows = {row_of(0, Outcome::slipped, 1.0, 9.0)};

@@ -96,8 +96,9 @@ ReportFixture sweep(const std::string& name, const std::vector<double>& forces, 
 std::vector<ReportFixture> window_fixtures() {
   const std::vector<double> forces = from_to(0.6, 10.0, 16);
   const std::vector<double> speeds = from_to(0.02, 0.6, 8);
-  return {sweep("kiwi_sweep", forces, speeds, {1.0, 2.667, 4.333, 6.0}, 1.0),
-          window("kiwi_window", {{0.02, 2.0}, {0.1, 2.0}, {0.2, 2.0}, {0.3, 2.0}}, 1.0),
+  ReportFixture measured = window("kiwi_window", {{0.02, 2.0}, {0.1, 2.0}, {0.2, 2.0}, {0.3, 2.0}}, 1.0);
+  measured.context.measured = {.file = "kiwi_rupture.csv", .rupture_N = {6.51, 1.92, 6.06, 3.63, 12.4}};
+  return {sweep("kiwi_sweep", forces, speeds, {1.0, 2.667, 4.333, 6.0}, 1.0), std::move(measured),
           window("no_window", {{0.05, 2.0}}, 0.15), disjoint(), too_strong()};
 }
 

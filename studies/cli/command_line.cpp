@@ -1,7 +1,6 @@
 #include "studies/cli/command_line.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <exception>
 #include <filesystem>
@@ -276,19 +275,10 @@ class CommandLine {
   void take_shard() {
     if (shard_.empty()) return;
     if (scenario_ || run_.fresh) throw UsageError{"--shard goes neither with --scenario nor with --fresh", "run"};
-    const std::size_t slash = shard_.find('/');
-    const auto whole = [&](const std::string& digits) {
-      std::uint64_t value = 0;
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-      return error == std::errc{} && end == digits.data() + digits.size() ? value : 0;
-    };
-    const Shard shard = slash == std::string::npos
-                            ? Shard{0, 0}
-                            : Shard{whole(shard_.substr(0, slash)), whole(shard_.substr(slash + 1))};
-    if (shard.number < 1 || shard.number > shard.count) {
+    run_.shard = shard_of(shard_);
+    if (!run_.shard) {
       throw UsageError{joined({"--shard ", shard_, ": must be I/N, part I of N from 1/N to N/N"}), "run"};
     }
-    run_.shard = shard;
   }
 
   [[nodiscard]] std::optional<std::uint64_t> scenario_id(const std::string& command) const {

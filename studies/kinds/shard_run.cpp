@@ -1,6 +1,7 @@
 #include "studies/kinds/shard_run.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <map>
 #include <utility>
@@ -12,6 +13,18 @@
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
+
+std::optional<Shard> shard_of(std::string_view text) {
+  const auto whole = [](std::string_view digits) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc{} && end == digits.data() + digits.size() ? value : 0;
+  };
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const Shard shard{whole(text.substr(0, slash)), whole(text.substr(slash + 1))};
+  return shard.number >= 1 && shard.number <= shard.count ? std::optional(shard) : std::nullopt;
+}
 
 std::vector<std::uint64_t> shard_ids(const ScenarioSet& set, const Shard& shard) {
   std::map<std::string, std::uint64_t> group_of_key;

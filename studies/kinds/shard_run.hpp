@@ -7,7 +7,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/config/study.hpp"
@@ -23,6 +25,9 @@ namespace unbruised::studies {
 struct Shard {
   std::uint64_t number = 1, count = 1;
 };
+
+/// "3/8"; nothing where it is no part.
+std::optional<Shard> shard_of(std::string_view text);
 
 /// The scenarios of a part, ascending. Parts are equal to one scenario, and go along the factor groups, so that
 /// few of them factor the same matrix.

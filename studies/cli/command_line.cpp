@@ -1,6 +1,7 @@
 #include "studies/cli/command_line.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <exception>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "studies/cli/commands.hpp"
+#include "studies/cli/locations.hpp"
 #include "studies/cli/shelf.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/execution/build_info.hpp"
@@ -58,11 +60,12 @@ class CommandLine {
     app_.footer(
         "\nbegin with:\n  unbruised list\n  unbruised check configs/kiwi_first.toml\n"
         "  unbruised run configs/kiwi_first.toml\n"
-        "\nexit status: 0 done; 1 internal error; 2 wrong input; 3 some scenarios diverged; 4 run directory in "
-        "use;\n"
+        "\nexit status: 0 done; 1 internal error; 2 wrong input; 3 some scenarios diverged, or are missing; 4 run "
+        "directory in use;\n"
         "5 disk failure; 6 results damaged; 129, 130, 143 interrupted (the same command continues)");
     add_run();
     add_check();
+    add_merge();
     add_readers();
     add_export();
     add_new();
@@ -104,6 +107,8 @@ class CommandLine {
     run.add_option("--output,-o", output_, "run directory (default: results/<study name>)")->type_name("DIR");
     run.add_option("--threads,-j", threads_, "threads (default: all the machine gives)")->type_name("N");
     run.add_option("--scenario", scenario_, "only this scenario, with its trace and its page")->type_name("ID");
+    run.add_option("--shard", shard_, "only part I of N, beside others in the same run directory; then `merge`")
+        ->type_name("I/N");
     run.add_flag("--full-trace", full_trace_, "with --scenario: every time step, not as many as a chart shows");
     run.add_flag("--fresh", run_.fresh, "move an old run directory aside and start anew");
     run.add_flag("--quiet,-q", run_.quiet, "no progress");
@@ -117,6 +122,21 @@ class CommandLine {
     });
     add_study_words(check);
     add_json(check);
+  }
+
+  void add_merge() {
+    CLI::App& merge = command("merge", "end a study whose parts were run by `run --shard`", [this] {
+      if (words_.empty()) throw UsageError{"`merge` needs a run directory", "merge"};
+      take_threads("merge");
+      return merge_command({.directories = {words_.begin(), words_.end()},
+                            .threads = run_.threads,
+                            .quiet = run_.quiet,
+                            .program = run_.program});
+    });
+    merge.add_option("DIR", words_, "run directories of one study; the first is where all come together")
+        ->expected(0, -1);
+    merge.add_option("--threads,-j", threads_, "threads (default: all the machine gives)")->type_name("N");
+    merge.add_flag("--quiet,-q", run_.quiet, "no progress");
   }
 
   void add_readers() {
@@ -233,19 +253,42 @@ class CommandLine {
   int call_run() {
     take_study("run");
     if (!output_.empty()) run_.output = output_;
-    if (threads_) {
-      if (*threads_ < 1 || *threads_ > kThreadsMost) {
-        throw UsageError{
-            joined({"--threads = ", std::to_string(*threads_), ": must be 1 to ", std::to_string(kThreadsMost)}),
-            "run"};
-      }
-      run_.threads = static_cast<int>(*threads_);
-    }
+    take_threads("run");
+    take_shard();
     run_.scenario = scenario_id("run");
     run_.moving = !no_replay_;
     if (full_trace_ && !run_.scenario) throw UsageError{"--full-trace goes with --scenario ID", "run"};
     if (full_trace_) run_.trace_rows = TraceRows::all;
+    if (run_.shard) return run_shard_command(run_);
     return run_.scenario ? run_one_command(run_) : run_command(run_);
+  }
+
+  void take_threads(const std::string& name) {
+    if (!threads_) return;
+    if (*threads_ < 1 || *threads_ > kThreadsMost) {
+      throw UsageError{
+          joined({"--threads = ", std::to_string(*threads_), ": must be 1 to ", std::to_string(kThreadsMost)}),
+          name};
+    }
+    run_.threads = static_cast<int>(*threads_);
+  }
+
+  void take_shard() {
+    if (shard_.empty()) return;
+    if (scenario_ || run_.fresh) throw UsageError{"--shard goes neither with --scenario nor with --fresh", "run"};
+    const std::size_t slash = shard_.find('/');
+    const auto whole = [&](const std::string& digits) {
+      std::uint64_t value = 0;
+      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+      return error == std::errc{} && end == digits.data() + digits.size() ? value : 0;
+    };
+    const Shard shard = slash == std::string::npos
+                            ? Shard{0, 0}
+                            : Shard{whole(shard_.substr(0, slash)), whole(shard_.substr(slash + 1))};
+    if (shard.number < 1 || shard.number > shard.count) {
+      throw UsageError{joined({"--shard ", shard_, ": must be I/N, part I of N from 1/N to N/N"}), "run"};
+    }
+    run_.shard = shard;
   }
 
   [[nodiscard]] std::optional<std::uint64_t> scenario_id(const std::string& command) const {
@@ -265,7 +308,7 @@ class CommandLine {
       (is_set_word(word) ? sets : studies).push_back(word);
     }
     words_ = studies;
-    run_.study.study = one_word(name, "a study file (STUDY.toml)");
+    run_.study.study = study_file(one_word(name, "a study file (STUDY.toml)"));
     run_.study.sets = sets;
   }
 
@@ -317,7 +360,7 @@ class CommandLine {
   std::optional<long> threads_;
   std::optional<long long> scenario_;
   std::vector<long long> shown_;
-  std::string audio_, index_, measured_;
+  std::string audio_, index_, measured_, shard_;
   bool no_replay_ = false;
   std::optional<double> at_s_;
   RunArguments run_;

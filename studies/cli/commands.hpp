@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/kinds/shard_run.hpp"
 #include "studies/report/report_page.hpp"
 #include "studies/results/expected.hpp"
 
@@ -20,6 +21,7 @@ inline constexpr int kExitDone = 0;
 inline constexpr int kExitInternal = 1;
 inline constexpr int kExitInput = 2;
 inline constexpr int kExitDiverged = 3;
+inline constexpr int kExitMissing = 3;  ///< scenarios of parts that were not run
 
 struct StudyArguments {
   std::filesystem::path study;
@@ -38,6 +40,7 @@ struct RunArguments {
   std::optional<int> threads;
   std::optional<std::uint64_t> scenario;
   TraceRows trace_rows = TraceRows::chart;
+  std::optional<Shard> shard;  ///< only this part
   bool fresh = false;
   bool quiet = false;
   bool moving = true;                 ///< the page shows scenarios in motion
@@ -47,6 +50,16 @@ struct RunArguments {
 int run_command(const RunArguments& arguments);
 /// The command that continues, or with other words repeats, this run.
 std::string command_of(const RunArguments& arguments);
+/// `run --shard I/N`: a part of the study, into the run directory that all parts share.
+int run_shard_command(const RunArguments& arguments);
+struct MergeArguments {
+  std::vector<std::filesystem::path> directories;  ///< not empty; the first is where all come together
+  std::optional<int> threads;
+  bool quiet = false;
+  std::string program = "unbruised";
+};
+/// Brings the parts of a study together and ends it. Exit status 3 where scenarios are missing.
+int merge_command(const MergeArguments& arguments);
 /// `run --scenario ID`: that scenario alone with its trace, its file and its page.
 int run_one_command(const RunArguments& arguments);
 /// How a command answers: lines for people, or one JSON document (docs/json.md).

@@ -103,6 +103,10 @@ std::string command_of(const RunArguments& arguments) {
       joined({shell_word(arguments.program), " run ", shell_word(arguments.study.study.string())});
   if (arguments.output) command += joined({" --output ", shell_word(arguments.output->string())});
   if (arguments.threads) command += joined({" --threads ", std::to_string(*arguments.threads)});
+  if (arguments.shard) {
+    command += joined(
+        {" --shard ", std::to_string(arguments.shard->number), "/", std::to_string(arguments.shard->count)});
+  }
   for (const std::string& set : arguments.study.sets) command += joined({" --set ", shell_word(set)});
   return command;
 }

@@ -36,7 +36,7 @@ MaybeError make_directory(const fs::path& directory) {
 
 // Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
 bool is_own_extra(const std::string& name) {
-  return name == "lock" || name == "log.txt" || name == "config.toml.tmp" || name == "report.html" ||
+  return name == "lock" || name == "log.txt" || name.starts_with("config.toml.") || name == "report.html" ||
          name == "report.html.tmp" || name == "strategy.toml" || name == "strategy.toml.tmp" ||
          (name.starts_with("scenario_") && (name.ends_with(".h5") || name.ends_with(".html") ||
                                             name.ends_with(".html.tmp") || name.ends_with(".csv")));
@@ -94,12 +94,14 @@ MaybeError RunDirectory::prepare(const Request& request) {
   config_sha256_ = sha256_hex(config_toml_);
   build_ = request.build;
   if (auto error = make_directory(directory_)) return error;
-  if (auto error = take_lock(LockPurpose::run)) return error;
+  part_ = request.part;
+  if (auto error = take_lock(part_ ? LockPurpose::part : LockPurpose::run)) return error;
   if (request.fresh && holds_anything(directory_)) {
     if (auto error = move_aside()) return error;
   }
   std::error_code ignored;
-  return fs::exists(directory_ / "config.toml", ignored) ? continue_old() : begin_new();
+  if (fs::exists(directory_ / "config.toml", ignored)) return continue_old();
+  return part_ ? begin_part() : begin_new();
 }
 
 MaybeError RunDirectory::take_lock(LockPurpose purpose) {
@@ -139,6 +141,24 @@ MaybeError RunDirectory::begin_new() {
   if (auto error = write_text_file(directory_ / "config.toml", config_toml_)) return error;
   if (auto error = make_directory(directory_ / "journal")) return error;
   return sync_directory(directory_);
+}
+
+/// Others may begin at the same time: whoever comes last puts the same config over the others', or finds another
+/// one.
+MaybeError RunDirectory::begin_part() {
+  const std::string other = first_foreign_entry(directory_);
+  std::error_code error;
+  if (!other.empty() && !fs::exists(directory_ / "config.toml", error)) return begin_new();  // which says so
+  const fs::path own = directory_ / joined({"config.toml.", host_name(), "-", std::to_string(::getpid())});
+  if (auto failure = write_text_file(own, config_toml_)) return failure;
+  if (fs::exists(directory_ / "config.toml", error)) {
+    fs::remove(own, error);
+  } else if (fs::rename(own, directory_ / "config.toml", error); error) {
+    return system_error("create", directory_ / "config.toml", error.value());
+  }
+  if (auto failure = make_directory(directory_ / "journal")) return failure;
+  if (auto failure = sync_directory(directory_)) return failure;
+  return continue_old();
 }
 
 MaybeError RunDirectory::continue_old() {
@@ -204,6 +224,7 @@ MaybeError RunDirectory::recover_journals() {
     recover_journal(file, *scan);
   }
   recovered_count_ = rows_.size();
+  if (part_ && files.empty()) return {};
   notes_.push_back(joined({"continuing ", directory_.string(), ": ", std::to_string(rows_.size()),
                            " scenarios found in ", std::to_string(files.size()), " journal file(s)"}));
   return {};
@@ -215,7 +236,7 @@ void RunDirectory::recover_journal(const fs::path& path, const JournalScan& scan
     notes_.push_back(joined({path.string(), " is damaged: ", std::to_string(damage.bytes), " bytes at offset ",
                              std::to_string(damage.offset), "; what stood there is run again"}));
   }
-  if (scan.torn_tail_bytes > 0) {
+  if (scan.torn_tail_bytes > 0 && !part_) {  // another one may just be writing it
     notes_.push_back(joined({path.string(), " ends in ", std::to_string(scan.torn_tail_bytes),
                              " bytes of an unfinished record; that one is run again"}));
   }

@@ -33,6 +33,7 @@ class RunDirectory {
     std::string config_toml;  ///< resolved config; its SHA-256 decides "the same study"
     std::string build;        ///< version and numeric build, one line; another one does not continue a study
     bool fresh = false;       ///< move what is there aside to <name>.old-<n> and start anew
+    bool part = false;        ///< others may run other parts of the study in it meanwhile; goes without `fresh`
   };
 
   /// New when nothing is there, continued when the same config was interrupted. Errors: busy (names host
@@ -83,6 +84,7 @@ class RunDirectory {
   MaybeError take_lock(LockPurpose purpose);
   MaybeError move_aside();
   MaybeError begin_new();
+  MaybeError begin_part();
   MaybeError continue_old();
   /// Refuses another config; one that differs in its description alone is the same study, under its old text.
   MaybeError take_old_config();
@@ -99,6 +101,7 @@ class RunDirectory {
   std::string config_sha256_;
   std::string build_;
   std::string other_build_;  ///< of the journals, where it is not this one
+  bool part_ = false;        ///< others may be writing
   bool continued_ = false;
   std::vector<std::string> notes_;
   RunLock lock_;

@@ -66,7 +66,8 @@ Expected<RunLock> RunLock::take(const fs::path& directory, LockPurpose purpose) 
     RunLock lock;
     lock.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (lock.descriptor_ < 0) return system_error("create", path, errno);
-    const bool locked = ::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0;
+    const int kind = purpose == LockPurpose::part ? LOCK_SH : LOCK_EX;
+    const bool locked = ::flock(lock.descriptor_, kind | LOCK_NB) == 0;
     const int reason = locked ? 0 : errno;
     if (locked && !still_stands(lock.descriptor_, path)) continue;
     if (locked || reason != EWOULDBLOCK) {
@@ -76,7 +77,7 @@ Expected<RunLock> RunLock::take(const fs::path& directory, LockPurpose purpose) 
     }
     const auto written = read_text_file(path);
     const std::string text = written ? *written : std::string();
-    const bool compacting = text.ends_with(kCompactionLine) && purpose == LockPurpose::run;
+    const bool compacting = text.ends_with(kCompactionLine) && purpose != LockPurpose::compaction;
     if (look >= (compacting ? kLooksAtACompaction : kLooksAtARun)) {
       return ResultsError{ResultsErrorKind::busy,
                           joined({directory.string(), " is in use by another process (", holder_of(text), ")"}),

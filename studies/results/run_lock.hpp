@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// Who may write into a run directory: one process at a time, held by flock, so nothing stale is left by a kill.
+/// Who may write into a run directory, held by flock, so nothing stale is left by a kill: one process that runs
+/// its study, or several that run parts of it.
 
 #include <filesystem>
 #include <string>
@@ -13,6 +14,7 @@ namespace unbruised::studies {
 /// What a process holds a run directory for.
 enum class LockPurpose {
   run,         ///< to run its study: whoever comes later is refused
+  part,        ///< to run a part of it, beside others who do the same
   compaction,  ///< to write results.h5 from the journals: over in a moment, so a run waits for it
 };
 

@@ -1,0 +1,197 @@
+#include <iostream>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include "studies/cli/commands.hpp"
+#include "studies/cli/interrupt.hpp"
+#include "studies/estimate/memory_need.hpp"
+#include "studies/estimate/study_cost.hpp"
+#include "studies/execution/build_info.hpp"
+#include "studies/execution/counted_simulator.hpp"
+#include "studies/execution/lane_executor.hpp"
+#include "studies/execution/progress.hpp"
+#include "studies/kinds/kind_table.hpp"
+#include "studies/results/checksum.hpp"
+#include "studies/results/durable_files.hpp"
+#include "studies/results/journal.hpp"
+#include "studies/results/run_directory.hpp"
+#include "studies/results/run_layout.hpp"
+#include "studies/text/joined.hpp"
+#include "studies/text/number_text.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a kind whose scenarios ask for one another; nothing where it has parts.
+std::optional<std::string> has_no_parts(const Study& study) {
+  if (has_fixed_scenarios(study.kind())) return std::nullopt;
+  return joined({study.name(), ": a ", study_kind_word(study.kind()),
+                 " study asks for one scenario after the answer of another and has no parts; run it as a whole"});
+}
+
+std::string merge_line(const RunArguments& arguments, const RunDirectory& run) {
+  return joined({"  ", shell_word(arguments.program), " merge ", shell_word(run.directory().string()), "\n"});
+}
+
+std::string part_text(const Shard& shard) {
+  return joined({"part ", std::to_string(shard.number), " of ", std::to_string(shard.count)});
+}
+
+/// What one journal of another directory is to the study that is merged.
+struct Import {
+  std::size_t rows = 0;
+  std::string refusal;  ///< empty: it belongs to the study
+};
+
+Import look_at_journal(const fs::path& file, std::uint64_t config_prefix) {
+  Import import;
+  const auto scan = scan_journal(file, config_prefix);
+  if (!scan) return {0, scan.error().message};
+  for (const JournalRecord& record : scan->records) {
+    if (record.kind == RecordKind::session && record.payload != build_line()) {
+      import.refusal = joined({"was written by another build (", record.payload, ")"});
+    }
+    import.rows += record.kind == RecordKind::scenario ? 1 : 0;
+  }
+  if (import.rows == 0 && import.refusal.empty()) {
+    import.refusal = scan->other_config_records > 0 ? "belongs to another study" : "holds no whole record";
+  }
+  return import;
+}
+
+/// Copies a journal beside those of the merged directory, under its own name where that is free or the same file.
+MaybeError copy_journal(const fs::path& file, const fs::path& journals) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  fs::path to = journals / file.filename();
+  std::error_code error;
+  for (int number = 1; fs::exists(to, error); ++number) {
+    if (const auto there = read_text_file(to); there && *there == *text) return {};
+    to = journals / joined({file.stem().string(), "-", std::to_string(number), ".jrnl"});
+  }
+  return write_text_file(to, *text);
+}
+
+/// Brings the journals of another directory in. What cannot be believed is named and left out.
+MaybeError bring_in(const fs::path& from, const fs::path& into, const std::string& config) {
+  const auto other = read_text_file(from / "config.toml");
+  if (!other || *other != config) {
+    const std::vector<std::string> keys = other ? differing_keys(*other, config) : std::vector<std::string>{};
+    const std::string why = !other         ? "no run directory"
+                            : keys.empty() ? "another config"
+                                           : joined({"another study (", comma_list(keys), ")"});
+    print_note(joined({from.string(), " holds ", why, "; it is left out"}));
+    return {};
+  }
+  const std::uint64_t prefix = config_hash_prefix(sha256_hex(config));
+  for (const fs::path& file : journal_files(from)) {
+    const Import import = look_at_journal(file, prefix);
+    if (!import.refusal.empty()) {
+      print_note(joined({file.string(), " ", import.refusal, "; it is left out"}));
+      continue;
+    }
+    if (auto error = copy_journal(file, into / "journal")) return error;
+    print_note(joined({with_thousands(import.rows), " rows of ", file.string()}));
+  }
+  return {};
+}
+
+/// The command that runs just what is missing.
+std::string run_line(const MergeArguments& arguments) {
+  const fs::path& directory = arguments.directories.front();
+  return joined({"  ", shell_word(arguments.program), " run ", shell_word((directory / "config.toml").string()),
+                 " --output ", shell_word(directory.string()), "\n"});
+}
+
+/// The exit status where the study cannot be ended, else nothing.
+std::optional<int> say_what_is_missing(const MergeArguments& arguments, const Study& study) {
+  auto opened = RunDirectory::open(
+      {.directory = arguments.directories.front(), .config_toml = study.resolved_toml(), .build = build_line()});
+  if (!opened) return report_error(opened.error());
+  const std::vector<std::uint64_t> missing = missing_ids(study, **opened);
+  if (missing.empty()) return std::nullopt;
+  for (const std::string& note : (*opened)->notes()) print_note(note);
+  print_note(
+      joined({with_thousands(missing.size()), missing.size() == 1 ? " scenario is" : " scenarios are",
+              " missing (", id_ranges(missing),
+              "); run further parts and merge again, or end the study with what runs just the missing ones"}));
+  std::cerr << run_line(arguments);
+  return kExitMissing;
+}
+
+}  // namespace
+
+int run_shard_command(const RunArguments& arguments) {
+  const std::optional<Study> study = read_or_explain(arguments.study);
+  if (!study) return kExitInput;
+  if (const auto refusal = has_no_parts(*study)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
+  const int threads = thread_count_of(arguments.threads);
+  if (const auto refusal = too_much_memory(*study, threads)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
+  auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
+                                    .config_toml = study->resolved_toml(),
+                                    .build = build_line(),
+                                    .part = true});
+  if (!opened) return report_error(opened.error());
+  RunDirectory& run = **opened;
+  for (const std::string& note : run.notes()) print_note(note);
+  listen_for_interrupts();
+  Progress progress(progress_style(STDERR_FILENO, arguments.quiet ? Verbosity::quiet : Verbosity::usual),
+                    [](std::string_view text) { std::cerr << text; });
+  progress.plan(progress_plan(*study, study_cost(*study, threads)));
+  const CountedSimulator simulator(core_simulator(), progress);
+  const auto report = run_shard(*study, run, LaneExecutor(simulator, threads), *arguments.shard,
+                                &interrupt_requested(), &progress);
+  progress.close();
+  if (!report) return report_error(report.error());
+  print_line(
+      joined({study->name(), ": ", part_text(*arguments.shard), ", ", with_thousands(report->count),
+              " scenarios, ", with_thousands(report->run_now), " run now in ", duration_text(report->seconds)}));
+  if (report->interrupted) {
+    print_note(joined({"interrupted; what was run is safe in ", run.directory().string(), "; continue with"}));
+    std::cerr << joined({"  ", command_of(arguments), "\n"});
+    const int status = interrupt_exit_status();
+    return status == 0 ? kExitInternal : status;
+  }
+  print_note("when all parts are there, end the study with");
+  std::cerr << merge_line(arguments, run);
+  return kExitDone;
+}
+
+int merge_command(const MergeArguments& arguments) {
+  const fs::path& directory = arguments.directories.front();
+  const auto config = read_text_file(directory / "config.toml");
+  if (!config) return report_error(config.error());
+  const StudyArguments recorded{.study = directory / "config.toml", .sets = {}};
+  const std::optional<Study> study = read_or_explain(recorded);
+  if (!study) return kExitInput;
+  if (const auto refusal = has_no_parts(*study)) {
+    print_error(*refusal);
+    return kExitInput;
+  }
+  for (std::size_t i = 1; i < arguments.directories.size(); ++i) {
+    if (auto error = bring_in(arguments.directories[i], directory, *config)) return report_error(*error);
+  }
+  if (const auto status = say_what_is_missing(arguments, *study)) return *status;
+  RunArguments whole;
+  whole.study = recorded;
+  whole.output = directory;
+  whole.threads = arguments.threads;
+  whole.quiet = arguments.quiet;
+  whole.program = arguments.program;
+  return run_command(whole);
+}
+
+}  // namespace unbruised::studies

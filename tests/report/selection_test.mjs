@@ -169,7 +169,27 @@ test("what is worked out from all scenarios says so while something is selected"
   }
 });
 
-test("it selects on a phone too, with a finger along an axis", async () => {
+test("a finger along an axis selects a range of it on a phone", async () => {
+  const { page, close } = await open("kiwi_sample", { viewport: PHONE });
+  const chart = page.locator("#parallel .chart");
+  await chart.scrollIntoViewIfNeeded();
+  await page.evaluate(() => document.querySelector("#parallel .chart").scrollIntoView({ block: "start", behavior: "instant" }));
+  await page.evaluate(() => window.scrollBy(0, -150));
+  await settled(page);
+  const box = await chart.boundingBox();
+  const device = await page.context().newCDPSession(page);
+  await device.send("Emulation.setTouchEmulationEnabled", { enabled: true });
+  // The first axis lies 44 px below the top; values go to the right.
+  const at = (part) => [{ x: box.x + part * box.width, y: box.y + 44 }];
+  await device.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: at(0.3) });
+  for (const part of [0.4, 0.5, 0.6]) await device.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: at(part) });
+  await device.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await settled(page);
+  assert.match((await bar(page).locator(".condition span:first-child").allInnerTexts()).join(), /friction 0\.\d+ to 0\.\d+/);
+  await close();
+});
+
+test("it selects on a phone too, and the bar fits", async () => {
   const { page, close } = await open("kiwi_sample", { viewport: PHONE });
   await page.locator("#map .legend").getByRole("button", { name: "held" }).click();
   await settled(page);

@@ -46,8 +46,8 @@ const SECTIONS = [
   ["origin", "Inputs and origin", "What went in, and what it was computed with.", provenance, "Origin"],
 ];
 
-/** Tables take the whole width. */
-const WIDE = new Set(["replay", "scenarios", "tables"]);
+/** Tables, scenes and many axes take the whole width. */
+const WIDE = new Set(["replay", "parallel", "scenarios", "tables"]);
 
 function sectionOf(study, [id, title, lead, content]) {
   let body;

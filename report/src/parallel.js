@@ -13,8 +13,9 @@ const INPUTS_MOST = 6;
 const METRICS = ["friction_margin_min", "contact_yield_ratio_max", "permanent_set_max_m", "peak_finger_force_N", "cycle_time_s"];
 const LINES_MOST = 1500;
 const PALE_MOST = 600;
-/** Below this width axes lie on their sides, under each other. */
+/** Below this width, or nearer to each other than their titles allow, axes lie on their sides, under each other. */
 const NARROW_PX = 640;
+const APART_PX = 84;
 const ROW_PX = 78;
 const NEAR_AXIS_PX = 18;
 const SIDE_PX = 64;
@@ -30,13 +31,14 @@ function firstChoice({ scenarios }) {
 
 /** Where axes and values stand in a chart of this width. */
 function layoutOf(width, axes) {
-  const flat = width < NARROW_PX;
+  const apart = (width - 2 * SIDE_PX) / Math.max(1, axes.length - 1);
+  const flat = width < NARROW_PX || apart < APART_PX;
   const height = flat ? 16 + ROW_PX * axes.length : 400;
-  const [from, to] = flat ? [14, width - 14] : [height - 34, 62];
-  const across = flat ? (i) => 44 + ROW_PX * i : (i) => SIDE_PX + ((width - 2 * SIDE_PX) * i) / Math.max(1, axes.length - 1);
+  const [from, to] = flat ? [14, width - 14] : [height - 34, 78];
+  const across = flat ? (i) => 44 + ROW_PX * i : (i) => SIDE_PX + apart * i;
   const along = (part) => from + part * (to - from);
   return {
-    flat, height, across, along, room: flat ? width - 28 : (width - 2 * SIDE_PX) / Math.max(1, axes.length - 1),
+    flat, height, across, along, room: flat ? width - 28 : apart,
     point: (i, part) => (flat ? [along(part), across(i)] : [across(i), along(part)]),
     part: ([x, y]) => Math.min(1, Math.max(0, ((flat ? x : y) - from) / (to - from))),
     axis: ([x, y]) => {
@@ -86,7 +88,7 @@ function lineSeries(axes, layout, rows, style, silent) {
 
 function axisTitle(theme, axis, layout, i) {
   const text = `${label(axis.column.name)}${axis.unit ? ` (${axis.unit})` : ""}${axis.log ? ", log" : ""}`;
-  const style = { text, fill: theme.ink, font: `600 12px ${theme.font}`, width: Math.max(60, layout.room - 10), overflow: "break", lineHeight: 14, stroke: theme.paper, lineWidth: 4 };
+  const style = { text, fill: theme.ink, font: `600 12px ${theme.font}`, width: Math.max(60, layout.room - 2), overflow: "break", lineHeight: 14, stroke: theme.paper, lineWidth: 4 };
   if (layout.flat) return { type: "text", style: { ...style, x: 14, y: layout.across(i) - 30, align: "left", verticalAlign: "top" } };
   return { type: "text", style: { ...style, x: layout.across(i), y: layout.along(1) - 12, align: "center", verticalAlign: "bottom" } };
 }

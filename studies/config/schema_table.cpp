@@ -28,41 +28,15 @@ const std::vector<KeySpec>& key_table() {
   static const std::vector<KeySpec> table = [] {
     using namespace key_rows;
     std::vector<KeySpec> all;
-    for (const Table& part : {study_keys(),
-                              goal_keys(),
-                              algorithm_keys(),
-                              sampling_keys(),
-                              compare_keys(),
-                              sensitivity_keys(),
-                              shape_keys(),
-                              material_keys(),
-                              particle_keys(),
-                              spring_and_load_keys(),
-                              finger_and_pad_keys(),
-                              drive_keys(),
-                              holding_keys(),
-                              data_sheet_keys(),
-                              pad_keys(),
-                              range_keys(),
-                              finger_list_keys(),
-                              support_keys(),
-                              path_keys(),
-                              conveyor_keys(),
-                              surface_keys(),
-                              sensor_keys(),
-                              grip_keys(),
-                              guard_keys(),
-                              pick_keys(),
-                              motion_keys(),
-                              waypoint_keys(),
-                              limit_keys(),
-                              simulation_keys(),
-                              vary_keys(),
-                              variable_keys(),
-                              random_keys(),
-                              random_bound_keys(),
-                              correlation_keys(),
-                              candidate_keys()}) {
+    for (const Table& part :
+         {study_keys(),          goal_keys(),        algorithm_keys(), sampling_keys(),   compare_keys(),
+          sensitivity_keys(),    shape_keys(),       material_keys(),  particle_keys(),   spring_and_load_keys(),
+          finger_and_pad_keys(), drive_keys(),       holding_keys(),   data_sheet_keys(), pad_keys(),
+          range_keys(),          finger_list_keys(), support_keys(),   path_keys(),       conveyor_keys(),
+          surface_keys(),        sensor_keys(),      grip_keys(),      guard_keys(),      pick_keys(),
+          motion_keys(),         waypoint_keys(),    limit_keys(),     simulation_keys(), vary_keys(),
+          calibrate_keys(),      parameter_keys(),   specimen_keys(),  variable_keys(),   random_keys(),
+          random_bound_keys(),   correlation_keys(), candidate_keys()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     for (KeySpec& spec : all) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/kinds/calibrate_kind.hpp"
 #include "studies/kinds/search_study.hpp"
 #include "studies/kinds/window_findings.hpp"
 #include "studies/kinds/window_search.hpp"
@@ -80,6 +81,12 @@ double questions_each(const Study& study, const std::vector<std::size_t>& group_
   return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(group_of.size());
 }
 
+// -- Questions of fits. ------------------------------------------------------------------------------------------
+
+double curves_each(const Study& study, const std::vector<std::size_t>& /*group_of*/) {
+  return static_cast<double>(curves_at_most(study));
+}
+
 }  // namespace
 
 const ScenarioFamily kFixedScenarios = {.count = ScenarioCount::exact,
@@ -99,5 +106,11 @@ const ScenarioFamily kAskedQuestions = {.count = ScenarioCount::at_most,
                                         .scenario_of_row = scenario_of_question,
                                         .known = probes,
                                         .evaluations_each = questions_each};
+
+const ScenarioFamily kAskedCurves = {.count = ScenarioCount::at_most,
+                                     .columns = fitted_columns,
+                                     .scenario_of_row = scenario_of_fit,
+                                     .known = first_of_fits,
+                                     .evaluations_each = curves_each};
 
 }  // namespace unbruised::studies

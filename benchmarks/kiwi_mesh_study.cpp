@@ -138,7 +138,7 @@ std::vector<Grip> run_grips(const std::shared_ptr<const Model>& model, Scenario 
         low_N * std::pow(high_N / low_N, static_cast<double>(i) / static_cast<double>(lanes - 1));
     grips[i].set_force_N = scenario.strategy.grip_force_N;
     simulation.load(static_cast<int>(i), scenario);
-    if (with_trace) simulation.record_trace(static_cast<int>(i), traces[i]);
+    if (with_trace) simulation.record(static_cast<int>(i), &traces[i]);
   }
   while (simulation.busy_count() > 0) {
     simulation.step();

@@ -22,6 +22,7 @@ function notices() {
     part("d3, parts of which are in ECharts: BSD 3-Clause", "echarts/licenses/LICENSE-d3"),
     part("zrender: BSD 3-Clause", "zrender/LICENSE"),
     part("tslib: 0BSD", "tslib/LICENSE.txt"),
+    part("three.js: MIT", "three/LICENSE"),
   ].join("\n\n");
 }
 

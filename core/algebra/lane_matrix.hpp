@@ -14,8 +14,9 @@ namespace unbruised {
 /// y = A x.
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y);
 
-/// y1 = A x1 and y2 = A x2, reading A once.
-void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y1, LaneArray& y2);
+/// y1 = A x1 and y2 = A x2, reading A once. @param lanes that are asked for; what the others become is not said
+void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y1, LaneArray& y2,
+                  const Mask& lanes = Mask(true));
 
 /// sum += sum_j block_j x_j over the 3x3 blocks `row + 9 j` of one row and rows 3 j.. of x, for the listed j.
 void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, std::array<Lane, 3>& sum);

@@ -4,20 +4,31 @@
 /// The triangular solves of a supernode for all lanes at once, over any pack type `P` (one value per lane).
 /// Forward: x_c = L_cc^-1 x_c, x_r -= L_rc x_c. Backward: x_c = L_cc^-T (x_c - L_rc' x_r).
 /// `P` needs: P::load(const double*), store(double*), P = double broadcast, -, *, and `x -= a * b`.
+///
+/// A row of x is `Lanes` wide, one or several packs. Where it is several, each panel of L is gone through once for
+/// each of them while it is in the first cache: the accumulators of a panel of six rows are to stay in registers.
+/// No lane's arithmetic depends on that.
 
 #include <algorithm>
 #include <cstddef>
 
+#include "core/algebra/lane_packs.hpp"
 #include "core/algebra/supernodes.hpp"
 
 namespace unbruised::kernels {
 
-template <class P, int Height>
+/// The row of x with this number.
+template <int Lanes, class Double>
+Double* row_of(Double* x, int row) {
+  return x + static_cast<std::size_t>(row) * Lanes;
+}
+
+template <class P, int Lanes, int Height>
 struct ForwardPanel {
   /// acc[r] -= sum_k L[r, k] x[k] for one panel, k in [0, columns).
   static void update(const double* L, const double* x, int columns, P (&acc)[Height]) {
     for (int k = 0; k < columns; ++k) {
-      const P xk = P::load(x + static_cast<std::size_t>(k) * P::size);
+      const P xk = P::load(row_of<Lanes>(x, k));
       for (int r = 0; r < Height; ++r) acc[r] -= P(L[r]) * xk;
       L += Height;
     }
@@ -25,21 +36,23 @@ struct ForwardPanel {
   /// Diagonal panel: columns before it, then its own triangle (reciprocals on the diagonal).
   static void diagonal(const double* L, double* x, int first) {
     P acc[Height];
-    double* own = x + static_cast<std::size_t>(first) * P::size;
-    for (int r = 0; r < Height; ++r) acc[r] = P::load(own + static_cast<std::size_t>(r) * P::size);
+    double* own = row_of<Lanes>(x, first);
+    for (int r = 0; r < Height; ++r) acc[r] = P::load(row_of<Lanes>(own, r));
     update(L, x, first, acc);
     const double* T = L + static_cast<std::size_t>(first) * Height;
+#pragma GCC unroll 6  // so that they stay in registers here too
     for (int k = 0; k < Height; ++k) {
       acc[k] = acc[k] * P(T[k * Height + k]);
+#pragma GCC unroll 6
       for (int r = k + 1; r < Height; ++r) acc[r] -= P(T[k * Height + r]) * acc[k];
-      acc[k].store(own + static_cast<std::size_t>(k) * P::size);
+      acc[k].store(row_of<Lanes>(own, k));
     }
   }
   static void below(const double* L, const double* x_columns, int columns, const int* rows, double* x) {
     P acc[Height];
-    for (int r = 0; r < Height; ++r) acc[r] = P::load(x + static_cast<std::size_t>(rows[r]) * P::size);
+    for (int r = 0; r < Height; ++r) acc[r] = P::load(row_of<Lanes>(x, rows[r]));
     update(L, x_columns, columns, acc);
-    for (int r = 0; r < Height; ++r) acc[r].store(x + static_cast<std::size_t>(rows[r]) * P::size);
+    for (int r = 0; r < Height; ++r) acc[r].store(row_of<Lanes>(x, rows[r]));
   }
 };
 
@@ -69,20 +82,27 @@ inline void with_height(int height, F&& f) {
   }
 }
 
-template <class P>
-void forward_supernode(const SupernodalFactor& F, const Supernode& s, double* x) {
-  double* columns = x + static_cast<std::size_t>(s.first_column) * P::size;
+template <class P, int Lanes = P::size>
+void forward_supernode(const SupernodalFactor& F, const Supernode& s, double* x,
+                       const Packs<P, Lanes>& packs = {}) {
+  double* columns = row_of<Lanes>(x, s.first_column);
   const double* L = F.value.data() + s.value_offset;
   for (int first = 0; first < s.column_count; first += kPanelRows) {
     const int height = std::min(kPanelRows, s.column_count - first);
-    with_height(height, [&]<int H>() { ForwardPanel<P, H>::diagonal(L, columns, first); });
+    with_height(height, [&]<int H>() {
+      packs.each([&](int lane) { ForwardPanel<P, Lanes, H>::diagonal(L, columns + lane, first); });
+    });
     L += static_cast<std::size_t>(height) * (first + height);
   }
   L = F.value.data() + s.below_offset;
   const int* rows = F.row.data() + s.row_offset;
   for (int first = 0; first < s.row_count; first += kPanelRows) {
     const int height = std::min(kPanelRows, s.row_count - first);
-    with_height(height, [&]<int H>() { ForwardPanel<P, H>::below(L, columns, s.column_count, rows + first, x); });
+    with_height(height, [&]<int H>() {
+      packs.each([&](int lane) {
+        ForwardPanel<P, Lanes, H>::below(L, columns + lane, s.column_count, rows + first, x + lane);
+      });
+    });
     L += static_cast<std::size_t>(height) * s.column_count;
   }
 }
@@ -99,26 +119,40 @@ struct BackwardColumns {
   }
 };
 
-/// One block of `Width` columns starting at `first` of supernode `s`.
-template <class P, int Width>
+/// Asks for `bytes` from an address on: panels of a column block lie far apart, so that no machine foresees them.
+inline void fetch_ahead(const double* from, std::size_t bytes) {
+  constexpr std::size_t kCacheLine = 64;
+  for (std::size_t at = 0; at < bytes; at += kCacheLine)
+    __builtin_prefetch(reinterpret_cast<const char*>(from) + at);
+}
+
+/// One pack of lanes of a block of `Width` columns starting at `first` of supernode `s`. @param x row 0 of the
+/// pack
+template <class P, int Lanes, int Width>
 void backward_columns(const SupernodalFactor& F, const Supernode& s, int first, double* x) {
-  double* columns = x + static_cast<std::size_t>(s.first_column) * P::size;
+  double* columns = row_of<Lanes>(x, s.first_column);
   P acc[Width];
-  for (int c = 0; c < Width; ++c) acc[c] = P::load(columns + static_cast<std::size_t>(first + c) * P::size);
+  for (int c = 0; c < Width; ++c) acc[c] = P::load(row_of<Lanes>(columns, first + c));
   const int* rows = F.row.data() + s.row_offset;
   const double* below = F.value.data() + s.below_offset;
   int r = 0;
   for (; r + kPanelRows <= s.row_count; r += kPanelRows) {
+    const std::size_t panel = static_cast<std::size_t>(kPanelRows) * s.column_count;
     const double* L =
-        below + static_cast<std::size_t>(r) * s.column_count + static_cast<std::size_t>(first) * kPanelRows;
+        below + (static_cast<std::size_t>(r) / kPanelRows) * panel + static_cast<std::size_t>(first) * kPanelRows;
+    if (r + 3 * kPanelRows <= s.row_count) {
+      fetch_ahead(L + 2 * panel, sizeof(double) * Width * kPanelRows);
+      for (int i = 0; i < kPanelRows; ++i)
+        fetch_ahead(row_of<Lanes>(x, rows[r + 2 * kPanelRows + i]), sizeof(double) * P::size);
+    }
     BackwardColumns<P, Width>::template panel<kPanelRows>(
-        L, [&](int i) { return x + static_cast<std::size_t>(rows[r + i]) * P::size; }, acc);
+        L, [&](int i) { return row_of<Lanes>(x, rows[r + i]); }, acc);
   }
   if (r < s.row_count) {
     with_height(s.row_count - r, [&]<int H>() {
       const double* L = below + static_cast<std::size_t>(r) * s.column_count + static_cast<std::size_t>(first) * H;
       BackwardColumns<P, Width>::template panel<H>(
-          L, [&](int i) { return x + static_cast<std::size_t>(rows[r + i]) * P::size; }, acc);
+          L, [&](int i) { return row_of<Lanes>(x, rows[r + i]); }, acc);
     });
   }
   const double* diagonal = F.value.data() + s.value_offset;
@@ -126,23 +160,29 @@ void backward_columns(const SupernodalFactor& F, const Supernode& s, int first, 
     with_height(std::min(kPanelRows, s.column_count - p), [&]<int H>() {
       const double* L = diagonal + diagonal_panel_offset(p) + static_cast<std::size_t>(first) * H;
       BackwardColumns<P, Width>::template panel<H>(
-          L, [&](int i) { return columns + static_cast<std::size_t>(p + i) * P::size; }, acc);
+          L, [&](int i) { return row_of<Lanes>(columns, p + i); }, acc);
     });
   }
   const double* T = diagonal + diagonal_panel_offset(first) + static_cast<std::size_t>(first) * Width;
+#pragma GCC unroll 6
   for (int k = Width - 1; k >= 0; --k) {
     acc[k] = acc[k] * P(T[k * Width + k]);
+#pragma GCC unroll 6
     for (int c = 0; c < k; ++c) acc[c] -= P(T[c * Width + k]) * acc[k];
-    acc[k].store(columns + static_cast<std::size_t>(first + k) * P::size);
+    acc[k].store(row_of<Lanes>(columns, first + k));
   }
 }
 
-template <class P>
-void backward_supernode(const SupernodalFactor& F, const Supernode& s, double* x) {
+template <class P, int Lanes = P::size>
+void backward_supernode(const SupernodalFactor& F, const Supernode& s, double* x,
+                        const Packs<P, Lanes>& packs = {}) {
+  const auto block = [&]<int W>(int first) {
+    packs.each([&](int lane) { backward_columns<P, Lanes, W>(F, s, first, x + lane); });
+  };
   const int tail = s.column_count % kPanelRows;
   int first = s.column_count - tail;
-  if (tail > 0) with_height(tail, [&]<int W>() { backward_columns<P, W>(F, s, first, x); });
-  for (first -= kPanelRows; first >= 0; first -= kPanelRows) backward_columns<P, kPanelRows>(F, s, first, x);
+  if (tail > 0) with_height(tail, [&]<int W>() { block.template operator()<W>(first); });
+  for (first -= kPanelRows; first >= 0; first -= kPanelRows) block.template operator()<kPanelRows>(first);
 }
 
 }  // namespace unbruised::kernels

@@ -44,23 +44,29 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_a_[i].set(lane, sum_a);
   }
   if (frame_) frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
-  fresh_.set(lane, true);
+  last_step_s_.set(lane, 0.0);
   damping_power_.set(lane, 0.0);
   damped_.set(lane, 0.0);
 }
 
-void BodyLanes::begin_step(const Mask& running) {
+void BodyLanes::archive(LaneArchive& lane) {
+  lane(u_, v_, a_, gravity_, mass_u_, mass_a_, turn_, last_step_s_, damping_power_, damped_);
+  if (frame_) frame_->archive(lane);
+}
+
+void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
+  running_ = running;
   if (frame_) {
     frame_->predict(motion(), viscous_, rate_, running);
     const LaneVector gravity = frame_->to_frame({gravity_});
     put_right_hand_side(
-        rate_, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
+        rate_, remembered, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
   } else {
     for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
       viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
     }
     put_right_hand_side(
-        v_, [&](std::size_t) { return LaneVector{gravity_}; }, running);
+        v_, remembered, [&](std::size_t) { return LaneVector{gravity_}; }, running);
   }
   for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
     if (body_.slot[i] < 0) continue;
@@ -71,11 +77,17 @@ void BodyLanes::begin_step(const Mask& running) {
 
 template <class Acceleration>
 [[gnu::always_inline]] inline void BodyLanes::put_right_hand_side(const LaneArray& rate,
+                                                                  const LaneArray* remembered,
                                                                   const Acceleration& outer_m_s2,
                                                                   const Mask& running) {
   const bool proportional = body_.C.value.empty();
-  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_);
   const Lane factor(proportional ? body_.relaxation_time_s : 1.0);
+  // What is remembered is multiplied by K together with what is damped.
+  const Lane of_both(remembered != nullptr ? Lane(1.0) : factor);
+  for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
+    viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
+  }
+  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   Lane power(0.0);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     const Lane mass(body_.mass_kg[p]);
@@ -86,13 +98,12 @@ template <class Acceleration>
       if (slot < 0) continue;
       power += factor * rate.get(i) * c_v_.get(i);
       rhs_.put(static_cast<std::size_t>(slot),
-               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + factor * c_viscous_.get(i));
+               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + of_both * c_viscous_.get(i));
     }
   }
   // v'Cv by the trapezoid rule over time.
-  damped_ = select(fresh_, Lane(-0.5 * w_.dt) * power, damped_);
-  fresh_ = Mask(false);
-  damped_ += select(running, Lane(w_.dt) * power, Lane(0.0));
+  damped_ += select(running, Lane(0.5) * (last_step_s_ + Lane(w_.dt)) * power, Lane(0.0));
+  last_step_s_ = Lane(w_.dt);
   damping_power_ = power;
 }
 
@@ -114,7 +125,7 @@ void BodyLanes::start_solve(const LaneArray* load, LaneVector* moment) {
     x_.put(at, load != nullptr ? rhs_.get(at) + load->get(i) : rhs_.get(at));
   }
   if (moment != nullptr) *moment = moment_of_load();
-  solve_forward(body_.factor, x_.data());
+  solve_forward(body_.factor, x_.data(), running_);
 }
 
 /// Of x_ before it has gone through the factor.
@@ -137,7 +148,7 @@ void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<cons
     std::copy_n(x_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes,
                 x_reach_.row(static_cast<std::size_t>(node.first_column)));
   }
-  solve_backward(body_.factor, reach, x_reach_.data());
+  solve_backward(body_.factor, reach, x_reach_.data(), running_);
   for (std::size_t i = 0; i < 3 * particles.size(); ++i) {
     const int slot = body_.slot[3 * static_cast<std::size_t>(particles[i / 3]) + i % 3];
     base.put(i, slot >= 0 ? x_reach_.get(static_cast<std::size_t>(slot)) : Lane(0.0));
@@ -158,7 +169,7 @@ void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> par
       if (slot >= 0) x_reach_.put(static_cast<std::size_t>(slot), force.get(3 * i + axis));
     }
   }
-  solve_forward(body_.factor, reach, x_reach_.data());
+  solve_forward(body_.factor, reach, x_reach_.data(), running_);
   for (int s : reach) {
     const Supernode& node = body_.factor.supernode[s];
     const auto first = static_cast<std::size_t>(node.first_column);
@@ -169,7 +180,7 @@ void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> par
 }
 
 void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
-  solve_backward(body_.factor, x_.data());
+  solve_backward(body_.factor, x_.data(), running_);
   for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
     const int slot = body_.slot[i];
     if (slot >= 0) u_theta_.put(i, select(lanes, x_.get(static_cast<std::size_t>(slot)), u_theta_.get(i)));
@@ -312,6 +323,8 @@ double BodyLanes::kinetic_energy_J(int lane) const {
   return energy;
 }
 
-double BodyLanes::damped_J(int lane) const { return damped_[lane] + 0.5 * w_.dt * damping_power_[lane]; }
+double BodyLanes::damped_J(int lane) const {
+  return damped_[lane] + 0.5 * last_step_s_[lane] * damping_power_[lane];
+}
 
 }  // namespace unbruised

@@ -13,6 +13,7 @@
 #include "core/body/body_state.hpp"
 #include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -24,9 +25,13 @@ class BodyLanes {
   BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright);
 
   void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
 
   /// The right-hand side without contact and plastic load, and the damping's power at the start of the step.
-  void begin_step(const Mask& running);
+  /// @param remembered where not null, a displacement whose stiffness is a force of the body at t + theta dt,
+  /// [3n], in the axes at the start of the step; of lattices
+  void begin_step(const Mask& running, const LaneArray* remembered = nullptr);
   /// What accelerates every particle from the coming step on, in place of gravity; of a body that is held.
   void set_gravity(const std::array<Lane, 3>& acceleration_m_s2) { gravity_ = acceleration_m_s2; }
   /// sum shape' (right-hand side), [3n], after `begin_step`.
@@ -63,6 +68,10 @@ class BodyLanes {
   [[nodiscard]] const LaneArray& v() const { return v_; }
   [[nodiscard]] const LaneArray& a() const { return a_; }
   [[nodiscard]] const LaneArray& u_theta() const { return u_theta_; }
+  /// Velocity with which the body deforms at the start of a step, after `begin_step`, and K times it where K also
+  /// damps.
+  [[nodiscard]] const LaneArray& rate() const { return frame_ ? rate_ : v_; }
+  [[nodiscard]] const LaneArray& stiffness_rate() const { return c_v_; }
   [[nodiscard]] const std::array<Lane, 3>& gravity() const { return gravity_; }
   /// sum m u and sum m a.
   [[nodiscard]] const std::array<Lane, 3>& mass_u() const { return mass_u_; }
@@ -84,7 +93,8 @@ class BodyLanes {
   /// Begins the right-hand side. @param rate velocity that is damped
   /// @param outer_m_s2 gives a particle's acceleration by what acts on all of them
   template <class Acceleration>
-  void put_right_hand_side(const LaneArray& rate, const Acceleration& outer_m_s2, const Mask& running);
+  void put_right_hand_side(const LaneArray& rate, const LaneArray* remembered, const Acceleration& outer_m_s2,
+                           const Mask& running);
   [[nodiscard]] LaneVector moment_of_load() const;
   void advance_upright(const Mask& running);
   void take_sums_of_frame();
@@ -100,7 +110,8 @@ class BodyLanes {
   std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> turn_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m r x u
-  Mask fresh_{false};                                          ///< loaded and not stepped yet
+  Mask running_{true};                                         ///< in the present step
+  Lane last_step_s_{0.0};                                      ///< 0: not stepped yet
   Lane damping_power_{0.0}, damped_{0.0};
 };
 

@@ -19,18 +19,21 @@ double relaxation_time(const LatticeParameters& parameters) {
   return 0.0;
 }
 
-void add_product(const LatticeParameters& parameters, MassSpread spread, BodyModel& body) {
+void add_product(const LatticeParameters& parameters, MassSpread spread, const WilsonTheta& wilson,
+                 BodyModel& body) {
   body.is_solid = true;
   body.lattice = build_lattice(parameters);
-  body.cell = cell_stiffness(parameters.youngs_modulus_Pa, parameters.poisson_ratio, body.lattice->cell_extent_m);
+  body.cell =
+      cell_stiffness(instantaneous_modulus_Pa(parameters), parameters.poisson_ratio, body.lattice->cell_extent_m);
   body.K = assemble_stiffness(*body.lattice, *body.cell);
   body.relaxation_time_s = relaxation_time(parameters);
+  body.relaxation = relaxation_step(relaxation_branches(parameters), wilson);
   body.position_m = body.lattice->position_m;
   body.mass_kg = spread == MassSpread::cells ? body.lattice->mass_kg : true_masses(parameters, *body.lattice);
   body.fixed.assign(body.position_m.size(), {false, false, false});
 }
 
-void add_product(const NetworkParameters& parameters, MassSpread, BodyModel& body) {
+void add_product(const NetworkParameters& parameters, MassSpread, const WilsonTheta&, BodyModel& body) {
   NetworkSystem system = build_network(parameters);
   body.K = std::move(system.K);
   body.C = std::move(system.C);
@@ -105,6 +108,26 @@ double static_shift(const BodyModel& body) {
   return omega > 0.0 ? 1e-9 * omega * omega : 1.0;  // springs between walls only: no elastic mode to stay below
 }
 
+BlockMatrix times(double factor, BlockMatrix matrix) {
+  for (double& value : matrix.value) value *= factor;
+  return matrix;
+}
+
+/// K at t + theta dt over what is remembered, which is a load.
+BlockMatrix stiffness_theta(const BodyModel& body, const WilsonTheta& w) {
+  if (!can_relax(body.springs)) return times(body.relaxation.stiffness_theta, body.K);
+  return spring_matrix(body.particle_count, body.springs, [&w](const SpringGeometry& spring) {
+    return relaxation_step(spring.branch, w).stiffness_theta;
+  });
+}
+
+/// K once nothing fades any more.
+BlockMatrix stiffness_at_rest(const BodyModel& body) {
+  if (!can_relax(body.springs)) return times(body.relaxation.rest_share(), body.K);
+  return spring_matrix(body.particle_count, body.springs,
+                       [](const SpringGeometry& spring) { return spring.rest_share; });
+}
+
 /// K + a0 M + a1 C, factored and packed.
 bool factor_effective_stiffness(const WilsonTheta& w, BodyModel& body, std::vector<int>& freedom,
                                 std::string& error) {
@@ -113,7 +136,7 @@ bool factor_effective_stiffness(const WilsonTheta& w, BodyModel& body, std::vect
     error = "the product has no freedom that can move";
     return false;
   }
-  BlockMatrix effective = body.K;
+  BlockMatrix effective = stiffness_theta(body, w);
   for (std::size_t p = 0; p < effective.value.size(); ++p) {
     const double damping = body.C.value.empty() ? body.relaxation_time_s * body.K.value[p] : body.C.value[p];
     effective.value[p] += w.a1 * damping;
@@ -153,8 +176,9 @@ std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std
   add_inertia(body);
   std::vector<int> freedom;
   if (!factor_effective_stiffness(wilson, body, freedom, error)) return std::nullopt;
-  if (body.is_solid || can_yield(body.springs)) {
-    body.statics = StaticSolver::build(body.K, body.mass_kg, freedom, static_shift(body), error);
+  const bool rests = body.is_solid || can_yield(body.springs) || can_relax(body.springs);
+  if (rests && !body.statics) {
+    body.statics = StaticSolver::build(stiffness_at_rest(body), body.mass_kg, freedom, static_shift(body), error);
     if (!body.statics) return std::nullopt;
   }
   return body;
@@ -163,16 +187,18 @@ std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std
 }  // namespace
 
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error, MassSpread spread) {
+                                    std::string& error, MassSpread spread,
+                                    std::shared_ptr<const StaticSolver> statics) {
   BodyModel body;
-  std::visit([&](const auto& kind) { add_product(kind, spread, body); }, product);
+  body.statics = std::move(statics);
+  std::visit([&](const auto& kind) { add_product(kind, spread, wilson, body); }, product);
   return complete(std::move(body), wilson, error);
 }
 
 std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,
                                          std::string& error) {
   BodyModel body;
-  add_product(parameters, MassSpread::cells, body);
+  add_product(parameters, MassSpread::cells, wilson, body);
   for (const SurfacePoint& point : body.lattice->side[0]) {
     body.fixed[static_cast<std::size_t>(point.node)] = {true, true, true};
   }

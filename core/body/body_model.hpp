@@ -14,6 +14,7 @@
 #include "core/body/lattice.hpp"
 #include "core/body/lattice_stiffness.hpp"
 #include "core/body/network.hpp"
+#include "core/body/relaxation_step.hpp"
 #include "core/body/static_solver.hpp"
 #include "core/body/true_masses.hpp"
 #include "core/integration/wilson_theta.hpp"
@@ -34,18 +35,20 @@ struct BodyModel {
   /// Inverse of the inertia tensor about the centre of mass (pseudo-inverse), row-major.
   std::array<double, 9> inverse_inertia{};
 
-  BlockMatrix K;
+  BlockMatrix K;                   ///< instantaneous
   BlockMatrix C;                   ///< empty for lattices: C = relaxation_time_s K
   double relaxation_time_s = 0.0;  ///< lattices
+  RelaxationStep relaxation;       ///< lattices; springs have their own
   std::optional<Lattice> lattice;
   std::optional<CellStiffness> cell;
   std::vector<SpringGeometry> springs;  ///< networks
   std::vector<double> rest_force_N;     ///< networks, [3n]
 
-  SupernodalFactor factor;                ///< of K + a0 M + a1 C
-  std::vector<int> slot;                  ///< freedom (3 per particle) -> elimination position, -1: fixed
-  std::unique_ptr<StaticSolver> statics;  ///< solids, and networks that can yield
-  double max_frequency_Hz = 0;            ///< Gershgorin bound on the fastest mode
+  SupernodalFactor factor;  ///< of K at t + theta dt + a0 M + a1 C
+  std::vector<int> slot;    ///< freedom (3 per particle) -> elimination position, -1: fixed
+  /// Of K as it rests; solids, and networks that can yield or flow.
+  std::shared_ptr<const StaticSolver> statics;
+  double max_frequency_Hz = 0;  ///< Gershgorin bound on the fastest mode
 
   /// Is any freedom held?
   [[nodiscard]] bool is_anchored() const;
@@ -59,9 +62,11 @@ struct BodyModel {
 };
 
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
+/// @param statics of the same product, which do not depend on the step; null: they are made
 /// @throws std::invalid_argument for products that break a rule
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
-                                    std::string& error, MassSpread spread = MassSpread::cells);
+                                    std::string& error, MassSpread spread = MassSpread::cells,
+                                    std::shared_ptr<const StaticSolver> statics = nullptr);
 
 /// A lattice whose particles on its side -x are held.
 std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,

@@ -36,6 +36,14 @@ void MountLanes::load(int lane, const std::optional<Mount>& mount, const Six& ca
   for (Lane* sum : {&work_, &positive_work_, &dissipated_}) sum->set(lane, 0.0);
 }
 
+void MountLanes::archive(LaneArchive& lane) {
+  for (LaneSix* value :
+       {&start_, &twist_, &velocity_, &acceleration_, &own_, &own_theta_, &own_next_, &contact_}) {
+    lane.members(*value);
+  }
+  lane(work_, positive_work_, dissipated_);
+}
+
 void MountLanes::set_own_wrench(int lane, const Six& at_theta, const Six& at_end) {
   set_lane(own_theta_, lane, at_theta);
   set_lane(own_next_, lane, at_end);

@@ -9,6 +9,7 @@
 
 #include "core/body/mount.hpp"
 #include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/lanes/lane_vector.hpp"
 
 namespace unbruised {
@@ -73,6 +74,8 @@ class MountLanes {
   /// @param carried_wrench on it by what stands on it @param own_wrench its own weight
   void load(int lane, const std::optional<Mount>& mount, const Six& carried_wrench, const Six& own_wrench,
             const WilsonTheta& wilson);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane);
   /// Is there a mount in any lane?
   [[nodiscard]] bool any() const { return count_ > 0; }
   [[nodiscard]] bool has(int lane) const { return mounted_[static_cast<std::size_t>(lane)]; }

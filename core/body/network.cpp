@@ -29,28 +29,25 @@ SpringGeometry spring_geometry(const NetworkParameters& parameters, std::size_t 
   geometry.a = a;
   geometry.b = b;
   geometry.direction = {d[0] / distance, d[1] / distance, d[2] / distance};
-  geometry.stiffness = spring.stiffness_N_m;
+  geometry.stiffness = instantaneous_stiffness_N_m(spring);
   geometry.rest_length = spring.rest_length_m.value_or(distance);
   geometry.initial_elongation = distance - geometry.rest_length;
   geometry.yield_force = spring.yield_force_N.value_or(geometry.yield_force);
   geometry.hardening_ratio = spring.hardening_ratio;
+  geometry.branch = relaxation_branches(spring);
   return geometry;
 }
 
-/// The four blocks +-c n n^T of one spring or damper.
-void add_axial(BlockMatrixBuilder& builder, const SpringGeometry& spring, double coefficient) {
-  std::array<double, 9> plus{};
-  std::array<double, 9> minus{};
-  for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t s = 0; s < 3; ++s) {
-      plus[3 * r + s] = coefficient * (spring.direction[r] * spring.direction[s]);
-      minus[3 * r + s] = -plus[3 * r + s];
+/// Springs that flow give way to all that do not.
+void share_rest(std::vector<SpringGeometry>& springs) {
+  constexpr double kFlowing = 1e-6;
+  const bool all_flow = std::ranges::all_of(
+      springs, [](const SpringGeometry& spring) { return spring.flows() || spring.stiffness == 0.0; });
+  for (SpringGeometry& spring : springs) {
+    if (!spring.branch.empty()) {
+      spring.rest_share = spring.flows() ? (all_flow ? 1.0 : kFlowing) : long_term_share(spring.branch);
     }
   }
-  builder.add(spring.a, spring.a, plus);
-  builder.add(spring.b, spring.b, plus);
-  builder.add(spring.a, spring.b, minus);
-  builder.add(spring.b, spring.a, minus);
 }
 
 /// Tension k (distance - rest length) of the undisplaced spring, as load on its ends.
@@ -79,9 +76,29 @@ std::array<double, 3> load_at(const NetworkLoad& load, double t, JumpSide side) 
 
 }  // namespace
 
+void add_axial(BlockMatrixBuilder& builder, const SpringGeometry& spring, double coefficient) {
+  std::array<double, 9> plus{};
+  std::array<double, 9> minus{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t s = 0; s < 3; ++s) {
+      plus[3 * r + s] = coefficient * (spring.direction[r] * spring.direction[s]);
+      minus[3 * r + s] = -plus[3 * r + s];
+    }
+  }
+  builder.add(spring.a, spring.a, plus);
+  builder.add(spring.b, spring.b, plus);
+  builder.add(spring.a, spring.b, minus);
+  builder.add(spring.b, spring.a, minus);
+}
+
 bool can_yield(const std::vector<SpringGeometry>& springs) {
   return std::any_of(springs.begin(), springs.end(),
                      [](const SpringGeometry& spring) { return std::isfinite(spring.yield_force); });
+}
+
+bool can_relax(const std::vector<SpringGeometry>& springs) {
+  return std::any_of(springs.begin(), springs.end(),
+                     [](const SpringGeometry& spring) { return !spring.branch.empty(); });
 }
 
 NetworkSystem build_network(const NetworkParameters& parameters) {
@@ -102,6 +119,7 @@ NetworkSystem build_network(const NetworkParameters& parameters) {
     if (parameters.spring[i].rest_length_m) add_rest_force(spring, system.rest_force_N);
     system.springs.push_back(spring);
   }
+  share_rest(system.springs);
   system.K = stiffness.build();
   system.C = damping.build();
   return system;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/algebra/block_matrix.hpp"
+#include "core/scenario/relaxation.hpp"
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -26,10 +27,18 @@ struct SpringGeometry {
   double yield_force = std::numeric_limits<double>::infinity();
   /// Yield force grows by hardening_ratio x stiffness x plastic elongation.
   double hardening_ratio = 0.0;
+  /// Of its stiffness, which is the instantaneous one.
+  std::vector<RelaxationBranch> branch;
+  /// Share of its stiffness with which it has a say in where the network comes to rest.
+  double rest_share = 1.0;
+
+  [[nodiscard]] bool flows() const { return !branch.empty() && long_term_share(branch) == 0.0; }
 };
 
 /// Does any spring have a yield force?
 bool can_yield(const std::vector<SpringGeometry>& springs);
+/// Does the stiffness of any spring fade?
+bool can_relax(const std::vector<SpringGeometry>& springs);
 
 /// M u'' + C u' + K u = f(t) + rest_force, M = diag(mass_kg) per particle. Fixed freedoms are marked, not removed.
 struct NetworkSystem {
@@ -47,9 +56,21 @@ struct NetworkSystem {
   std::vector<SpringGeometry> springs;
 };
 
+/// The four blocks +-c n n^T of one spring or damper.
+void add_axial(BlockMatrixBuilder& builder, const SpringGeometry& spring, double coefficient);
+
 /// K = sum k n n^T, C = sum c n n^T over the springs, geometrically linear about the given positions.
 /// @throws std::invalid_argument for a spring whose ends coincide, are one particle, or do not exist.
 NetworkSystem build_network(const NetworkParameters& parameters);
+
+/// sum factor(spring) k n n^T, in the pattern of K. @param factor takes a SpringGeometry
+template <class Factor>
+BlockMatrix spring_matrix(std::size_t particle_count, const std::vector<SpringGeometry>& springs,
+                          const Factor& factor) {
+  BlockMatrixBuilder builder(static_cast<int>(particle_count));
+  for (const SpringGeometry& spring : springs) add_axial(builder, spring, factor(spring) * spring.stiffness);
+  return builder.build();
+}
 
 /// Which value a load has at the very time of a jump.
 enum class JumpSide {

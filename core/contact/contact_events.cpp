@@ -34,6 +34,15 @@ void ContactEvents::start(int lane) {
   change_[static_cast<std::size_t>(lane)].clear();
 }
 
+void ContactEvents::archive(LaneArchive& lane) {
+  lane(lanes_);
+  const auto at = static_cast<std::size_t>(lane.lane());
+  if (!lanes_[lane.lane()]) return;
+  lane.object(memory_[at]);
+  lane.object(change_[at]);
+  if (!lane.arrives()) stop(lane.lane());
+}
+
 void ContactEvents::note_rest(int candidate, int lane, const ContactStep& rest) {
   const auto at = static_cast<std::size_t>(lane);
   memory_[at][static_cast<std::size_t>(candidate)] = {rest.depth_m, rest.place_m, {}};

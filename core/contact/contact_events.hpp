@@ -11,6 +11,7 @@
 #include "core/contact/contact_event.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 
 namespace unbruised {
 
@@ -42,6 +43,8 @@ class ContactEvents {
   /// Begins with a lane in which nothing is closed, or has nothing to do with it any more.
   void start(int lane);
   void stop(int lane) { lanes_.set(lane, false); }
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
   [[nodiscard]] const Mask& lanes() const { return lanes_; }
 
   /// A contact that is there before the first step.

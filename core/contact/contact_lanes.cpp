@@ -78,6 +78,18 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
   if (places_) over_.clear_lane(lane);
 }
 
+void ContactLanes::archive(LaneArchive& lane) {
+  surfaces_.archive(lane);
+  register_.archive(lane);
+  if (shaped_) shaped_->archive(lane);
+  lane(over_, dissipated_, losses_.friction, losses_.viscous, losses_.left);
+  for (WindowPressure& windows : window_) windows.archive(lane);
+  for (SurfaceTally& tally : tally_) lane.members(tally);
+  for (PadSlip& slip : slip_) lane.members(slip);
+  for (LaneArray& rows : place_theta_) lane(rows);
+  events_.archive(lane);
+}
+
 Lane ContactLanes::stored_energy() const {
   Lane energy(0.0);
   for (const int awake : awake_candidate_) {
@@ -200,8 +212,7 @@ void ContactLanes::take_in(std::size_t c, const Meeting& meeting, const Mask& me
   register_.gap_free.put(c, meeting.gap_free + least);
   register_.was_closed.put(c, carrying);
   register_.was_sliding.put(c, register_.sliding.get(c));
-  register_.normal_theta.put(c, select(near, register_.normal_theta.get(c), Lane(0.0)));
-  for (LaneArray& tangent : register_.tangent_theta) tangent.put(c, select(near, tangent.get(c), Lane(0.0)));
+  register_.start_solve(c, near, surfaces_[candidate.surface].friction);
   // Where the contact is open its penetration is where the particle is, whatever it once was.
   register_.penetration.put(c, select(running & !carrying, -meeting.gap_now, register_.penetration.get(c)));
   // N = k (1 + tau a1) p - k tau (a1 p_n + 2 p'_n + a3 p''_n); penetration p = -gap.

@@ -96,6 +96,8 @@ class ContactLanes {
 
   /// Opens all contacts of a lane and sets its surfaces up.
   void load(int lane, const Scenario& scenario);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane);
   void set_rest(int lane, const StaticRest& rest);
   /// Takes a surface away from the product of a lane; what its layer holds is lost.
   void leave(int surface, int lane);
@@ -105,6 +107,9 @@ class ContactLanes {
   void set_anchors(int lane, const LaneArray& u, const CarrierMotion& now, const FrameLanes* frame);
   /// Lets a lane's slip begin from here.
   void forget_slip(int lane);
+
+  /// The coming step of a lane has another length than its last.
+  void forget_trend(int lane) { register_.forget_trend(lane); }
 
   /// Finds what is near a surface and starts the solve from the forces of the last step.
   void begin_step(const ContactStart& start, const Mask& running);
@@ -145,6 +150,9 @@ class ContactLanes {
   [[nodiscard]] const Mask& meets_rim() const { return meets_rim_; }
   /// Lowest place of the product along the normal of a surface, per lane [m].
   [[nodiscard]] Lane lowest_place_m(int surface, const LaneArray& u) const;
+  /// Least gap of a surface whose candidates are a side's particles at the start of the last step, in one lane
+  /// [m].
+  [[nodiscard]] double least_gap_m(int surface, int lane) const;
   /// Fraction of theta dt after the start of the step at which the first pad contact of the step closed; > 1:
   /// none.
   [[nodiscard]] Lane first_touch() const;
@@ -177,6 +185,10 @@ class ContactLanes {
   void forget_events() { events_.forget(); }
   /// Appends the changes of the last step in `lane` in the order of time.
   void append_events(int lane, const EventStep& step, std::vector<ContactEvent>& events) const;
+  /// How hard a candidate is pressed in one lane [N].
+  [[nodiscard]] double normal_N(std::size_t candidate, int lane) const {
+    return register_.normal.at(candidate, lane);
+  }
   /// Torque of each surface on the product about its centre of mass, along x, y, z, in one lane: that of its
   /// forces where they act on the product's particles and places.
   [[nodiscard]] std::array<std::array<double, 3>, kSurfaceCount> surface_torques(int lane, const BodyLanes& body,

@@ -19,6 +19,15 @@ constexpr double kLeastForce_N = 1e-12;
 
 }  // namespace
 
+double ContactLanes::least_gap_m(int surface, int lane) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int side : side_candidate_) {
+    const auto c = static_cast<std::size_t>(side);
+    if (model_.candidate[c].surface == surface) least = std::min(least, register_.gap_now.at(c, lane));
+  }
+  return least;
+}
+
 /// Notes how far the layer is pressed in at the deepest place, of which the cell takes its part.
 void ContactLanes::note_layer_strain(std::size_t c, const CandidateStep& step) {
   const ContactCandidate& candidate = model_.candidate[c];

@@ -14,6 +14,7 @@ ContactRegister::ContactRegister(const ContactModel& model) : model_(model) {
                           &gap_free}) {
     *rows = LaneArray(n);
   }
+  for (LaneArray& rows : before_theta) rows = LaneArray(n);
   for (LaneArray& rows : place_weight) {
     rows = LaneArray(n * kReliefSide);
     rows.fill(1.0);
@@ -32,16 +33,49 @@ void ContactRegister::clear(int lane) {
         &mean[0], &mean[1], &mean_square[0], &mean_square[1]}) {
     rows->clear_lane(lane);
   }
+  forget_trend(lane);
   for (LaneArray& weights : place_weight) {
     for (std::size_t row = 0; row < weights.rows(); ++row) weights.at(row, lane) = 1.0;
   }
   for (MaskArray* rows : {&sliding, &near, &was_closed, &was_sliding}) rows->clear_lane(lane);
 }
 
+void ContactRegister::archive(LaneArchive& lane) {
+  lane(normal, tangent, normal_theta, tangent_theta, before_theta, penetration, penetration_theta, viscous,
+       stretch, anchor);
+  lane(share, edge_compliance, mean, mean_square, place_weight, relief, foremost);
+  lane(sliding, near, was_closed, was_sliding, gap_now, gap_free);
+  for (std::size_t c = 0; lane.arrives() && c < cut.size(); ++c) {
+    for (const LaneArray& weight : place_weight) {
+      for (std::size_t k = 0; k < kReliefSide; ++k) {
+        if (weight.at(c * kReliefSide + k, lane.lane()) != 1.0) cut[c] = 1;
+      }
+    }
+  }
+}
+
 void ContactRegister::open(std::size_t c, int lane) {
   for (LaneArray* rows : {&normal, &tangent[0], &tangent[1], &normal_theta, &tangent_theta[0], &tangent_theta[1],
                           &penetration, &penetration_theta, &viscous, &stretch[0], &stretch[1]}) {
     rows->at(c, lane) = 0.0;
+  }
+  for (LaneArray& rows : before_theta) rows.at(c, lane) = 0.0;
+}
+
+void ContactRegister::start_solve(std::size_t c, const Mask& takes_part, const Lane& friction) {
+  const std::array<LaneArray*, 3> theta = {&normal_theta, &tangent_theta[0], &tangent_theta[1]};
+  const Mask leads = (normal_theta.get(c) > Lane(0.0)) & (before_theta[0].get(c) > Lane(0.0));
+  std::array<Lane, 3> start;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Lane last = theta[i]->get(c);
+    start[i] = select(leads, last + (last - before_theta[i].get(c)), last);
+    before_theta[i].put(c, last);
+  }
+  start[0] = max0(start[0]);
+  const Lane cone = friction * start[0], size2 = start[1] * start[1] + start[2] * start[2];
+  const Lane scale = select(leads & (size2 > cone * cone), cone / sqrt(max(size2, Lane(1e-300))), Lane(1.0));
+  for (std::size_t i = 0; i < 3; ++i) {
+    theta[i]->put(c, select(takes_part, i == 0 ? start[i] : scale * start[i], Lane(0.0)));
   }
 }
 

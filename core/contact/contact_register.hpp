@@ -12,6 +12,7 @@
 #include "core/contact/place_cover.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/surface/surface_lanes.hpp"
 
 namespace unbruised {
@@ -28,6 +29,8 @@ class ContactRegister {
 
   /// Opens all contacts of a lane.
   void clear(int lane);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
   /// Takes all force from a contact of a lane.
   void open(std::size_t c, int lane);
   /// Puts the contacts of a product at rest on its support into a lane.
@@ -35,6 +38,13 @@ class ContactRegister {
   /// Lets a lane's anchors stand where the particles are.
   void set_anchors(int lane, const LaneArray& u);
 
+  /// Lets the coming solve start from where the forces at t + theta dt of the last two steps lead; where one of
+  /// them was open from those of the last, and from none where the contact takes no part.
+  void start_solve(std::size_t c, const Mask& takes_part, const Lane& friction);
+  /// In the coming step of a lane the forces lead nowhere: it has another length than the last.
+  void forget_trend(int lane) {
+    for (LaneArray& rows : before_theta) rows.clear_lane(lane);
+  }
   /// Does the contact carry force at t + theta dt?
   [[nodiscard]] Mask is_closed(std::size_t c) const { return normal_theta.get(c) > Lane(0.0); }
 
@@ -70,6 +80,7 @@ class ContactRegister {
   std::array<LaneArray, 2> tangent;  ///< along tangent_axes(surface)
   LaneArray normal_theta;            ///< at t + theta dt
   std::array<LaneArray, 2> tangent_theta;
+  std::array<LaneArray, 3> before_theta;     ///< normal, tangents at the t + theta dt before that
   LaneArray penetration, penetration_theta;  ///< of the particle's place; meaningful while closed
   LaneArray viscous;                         ///< viscous part of `normal`; 0 where the layer has none
   std::array<LaneArray, 2> stretch;          ///< of the layer in shear: tangent / stiffness

@@ -7,6 +7,7 @@
 
 #include "core/scenario/finger_axes.hpp"
 #include "core/scenario/lattice_cells.hpp"
+#include "core/scenario/relaxation.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -85,7 +86,7 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
     is_flat = curvature[0] + curvature[1] == 0.0;
     if (!is_flat) radius_m = 2.0 / (curvature[0] + curvature[1]);
   }
-  return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
+  return {.youngs_modulus_Pa = instantaneous_modulus_Pa(product),
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[axis],
           .is_flat = is_flat,
@@ -97,7 +98,7 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
 
 LayeredFace side_at_support(const LatticeParameters& product, const CellParameters& cell) {
   const double base_m2 = product.size_m[0] * product.size_m[1];
-  return {.youngs_modulus_Pa = product.youngs_modulus_Pa,
+  return {.youngs_modulus_Pa = instantaneous_modulus_Pa(product),
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[2],
           .is_flat = TrueShape(product).curvatures(2) == 0,

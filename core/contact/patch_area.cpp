@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scenario/relaxation.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
@@ -19,7 +20,7 @@ double PatchArea::half_width_m(double line_N_m, double layer_N_m3) const {
 }
 
 double plane_strain_modulus_Pa(const LatticeParameters& product) {
-  return product.youngs_modulus_Pa / (1.0 - product.poisson_ratio * product.poisson_ratio);
+  return instantaneous_modulus_Pa(product) / (1.0 - product.poisson_ratio * product.poisson_ratio);
 }
 
 PatchArea ellipse_area(const std::array<double, 2>& radius_m, double plane_strain_modulus_Pa) {

@@ -11,6 +11,7 @@
 
 #include "core/contact/contact_model.hpp"
 #include "core/contact/contact_register.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/lanes/lane_vector.hpp"
 #include "core/surface/surface_lanes.hpp"
 
@@ -23,6 +24,8 @@ class ShapedPads {
 
   /// Forgets where the candidates of a lane have been looked at.
   void load(int lane);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane) { lane(turn_, offset_, looked_); }
   /// Looks at the face under a candidate in the lanes of `may` in which it has moved since it was looked at.
   /// @param place_m of the particle along the tangents, from where it is at rest to the pad
   /// @return lanes in which it has been looked at

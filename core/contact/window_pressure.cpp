@@ -41,6 +41,13 @@ void WindowPressure::clear(int lane) {
   }
 }
 
+void WindowPressure::archive(LaneArchive& lane) {
+  for (Axis& axis : axis_) {
+    lane(axis.reach.low, axis.reach.high);
+    if (lane.arrives()) axis.laid = false;
+  }
+}
+
 void WindowPressure::lay_windows(std::size_t t) {
   const auto& pieces = grid_.piece[t];
   Axis& axis = axis_[t];
@@ -74,9 +81,10 @@ Lane WindowPressure::largest_Pa(const LaneArray& normal_N, const std::array<Stre
   for (std::size_t t = 0; t < 2; ++t) {
     Stretch& laid = axis_[t].reach;
     const Mask moved = lanes & ((abs(reach[t].low - laid.low) > least) | (abs(reach[t].high - laid.high) > least));
-    if (none(moved)) continue;
+    if (none(moved) && axis_[t].laid) continue;
     laid = {select(moved, reach[t].low, laid.low), select(moved, reach[t].high, laid.high)};
     lay_windows(t);
+    axis_[t].laid = true;
   }
   const std::size_t rows = grid_.piece[0].size(), columns = grid_.piece[1].size();
   Lane largest(0.0);

@@ -9,6 +9,7 @@
 
 #include "core/contact/contact_model.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/surface/surface_lanes.hpp"
 
 namespace unbruised {
@@ -26,11 +27,14 @@ class WindowPressure {
   [[nodiscard]] Lane largest_Pa(const LaneArray& normal_N, const std::array<Stretch, 2>& reach, const Mask& lanes);
   /// Forgets where the windows of another scenario lay.
   void clear(int lane);
+  /// Where those of a lane lie.
+  void archive(LaneArchive& lane);
 
  private:
   /// Which part of each piece's force along one axis lies in which window.
   struct Axis {
     Stretch reach{Lane(0.0), Lane(0.0)};  ///< of the surface when its windows were laid
+    bool laid = true;                     ///< by this reach
     std::size_t windows = 0;
     LaneArray share;                                ///< rows window x pieces + piece
     std::vector<std::array<std::size_t, 2>> piece;  ///< of each window: from, to

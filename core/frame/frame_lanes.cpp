@@ -80,6 +80,16 @@ void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<doubl
   apply(fit(sums, fresh, fresh), motion, fresh);
 }
 
+void FrameLanes::archive(LaneArchive& lane) {
+  lane.members(attitude_);
+  lane.members(R_);
+  for (LaneVector* vector : {&center_, &beta_, &angular_momentum_, &outer_force_, &outer_moment_, &mass_v_,
+                             &mass_a_, &omega_, &alpha_}) {
+    lane(vector->at);
+  }
+  lane(corrected_);
+}
+
 /// Lanes that do not take part keep every bit: composing rounds even with no turn.
 void FrameLanes::turn_frame(const LaneRotation& by, const Mask& running) {
   attitude_ = select(running, attitude_ * by, attitude_);

@@ -13,6 +13,7 @@
 
 #include "core/frame/frame_sums.hpp"
 #include "core/integration/wilson_theta.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/lanes/lane_rotation.hpp"
 
 namespace unbruised {
@@ -35,6 +36,8 @@ class FrameLanes {
   /// @param rotation_rad its attitude but for its deformation, about this vector by its length
   void load(int lane, const LaneMotion& motion, const std::array<double, 3>& rotation_rad,
             const std::array<double, 3>& gravity_m_s2);
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
 
   /// Predicts the frame for t + theta dt and turns the state into it.
   /// @param viscous, rate become a1 u + 2 s + a3 q and s, the velocity and acceleration with which the body

@@ -48,6 +48,12 @@ void FingerLanes::load(int lane, const ParallelJawParameters* jaw, double closin
   for (Lane* sum : {&work_, &positive_work_, &dissipated_}) sum->set(lane, 0.0);
 }
 
+void FingerLanes::archive(LaneArchive& lane) {
+  for (State& finger : state_) lane.members(finger);
+  lock_.archive(lane);
+  lane(work_, positive_work_, dissipated_);
+}
+
 void FingerLanes::begin_step(const WilsonTheta& w, const DriveCommand& command, const CarriedPads* pads) {
   command_ = command;
   a1_ = Lane(w.a1);

@@ -18,6 +18,7 @@
 #include "core/gripper/force_curve_lanes.hpp"
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/surfaces.hpp"
 
@@ -45,6 +46,8 @@ class FingerLanes {
   /// @param opened_m distance of a pad's face from the middle between them where the fingers start
   void load(int lane, const ParallelJawParameters* jaw, double closing_speed_m_s, double force_limit_N,
             double opened_m = 0.0);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane);
 
   /// Collects what does not depend on the contact forces of this step. @param pads null: they are layers
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command, const CarriedPads* pads = nullptr);

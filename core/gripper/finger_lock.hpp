@@ -10,6 +10,7 @@
 
 #include "core/integration/wilson_theta.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/surface/surfaces.hpp"
 
 namespace unbruised {
@@ -21,6 +22,11 @@ class FingerLock {
  public:
   /// @param is_there is there a lock in this lane? @param stiffness_N_m none: it does not give way
   void load(int lane, bool is_there, const std::optional<double>& stiffness_N_m);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane) {
+    for (Held& held : held_) lane.members(held);
+    lane(closed_);
+  }
 
   /// @param closed for which share of the step it is closed
   void begin_step(const WilsonTheta& wilson, const Lane& closed);

@@ -52,6 +52,8 @@ class GripperLanes {
   void load(int lane, const Scenario& scenario, double closing_speed_m_s, double force_limit_N) {
     jaw_.load(lane, parallel_jaw(scenario), closing_speed_m_s, force_limit_N, opened_half_m(scenario));
   }
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane) { jaw_.archive(lane); }
   /// Collects what does not depend on the contact forces of this step.
   /// @param pads null: they are layers
   void begin_step(const WilsonTheta& wilson, const DriveCommand& command, const CarriedPads* pads = nullptr) {

@@ -32,6 +32,14 @@ void PadLanes::load(int lane, const std::array<double, 3>& outer_m_s2, double op
   for (Lane* sum : {&work_, &positive_work_}) sum->set(lane, 0.0);
 }
 
+void PadLanes::archive(LaneArchive& lane) {
+  for (Pad& pad : pad_) {
+    pad.body.archive(lane);
+    lane(pad.outer.at);
+  }
+  lane(work_, positive_work_);
+}
+
 LaneVector PadLanes::middle_m(int pad, const GripperLanes& gripper) const {
   return {{Lane(normal_sign(pad)) * (gripper.way(pad) - opened_), Lane(0.0), Lane(0.0)}};
 }

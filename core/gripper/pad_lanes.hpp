@@ -25,6 +25,8 @@ class PadLanes {
   /// Lets the pads of a lane hang at rest on fingers that have not closed. @param outer_m_s2 as in `begin_step`
   /// @param opened_m distance of a pad's face from the middle between them
   void load(int lane, const std::array<double, 3>& outer_m_s2, double opened_m);
+  /// All that a lane keeps from step to step, but for what `load` sets.
+  void archive(LaneArchive& lane);
   /// Middle of a pad from that between the fingers, along the axes of the palm.
   [[nodiscard]] LaneVector middle_m(int pad, const GripperLanes& gripper) const;
   /// Solves the step but for contact and the finger's way.

@@ -228,6 +228,7 @@ class MaskArray {
  public:
   MaskArray() = default;
   explicit MaskArray(std::size_t rows) : masks_(rows, Mask(false)) {}
+  [[nodiscard]] std::size_t rows() const { return masks_.size(); }
   [[nodiscard]] const Mask& get(std::size_t i) const { return masks_[i]; }
   void put(std::size_t i, const Mask& mask) { masks_[i] = mask; }
   [[nodiscard]] bool at(std::size_t i, int lane) const { return masks_[i][lane]; }

@@ -7,41 +7,68 @@
 ///
 /// Yield: sqrt(3/2 s:s) <= Y + H p, s = 2 G dev(e - e_p), p the accumulated equivalent plastic strain, and
 /// H = E E_t / (E - E_t), so that uniaxial loading past yield has the tangent modulus E_t.
+///
+/// Where the stiffness fades, s is the stress that is left: every branch remembers e - e_p in place of e, as the
+/// displacement that `LatticeRelaxation` has and a plastic strain q_p of its own here.
 
+#include <optional>
 #include <vector>
 
-#include "core/body/lattice.hpp"
-#include "core/body/lattice_stiffness.hpp"
+#include "core/body/body_model.hpp"
+#include "core/material/lattice_relaxation.hpp"
 #include "core/material/material.hpp"
 
 namespace unbruised {
 
 class CellPlasticity final : public Material {
  public:
-  CellPlasticity(const Lattice& lattice, const CellStiffness& cell, ProductFrame frame);
+  /// @param body a lattice; outlives it
+  CellPlasticity(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame);
 
   void load(int lane, const Scenario& scenario) override;
+  void archive(LaneArchive& lane) override;
   [[nodiscard]] const LaneArray* load_theta() const override { return &load_theta_; }
-  void begin_step() override;
+  void settle(int lane, const LaneArray& u) override;
+  void begin_step(const LaneArray& u) override;
+  [[nodiscard]] const LaneArray* remembered() const override {
+    return relaxation_ ? &relaxation_->remembered() : nullptr;
+  }
+  void book_power(const LaneArray& rate, const LaneArray& stiffness_rate, const Mask& running) override;
   /// Return mapping of every cell.
   Mask update(const LaneArray& u_theta, const Mask& active) override;
-  void end_step(const WilsonTheta& wilson, const Mask& running) override;
+  void end_step(const LaneArray& u, const WilsonTheta& wilson, const Mask& running) override;
 
-  /// 1/2 V e_p D e_p summed over the cells.
-  [[nodiscard]] double self_energy(int lane) const override;
+  /// 1/2 V e_p D e_p summed over the cells; where the stiffness fades, what of the elastic energy is gone with it.
+  [[nodiscard]] double self_energy(int lane, const LaneArray& u) const override;
+  [[nodiscard]] double relaxed_J(int lane, const LaneArray& u) const override;
   [[nodiscard]] std::vector<double> plastic_load_N(int lane) const override;
+  [[nodiscard]] bool flows() const override { return relaxation_ && relaxation_->step().flows(); }
+  [[nodiscard]] LastingShape lasting(int lane, const LaneArray& u) const override;
   [[nodiscard]] std::optional<double> volume_above_m3(int lane, double threshold) const override;
+  [[nodiscard]] std::vector<double> cell_strain(int lane) const override { return of_lane(strain_, lane); }
+  [[nodiscard]] std::vector<double> accumulated_cell_strain(int lane) const override {
+    return of_lane(accumulated_, lane);
+  }
 
  private:
   /// Of all cells, at t + theta dt.
   struct Largest {
     Lane flow{0.0}, strain2{0.0}, rotation2{0.0};  ///< change of plastic strain; squares
   };
-  void mean_gradient(std::size_t cell, const LaneArray& u_theta, Lane (&gradient)[3][3]) const;
+  /// @param u gives a row of displacements
+  template <class Rows>
+  void mean_gradient(std::size_t cell, const Rows& u, Lane (&gradient)[3][3]) const;
   void map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Largest& largest);
-  void add_load(std::size_t cell, const Lane (&stress)[6]);
+  void add_load(std::size_t cell, const Lane (&stress)[6], LaneArray& load) const;
+  void remember(std::size_t cell);
+  [[nodiscard]] double strain_energy(int lane, const LaneArray& strain) const;
+  [[nodiscard]] double elastic_energy(int lane, const LaneArray& u, const LaneArray& strain) const;
+  [[nodiscard]] double faded_energy(int lane, const LaneArray& u) const;
+  [[nodiscard]] std::vector<double> load_of(int lane, const LaneArray& strain) const;
 
+  const BodyModel& body_;
   const Lattice& lattice_;
+  double time_step_s_;
   double gradient_[3];  ///< 1 / (4 h)
   double volume_m3_;
   Lane shear_modulus_{1.0};
@@ -51,7 +78,14 @@ class CellPlasticity final : public Material {
   LaneArray accumulated_, accumulated_theta_;
   LaneArray load_, load_theta_;
   bool flowing_ = false;
+  bool may_yield_ = true;  ///< any lane
   bool measures_rotation_;
+  // Where the stiffness fades.
+  std::optional<LatticeRelaxation> relaxation_;
+  double share_ = 1.0;                    ///< of the stiffness at t + theta dt
+  std::vector<LaneArray> branch_strain_;  ///< q_p of each branch, rows as of strain_
+  LaneArray past_strain_;                 ///< sum g (exp(-theta dt / tau) q_p - xi e_p)
+  std::array<double, kLanes> start_energy_J_{};
 };
 
 }  // namespace unbruised

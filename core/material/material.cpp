@@ -16,10 +16,10 @@ class ElasticMaterial final : public Material {
 
   void load(int, const Scenario&) override {}
   [[nodiscard]] const LaneArray* load_theta() const override { return nullptr; }
-  void begin_step() override {}
+  void begin_step(const LaneArray&) override {}
   Mask update(const LaneArray&, const Mask&) override { return Mask(false); }
-  void end_step(const WilsonTheta&, const Mask&) override {}
-  [[nodiscard]] double self_energy(int) const override { return 0.0; }
+  void end_step(const LaneArray&, const WilsonTheta&, const Mask&) override {}
+  [[nodiscard]] double self_energy(int, const LaneArray&) const override { return 0.0; }
   [[nodiscard]] std::vector<double> plastic_load_N(int) const override {
     return std::vector<double>(3 * particle_count_, 0.0);
   }
@@ -31,9 +31,11 @@ class ElasticMaterial final : public Material {
 
 }  // namespace
 
-std::unique_ptr<Material> make_material(const BodyModel& body, ProductFrame frame) {
-  if (body.cell) return std::make_unique<CellPlasticity>(*body.lattice, *body.cell, frame);
-  if (can_yield(body.springs)) return std::make_unique<SpringPlasticity>(body);
+std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame) {
+  if (body.cell) return std::make_unique<CellPlasticity>(body, wilson, frame);
+  if (can_yield(body.springs) || can_relax(body.springs)) {
+    return std::make_unique<SpringPlasticity>(body, wilson);
+  }
   return std::make_unique<ElasticMaterial>(body.particle_count);
 }
 

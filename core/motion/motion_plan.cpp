@@ -6,6 +6,7 @@
 #include "core/door/require.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/gripper.hpp"
+#include "core/scenario/guard.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/vectors.hpp"
 
@@ -104,6 +105,31 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double gua
       stop(*s.stop_time_s, scenario.cell.stop_deceleration_m_s2);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
+  find_jumps();
+}
+
+void MotionPlan::find_jumps() {
+  const auto add = [&](double start_s, const std::vector<double>& jumps_s) {
+    for (const double jump_s : jumps_s) {
+      if (start_s < kNever) jump_s_.push_back(start_s + jump_s);
+    }
+  };
+  add(lift_start_s_, lift_.jumps_s());
+  if (leave_) add(lift_end_s_, leave_->jumps_s());
+  add(leave_end_s_, path_.jumps_s());
+  add(hold_end_s_, moving_transfer_ ? moving_transfer_->jumps_s() : transfer_.jumps_s());
+  add(level_start_s_, level_.jumps_s());
+  add(transfer_end_s_, lower_.jumps_s());
+  if (stop_s_ < kNever) {
+    add(stop_s_, {0.0, length(stopped_.velocity_m_s) / stop_deceleration_m_s2_,
+                  length(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2});
+  }
+  std::ranges::sort(jump_s_);
+}
+
+bool MotionPlan::jumps_between(double from_s, double to_s) const {
+  const auto next = std::ranges::lower_bound(jump_s_, from_s);
+  return next != jump_s_.end() && *next <= to_s;
 }
 
 void MotionPlan::plan_speeds(const Scenario& scenario) {
@@ -274,10 +300,9 @@ double MotionPlan::told(double time_s) const {
   return std::clamp((time_s - command_lag_s_ - guard_s_) / command_step_s_, 0.0, 1.0);
 }
 
-double MotionPlan::locked(double time_s) const {
+double MotionPlan::locked(double time_s, double end_s, double step_s) const {
   if (time_s >= release_start_s_) return 0.0;
-  const double end_s = time_s - command_lag_s_ + command_step_s_;
-  return std::clamp((end_s - lift_start_s_) / command_step_s_, 0.0, 1.0);
+  return std::clamp((end_s - lift_start_s_) / step_s, 0.0, 1.0);
 }
 
 double MotionPlan::guarded_speed_m_s(double time_s) const {
@@ -313,6 +338,12 @@ PalmState MotionPlan::support(SupportPlane plane, double time_s) const {
 
 Horizontal MotionPlan::target_m(double time_s) const {
   return {transfer_m_[0] + place_velocity_m_s_[0] * time_s, transfer_m_[1] + place_velocity_m_s_[1] * time_s};
+}
+
+double planned_end_s(const Scenario& scenario) {
+  if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
+  const double contact_s = scenario.strategy.ramp_from_start ? 0.0 : planned_approach(scenario).time_s;
+  return MotionPlan(scenario, contact_s).end_s();
 }
 
 }  // namespace unbruised

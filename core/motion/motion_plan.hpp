@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/motion/belt.hpp"
 #include "core/motion/moving_transfer.hpp"
@@ -49,11 +50,12 @@ class MotionPlan {
   [[nodiscard]] PalmState palm(double time_s) const;
   /// Largest drive force per finger.
   [[nodiscard]] double force_limit_N(double time_s) const;
-  /// For how much of the step with this time, t + theta dt, the drives know what they aim at.
+  /// For how much of the step with this time, t + theta dt, the drives know what they aim at. Of steps that are
+  /// all as long as the scenario's.
   [[nodiscard]] double told(double time_s) const;
-  /// In how much of the step with this time, t + theta dt, a lock holds the fingers: from the start of the lift to
-  /// that of the release.
-  [[nodiscard]] double locked(double time_s) const;
+  /// In how much of a step a lock holds the fingers: from the start of the lift to that of the release.
+  /// @param time_s t + theta dt of the step
+  [[nodiscard]] double locked(double time_s, double end_s, double step_s) const;
   /// Closing speed the drive aims at per finger, before the end stops of the stroke are looked at.
   [[nodiscard]] double set_speed_m_s(double time_s) const;
   /// The plane under a product that follows the plan.
@@ -62,6 +64,9 @@ class MotionPlan {
   /// Where the palm is to put the product down, from where the product stood at the start, along x and y [m].
   [[nodiscard]] Horizontal target_m(double time_s) const;
   [[nodiscard]] const Belt& belt() const { return belt_; }
+
+  /// Does the acceleration of the palm jump between two times?
+  [[nodiscard]] bool jumps_between(double from_s, double to_s) const;
 
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
@@ -79,6 +84,7 @@ class MotionPlan {
   void plan_ways(const Scenario& scenario);
   void schedule(const Scenario& scenario);
   void stop(double time_s, double deceleration_m_s2);
+  void find_jumps();
   /// How much of the force's ramp has passed, 0 to 1.
   [[nodiscard]] double ramped(double time_s) const;
   /// Closing speed before the grip, and of one that a guard has begun.
@@ -111,7 +117,11 @@ class MotionPlan {
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;
   double stop_s_ = kNever, stop_deceleration_m_s2_ = 0.0;
-  PalmState stopped_;  ///< where the stop begins
+  PalmState stopped_;           ///< where the stop begins
+  std::vector<double> jump_s_;  ///< of the palm's acceleration, ascending
 };
+
+/// When a scenario ends in which everything goes as planned, but for what the fingers compress [s].
+double planned_end_s(const Scenario& scenario);
 
 }  // namespace unbruised

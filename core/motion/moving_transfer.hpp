@@ -33,6 +33,9 @@ class MovingTransfer {
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
 
+  /// When the acceleration jumps, after the start [s].
+  [[nodiscard]] std::vector<double> jumps_s() const { return rest_.jumps_s(); }
+
   struct State {
     Horizontal place_m{}, velocity_m_s{}, acceleration_m_s2{};
   };

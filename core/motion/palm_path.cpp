@@ -48,6 +48,14 @@ PalmPath::PalmPath(const PalmStop& from, const std::vector<PalmStop>& stops, Pro
   }
 }
 
+std::vector<double> PalmPath::jumps_s() const {
+  std::vector<double> all;
+  for (const Leg& leg : legs_) {
+    for (const double jump_s : leg.share.jumps_s()) all.push_back(leg.start_s + jump_s);
+  }
+  return all;
+}
+
 PalmState PalmPath::at(double time_s) const {
   PalmState palm;
   if (legs_.empty()) {

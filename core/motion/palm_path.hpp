@@ -39,6 +39,8 @@ class PalmPath {
 
   /// Until the last stop has been waited at [s].
   [[nodiscard]] double duration_s() const { return duration_s_; }
+  /// When the acceleration jumps [s].
+  [[nodiscard]] std::vector<double> jumps_s() const;
   /// At rest at its ends before the start and after the end.
   [[nodiscard]] PalmState at(double time_s) const;
 

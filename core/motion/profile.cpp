@@ -59,6 +59,11 @@ MotionProfile MotionProfile::in_time(ProfileKind kind, double distance_m, double
   return profile;
 }
 
+std::vector<double> MotionProfile::jumps_s() const {
+  if (kind_ != ProfileKind::trapezoid || !(duration_s_ > 0.0)) return {};
+  return {0.0, ramp_s_, duration_s_ - ramp_s_, duration_s_};
+}
+
 MotionProfile::State MotionProfile::at(double time_s) const {
   if (time_s >= duration_s_) return {.position_m = time_s >= 0.0 ? distance_m_ : 0.0};
   if (time_s < 0.0) return {};

@@ -4,6 +4,8 @@
 /// Rest-to-rest motion of a scalar distance, planned from the two numbers a robot's data sheet gives:
 /// peak acceleration and speed limit. Durations are real numbers, never rounded to time steps.
 
+#include <vector>
+
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
@@ -41,6 +43,9 @@ class MotionProfile {
     double velocity_m_s = 0.0;
     double acceleration_m_s2 = 0.0;
   };
+
+  /// When the acceleration jumps, after the start [s].
+  [[nodiscard]] std::vector<double> jumps_s() const;
 
   /// The state at `time_s` after the start: at rest at 0 before the start, at rest at `distance_m()` from
   /// `duration_s()` on. Where the acceleration jumps, the value after the jump holds.

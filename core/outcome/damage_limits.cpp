@@ -10,6 +10,8 @@ bool can_act(const DamageLimit& limit, const Scenario& scenario) {
   switch (limit.needs) {
     case DamageNeeds::yield:
       return can_yield(scenario);
+    case DamageNeeds::yield_or_flow:
+      return can_yield(scenario) || can_flow(scenario.product);
     case DamageNeeds::gripper:
       return has_gripper(scenario);
     case DamageNeeds::contact_and_yield:

@@ -16,7 +16,8 @@ namespace unbruised {
 
 /// What must be there for the metric of a limit to rise.
 enum class DamageNeeds {
-  yield,              ///< a yield stress, or a spring with a yield force: without it nothing deforms for good
+  yield,              ///< a yield stress, or a spring with a yield force
+  yield_or_flow,      ///< or a modulus of which nothing is left in the long term: else nothing deforms for good
   gripper,            ///< fingers that press
   contact_and_yield,  ///< fingers or a support
 };
@@ -35,8 +36,9 @@ struct DamageLimit {
 inline constexpr double kUsualContactYieldRatio = 1.0;
 
 inline constexpr std::array<DamageLimit, 7> kDamageLimits = {{
-    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m, DamageNeeds::yield, "limits.permanent_set_m",
-     "permanent_set_max_m <= limits.permanent_set_m", "permanent_set_max_m > limits.permanent_set_m"},
+    {Metric::permanent_set_max_m, &LimitParameters::permanent_set_m, DamageNeeds::yield_or_flow,
+     "limits.permanent_set_m", "permanent_set_max_m <= limits.permanent_set_m",
+     "permanent_set_max_m > limits.permanent_set_m"},
     {Metric::plastic_strain_max, &LimitParameters::plastic_strain, DamageNeeds::yield, "limits.plastic_strain",
      "plastic_strain_max <= limits.plastic_strain", "plastic_strain_max > limits.plastic_strain"},
     {Metric::bruised_volume_m3, &LimitParameters::bruised_volume_m3, DamageNeeds::yield,

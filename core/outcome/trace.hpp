@@ -22,6 +22,7 @@ struct TraceSignal {
 
 /// The record of one scenario; rows 0..N, row 0 is the initial state.
 struct Trace {
+  bool keeps_motion = true;  ///< of the particles; set before the run. Else the three tables below stay empty.
   int particle_count = 0;
   std::vector<double> rest_position_m;    ///< [particle, 3]
   std::vector<double> time_s;             ///< [time]

@@ -44,9 +44,11 @@ class KeyWriter {
   void add(const std::array<T, N>& values) {
     for (const T& value : values) add(value);
   }
-  /// Of loads and of surfaces' paths, which decide a run only.
   template <class T>
-  void add(const std::vector<T>&) {}
+  void add(const std::vector<T>& values) {
+    add(values.size());
+    for (const T& value : values) add(value);
+  }
   [[nodiscard]] std::string take() { return std::move(key_); }
 
  private:

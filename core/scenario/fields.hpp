@@ -35,6 +35,7 @@ inline constexpr Range kRubberPoissonRatio{.min = 0.0, .max = 0.5};
 inline constexpr Range kTilt{.min = -kHalfTurn_rad, .max = kHalfTurn_rad};
 /// Of a length that is 1 within 1e-6.
 inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
+inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
 inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};
@@ -48,8 +49,9 @@ concept FieldsOf = std::is_same_v<std::remove_const_t<T>, S>;
 template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [shape, size_m, axis, cell_size_m, mass_kg, density_kg_m3, youngs_modulus_Pa, poisson_ratio,
-         yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio, at_frequency_Hz, friction,
-         initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad, initial_height_m] = p;
+         yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio, at_frequency_Hz, prony_modulus,
+         prony_time_s, prony_from, burgers_flow_time_s, burgers_recovery_modulus, burgers_recovery_time_s,
+         friction, initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad, initial_height_m] = p;
   visit({"shape", Decides::model}, shape);
   visit({"size_m", Decides::model, kPositive}, size_m);
   visit({"axis", Decides::model}, axis);
@@ -63,6 +65,12 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"relaxation_time_s", Decides::model, kNotNegative}, relaxation_time_s);
   visit({"loss_ratio", Decides::model, kNotNegative}, loss_ratio);
   visit({"at_frequency_Hz", Decides::model, kPositive}, at_frequency_Hz);
+  visit({"prony_modulus", Decides::model, kPronyShare}, prony_modulus);
+  visit({"prony_time_s", Decides::model, kPositive}, prony_time_s);
+  visit({"prony_from", Decides::model}, prony_from);
+  visit({"burgers_flow_time_s", Decides::model, kPositive}, burgers_flow_time_s);
+  visit({"burgers_recovery_modulus", Decides::model, kPositive}, burgers_recovery_modulus);
+  visit({"burgers_recovery_time_s", Decides::model, kPositive}, burgers_recovery_time_s);
   visit({"friction", Decides::run, kNotNegative}, friction);
   visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
   visit({"initial_spin_rad_s", Decides::run, kAnyNumber}, initial_spin_rad_s);
@@ -83,13 +91,20 @@ void visit_fields(T& p, Visit&& visit) {
 
 template <FieldsOf<NetworkSpring> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [between, stiffness_N_m, damping_N_s_m, rest_length_m, yield_force_N, hardening_ratio] = p;
+  auto& [between, stiffness_N_m, damping_N_s_m, rest_length_m, yield_force_N, hardening_ratio, prony_modulus,
+         prony_time_s, prony_from, burgers_flow_N_s_m, burgers_recovery_N_m, burgers_recovery_N_s_m] = p;
   visit({"between", Decides::model, kIndex}, between);
   visit({"stiffness_N_m", Decides::model, kNotNegative}, stiffness_N_m);
   visit({"damping_N_s_m", Decides::model, kNotNegative}, damping_N_s_m);
   visit({"rest_length_m", Decides::model, kPositive}, rest_length_m);
   visit({"yield_force_N", Decides::model, kPositive}, yield_force_N);
   visit({"hardening_ratio", Decides::model, kNotNegative}, hardening_ratio);
+  visit({"prony_modulus", Decides::model, kPronyShare}, prony_modulus);
+  visit({"prony_time_s", Decides::model, kPositive}, prony_time_s);
+  visit({"prony_from", Decides::model}, prony_from);
+  visit({"burgers_flow_N_s_m", Decides::model, kPositive}, burgers_flow_N_s_m);
+  visit({"burgers_recovery_N_m", Decides::model, kPositive}, burgers_recovery_N_m);
+  visit({"burgers_recovery_N_s_m", Decides::model, kPositive}, burgers_recovery_N_s_m);
 }
 
 template <FieldsOf<NetworkLoad> T, class Visit>
@@ -335,7 +350,7 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<SimulationParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [time_step_s, theta, duration_s, initial_acceleration, trace_interval_s, pressure_patch_m, max_strain,
-         max_rotation_rad, contact_set] = p;
+         max_rotation_rad, contact_set, levels] = p;
   visit({"time_step_s", Decides::model, kPositive}, time_step_s);
   visit({"theta", Decides::model, kTheta}, theta);
   visit({"duration_s", Decides::run, kPositive}, duration_s);
@@ -345,6 +360,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"max_strain", Decides::run, kPositive}, max_strain);
   visit({"max_rotation_rad", Decides::run, kPositive}, max_rotation_rad);
   visit({"contact_set", Decides::run}, contact_set);  // what it comes to enters the key: contact_set.hpp
+  visit({"levels", Decides::run}, levels);
 }
 
 /// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its

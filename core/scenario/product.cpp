@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scenario/relaxation.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -22,7 +24,8 @@ std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nu
 std::optional<YieldLaw> law_of(const LatticeParameters& p) {
   if (!p.yield_stress_Pa || !p.tangent_modulus_Pa) return std::nullopt;
   const double E = p.youngs_modulus_Pa, E_t = *p.tangent_modulus_Pa;
-  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t), 0.5 * E / (1.0 + p.poisson_ratio)};
+  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t),
+                  0.5 * instantaneous_modulus_Pa(p) / (1.0 + p.poisson_ratio)};
 }
 std::optional<YieldLaw> law_of(const NetworkParameters&) { return std::nullopt; }
 
@@ -65,6 +68,10 @@ bool can_yield(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return yields(kind); }, product);
 }
 
+bool can_flow(const ProductParameters& product) {
+  return std::visit([](const auto& kind) { return flows(kind); }, product);
+}
+
 bool starts_in_the_air(const LatticeParameters& product) {
   const std::array<double, 3> none{};
   return product.initial_spin_rad_s != none || product.initial_rotation_rad != none ||
@@ -74,6 +81,11 @@ bool starts_in_the_air(const LatticeParameters& product) {
 bool starts_in_the_air(const ProductParameters& product) {
   const auto* lattice = std::get_if<LatticeParameters>(&product);
   return lattice != nullptr && starts_in_the_air(*lattice);
+}
+
+const NetworkLoad* first_load(const ProductParameters& product) {
+  const auto* network = std::get_if<NetworkParameters>(&product);
+  return network != nullptr && !network->load.empty() ? &network->load.front() : nullptr;
 }
 
 bool has_loads(const ProductParameters& product) {

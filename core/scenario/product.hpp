@@ -36,8 +36,10 @@ struct YieldLaw {
 /// None: it stays elastic, or has springs for a material.
 std::optional<YieldLaw> yield_law(const ProductParameters& product);
 
-/// Can it keep a deformation?
+/// Can it yield?
 bool can_yield(const ProductParameters& product);
+/// Does any part of it creep under a force for as long as that lasts, and keep it?
+bool can_flow(const ProductParameters& product);
 
 /// Does it begin turned, spinning or above its support, and so at rest on nothing?
 bool starts_in_the_air(const LatticeParameters& product);
@@ -45,5 +47,7 @@ bool starts_in_the_air(const ProductParameters& product);
 
 /// Do its parameters say of forces that act on it?
 bool has_loads(const ProductParameters& product);
+/// The first of the written loads; null: there is none.
+const NetworkLoad* first_load(const ProductParameters& product);
 
 }  // namespace unbruised

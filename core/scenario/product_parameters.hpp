@@ -12,6 +12,8 @@ namespace unbruised {
 
 enum class Shape { box, sphere, ellipsoid, cylinder };
 enum class Axis { x = 0, y = 1, z = 2 };
+/// Which of its moduli the stiffness of a relaxing material is written with.
+enum class PronyFrom { instantaneous, long_term };
 
 /// A solid product as a lattice of particles, springs and dampers (docs/theory.md, "Lattice").
 /// It stands centred on x = y = 0 with the lowest point of its true shape on z = 0.
@@ -41,6 +43,17 @@ struct LatticeParameters {
   std::optional<double> relaxation_time_s;
   std::optional<double> loss_ratio;
   std::optional<double> at_frequency_Hz;
+  /// > 0 each, sum <= 1, up to six; shares of the instantaneous modulus that fade with prony_time_s.
+  std::vector<double> prony_modulus;
+  /// > 0 each, as many as prony_modulus.
+  std::vector<double> prony_time_s;
+  /// Which modulus youngs_modulus_Pa is; long_term needs a sum of prony_modulus < 1.
+  PronyFrom prony_from = PronyFrom::instantaneous;
+  /// > 0. A Burgers model in place of prony_modulus, all three or none: c1 / k1, k2 / k1 and c2 / k2 of a spring
+  /// k1 in series with a dashpot c1 and with a spring k2 beside a dashpot c2.
+  std::optional<double> burgers_flow_time_s;
+  std::optional<double> burgers_recovery_modulus;
+  std::optional<double> burgers_recovery_time_s;
   /// >= 0; Coulomb coefficient against the pads.
   double friction = 0.5;
   std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
@@ -75,6 +88,14 @@ struct NetworkSpring {
   std::optional<double> yield_force_N;
   /// >= 0; yield force grows by hardening_ratio x stiffness x plastic elongation.
   double hardening_ratio = 0.0;
+  /// As of a lattice, of its stiffness.
+  std::vector<double> prony_modulus;
+  std::vector<double> prony_time_s;
+  PronyFrom prony_from = PronyFrom::instantaneous;
+  /// > 0, all three or none: c1, k2 and c2 of a Burgers model whose k1 is stiffness_N_m.
+  std::optional<double> burgers_flow_N_s_m;
+  std::optional<double> burgers_recovery_N_m;
+  std::optional<double> burgers_recovery_N_s_m;
 };
 
 struct NetworkLoad {

@@ -272,6 +272,12 @@ enum class ContactSet {
   whole_surface,  ///< they meet any place
 };
 
+/// Which steps a run takes (step_levels.hpp).
+enum class LevelUse {
+  automatic,  ///< multiples of time_step_s where little happens
+  off,        ///< time_step_s throughout
+};
+
 struct SimulationParameters {
   /// > 0
   double time_step_s = 1e-3;
@@ -289,6 +295,7 @@ struct SimulationParameters {
   /// > 0; a larger rotation of the product ends the run as out_of_range
   double max_rotation_rad = 0.2;
   ContactSet contact_set = ContactSet::automatic;
+  LevelUse levels = LevelUse::automatic;
 };
 
 /// One fully specified run.

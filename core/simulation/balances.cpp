@@ -77,6 +77,15 @@ void Balances::load(int lane, const LaneView& view, const Scenario& scenario) {
   positive_work_.set(lane, kinetic);
 }
 
+void Balances::archive(LaneArchive& lane) {
+  const auto at = static_cast<std::size_t>(lane.lane());
+  lane.object(impulse_[at]);
+  lane.object(angular_impulse_[at]);
+  lane(initial_energy_J_[at], palm_force_, palm_moment_.at);
+  for (LaneVector& force : cell_force_) lane(force.at);
+  lane(palm_work_, belt_work_, gravity_work_, positive_work_);
+}
+
 void Balances::leave_support(int lane) {
   for (Lane& force : cell_force_[kSupport].at) force.set(lane, 0.0);
 }
@@ -173,7 +182,7 @@ Dissipated Balances::dissipated(int lane, const LaneView& view, const Scenario& 
   const LayerLosses& layers = view.contact.losses();
   double gripper = has_gripper(scenario) ? view.gripper.dissipated()[lane] : 0.0;
   if (view.pads) gripper += view.pads->damped_J(lane);
-  return {.damping = view.body.damped_J(lane),
+  return {.damping = view.body.damped_J(lane) + view.material.relaxed_J(lane, view.body.u()),
           .plastic_flow = view.material.plastic_work()[lane] - view.material.hardening_energy()[lane],
           .layer_viscosity = layers.viscous[lane],
           .friction = layers.friction[lane],

@@ -14,6 +14,9 @@ class Balances {
   /// Opens the accounts of a lane whose state is loaded.
   void load(int lane, const LaneView& view, const Scenario& scenario);
 
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane);
+
   /// Another plane comes under the product of a lane.
   void leave_support(int lane);
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/scenario/gripper.hpp"
+#include "core/scenario/product.hpp"
 
 namespace unbruised {
 
@@ -49,9 +50,9 @@ void CurveRecorder::observe_fingers(const LaneStep& step) {
 }
 
 void CurveRecorder::observe_load(const LaneStep& step) {
-  const auto* network = std::get_if<NetworkParameters>(&step.scenario.product);
-  if (network == nullptr || network->load.empty()) return;
-  const NetworkLoad& load = network->load.front();
+  const NetworkLoad* written = first_load(step.scenario.product);
+  if (written == nullptr) return;
+  const NetworkLoad& load = *written;
   std::array<double, 3> along{};  // where the load is largest
   for (const std::array<double, 3>& force : load.force_N) {
     if (std::hypot(force[0], force[1], force[2]) > std::hypot(along[0], along[1], along[2])) along = force;

@@ -16,7 +16,7 @@ struct StoredEnergy {
 
 /// Where the energy of one lane has gone since load, by cause [J].
 struct Dissipated {
-  double damping = 0, plastic_flow = 0;  ///< of the product; what hardening stores is not lost
+  double damping = 0, plastic_flow = 0;  ///< of the product: damping and relaxation; hardening is not lost
   double layer_viscosity = 0, friction = 0, layers_left = 0;
   double gripper = 0;  ///< guides, end stop, locks and pads that are bodies
   double mount = 0;    ///< a sensor's spring

@@ -69,12 +69,14 @@ void command_palm(int lane, const Scenario& scenario, const CarrierMotion& carri
 
 }  // namespace
 
-void command_drives(int lane, const Scenario& scenario, const MotionPlan& plan, double time_s,
-                    const GripperLanes& gripper, const CarrierMotion& carriers, DriveCommand& command) {
-  command_palm(lane, scenario, carriers, command);
+void command_drives(int lane, const LaneRun& run, const StepClock& clock, const GripperLanes& gripper,
+                    const CarrierMotion& carriers, DriveCommand& command) {
+  const MotionPlan& plan = run.cycle.plan();
+  const double time_s = run.theta_time_s(clock);
+  command_palm(lane, run.scenario, carriers, command);
   command.force_limit_N.set(lane, plan.force_limit_N(time_s));
   command.told.set(lane, plan.told(time_s));
-  command.locked.set(lane, plan.locked(time_s));
+  command.locked.set(lane, plan.locked(time_s, run.end_time_s(clock), clock.step_s()));
   double speed = plan.set_speed_m_s(time_s);
   // Opened is where the fingers started; inwards the stroke ends at a stop.
   if (speed < 0.0 && gripper.furthest_way()[lane] <= 0.0) speed = 0.0;

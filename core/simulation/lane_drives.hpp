@@ -6,6 +6,7 @@
 #include "core/gripper/gripper_lanes.hpp"
 #include "core/gripper/pad_lanes.hpp"
 #include "core/motion/motion_plan.hpp"
+#include "core/simulation/lane_run.hpp"
 #include "core/surface/carrier_motion.hpp"
 
 namespace unbruised {
@@ -17,10 +18,10 @@ void set_support(int lane, const MotionPlan& plan, double time_s, SupportPlane p
 /// Puts the surfaces that a lane's cell lists where they are at `time_s`.
 void set_listed_surfaces(int lane, const CellParameters& cell, double time_s, CarrierMotion& motion);
 
-/// Tells the drives of a lane what the plan wants at `time_s`.
-/// @param carriers at that time
-void command_drives(int lane, const Scenario& scenario, const MotionPlan& plan, double time_s,
-                    const GripperLanes& gripper, const CarrierMotion& carriers, DriveCommand& command);
+/// Tells the drives of a lane what its plan wants of the next step.
+/// @param carriers at t + theta dt
+void command_drives(int lane, const LaneRun& run, const StepClock& clock, const GripperLanes& gripper,
+                    const CarrierMotion& carriers, DriveCommand& command);
 
 /// What accelerates each pad that is a body in the axes of the palm: gravity, less what its middle is accelerated
 /// by as the palm moves and turns.

@@ -14,10 +14,13 @@
 
 namespace unbruised {
 
-/// One accepted step of one lane. Valid during the call.
+class Balances;
+
+/// One accepted step of one lane. Valid during the call: the lane may be another one in the next.
 struct LaneStep {
   int lane = 0;
   std::int64_t count = 0;                         ///< accepted steps so far; 0: the state the scenario starts from
+  std::int64_t tick = 0;                          ///< shortest steps of the scenario that they add up to
   double start_s = 0;                             ///< of the step
   double time_s = 0;                              ///< at its end
   double contact_sweeps = 0, plastic_rounds = 0;  ///< that the step took
@@ -25,6 +28,7 @@ struct LaneStep {
   const HandlingCycle& cycle;                   ///< has taken in the step
   const StepObservation& seen;                  ///< at the end of the step
   const LaneView& view;                         ///< at the end of the step
+  const Balances& balances;                     ///< likewise
   const SixAxisInstrument* six_axis = nullptr;  ///< null: there is none
 };
 

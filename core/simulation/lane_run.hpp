@@ -14,6 +14,7 @@
 #include "core/sensor/finger_instruments.hpp"
 #include "core/sensor/six_axis_instrument.hpp"
 #include "core/simulation/outcome_observer.hpp"
+#include "core/simulation/step_level.hpp"
 
 namespace unbruised {
 
@@ -24,14 +25,20 @@ struct LaneRun {
   std::optional<FingerInstruments> instruments;          ///< where there is something to read
   std::optional<SixAxisInstrument> six_axis;             ///< likewise
   std::int64_t step = 0;                                 ///< steps taken
+  std::int64_t tick = 0;                                 ///< shortest steps of the scenario that they add up to
+  LevelChoice level;                                     ///< of the coming step
   SupportPlane plane = SupportPlane::start;              ///< under the product
   OutcomeObserver* outcome = nullptr;                    ///< one of the observers
   std::vector<std::unique_ptr<LaneObserver>> observers;  ///< in the order in which they see a step
 
   /// t and t + theta dt of the next step, and its end [s].
-  [[nodiscard]] double time_s(const WilsonTheta& w) const { return static_cast<double>(step) * w.dt; }
-  [[nodiscard]] double theta_time_s(const WilsonTheta& w) const { return time_s(w) + w.theta * w.dt; }
-  [[nodiscard]] double end_time_s(const WilsonTheta& w) const { return static_cast<double>(step + 1) * w.dt; }
+  [[nodiscard]] double time_s(const StepClock& clock) const { return static_cast<double>(tick) * clock.tick_s; }
+  [[nodiscard]] double theta_time_s(const StepClock& clock) const {
+    return time_s(clock) + clock.theta * clock.step_s();
+  }
+  [[nodiscard]] double end_time_s(const StepClock& clock) const {
+    return static_cast<double>(tick + clock.ticks) * clock.tick_s;
+  }
 };
 
 }  // namespace unbruised

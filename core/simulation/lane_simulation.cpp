@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/door/require.hpp"
-#include "core/lanes/part_timer.hpp"
-#include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
-#include "core/simulation/balances.hpp"
+#include "core/scenario/vectors.hpp"
 #include "core/simulation/curve_recorder.hpp"
-#include "core/simulation/initial_state.hpp"
 #include "core/simulation/lane_drives.hpp"
 #include "core/simulation/lane_mounts.hpp"
-#include "core/simulation/lane_run.hpp"
-#include "core/simulation/lane_view.hpp"
+#include "core/simulation/lane_simulation_impl.hpp"
+#include "core/simulation/replay_recorder.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
@@ -24,78 +20,14 @@ constexpr int kMaxPlasticRounds = 60;
 
 int lane_count() { return kLanes; }
 
-struct LaneSimulation::Impl {
-  explicit Impl(std::shared_ptr<const Model> shared);
-
-  void load(int lane, const Scenario& scenario);
-  void step();
-
-  // The parts of a step, in order.
-  void follow_plans();
-  SupportPlane choose_support(int lane);
-  void add_loads();
-  void solve_step();
-  void solve_contacts_and_product(const Mask& lanes);
-  void advance_state();
-  void observe_lanes();
-
-  void abort_lanes(const Mask& lanes, const char* cause);
-  void tell_cycle(int lane, double start_s, double time_s);
-  void read_instruments(int lane, double start_s, double time_s);
-  [[nodiscard]] StepObservation see(int lane, double time_s);
-  void watch(int lane, std::unique_ptr<LaneObserver> observer);
-  void observe_lane(int lane);
-  void finish(const LaneStep& last);
-  /// Null: a lane has none.
-  [[nodiscard]] static const SixAxisInstrument* six_axis(const LaneRun& run) {
-    return run.six_axis ? &*run.six_axis : nullptr;
-  }
-  /// Null: no surface of any lane is on a mount.
-  [[nodiscard]] const MountLanes* mount() const { return mounts.any() ? &mounts : nullptr; }
-  /// Null: the pads are layers.
-  [[nodiscard]] const PadLanes* padded() const { return pads ? &*pads : nullptr; }
-  [[nodiscard]] LaneRun& run_of(int lane) {
-    require(is_lane(lane), "LaneSimulation: there is no such lane");
-    return run[static_cast<std::size_t>(lane)];
-  }
-
-  std::shared_ptr<const Model> model;
-  const Model::Parts& parts;
-  const WilsonTheta& w;
-
-  std::array<LaneRun, kLanes> run;
-  Mask running{false};
-  std::vector<Finished> finished;
-
-  InitialStates initial;
-  BodyLanes body;
-  std::unique_ptr<Material> material;
-  ContactLanes contact;
-  GripperLanes gripper;
-  MountLanes mounts;
-  CarrierMotion now, theta, next;
-  DriveCommand command;
-  Balances balances;
-  std::array<Lane, kSurfaceCount> yield_ratio;  ///< of each surface
-  std::optional<PadLanes> pads;                 ///< where these are bodies
-  LaneView view;
-
-  LaneArray base;  ///< displacement without contact forces at the contact nodes
-  Lane sweeps{0.0}, rounds{0.0};
-  Lane yield_stress{1.0};  ///< of the product; 1 where it has none and the ratio is not asked for
-
-  bool timing = false;
-  PartTimer timer{false};  ///< one for all parts: every moment of a step is counted once
-  PartTimes times;
-};
-
 LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
     : model(std::move(shared)),
       parts(model->parts()),
       w(*parts.wilson),
+      clock(parts.clock),
       initial(parts),
       body(parts.body, w, parts.frame),
-      material(make_material(parts.body, parts.frame)),
+      material(make_material(parts.body, w, parts.frame)),
       contact(parts.contact, parts.body, w, parts.frame),
       view{parts, body, *material, contact, gripper, mounts, now, yield_ratio, pads},
       base(3 * parts.contact.node_count()) {
@@ -103,56 +35,6 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
   if (parts.pad) pads.emplace(*parts.pad, w);
   const auto listed = static_cast<std::size_t>(std::ranges::count_if(parts.contact.surface, is_of_cell_list));
   for (CarrierMotion* motion : {&now, &theta, &next}) motion->listed.resize(listed);
-}
-
-void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
-  LaneRun& r = run_of(lane);
-  require(!r.busy, "LaneSimulation::load: the lane is busy");
-  require(factor_key(scenario) == parts.key,
-          "LaneSimulation::load: the scenario has another factor key than the model");
-  r = LaneRun{};
-  r.busy = true;
-  r.scenario = scenario;
-  r.cycle = HandlingCycle(scenario);
-  set_carriers(lane, r.cycle.plan(), 0.0, r.plane, now);
-  set_listed_surfaces(lane, scenario.cell, 0.0, now);
-  // The approach begins in steady motion, but for a grip that is ramped up from rest.
-  gripper.load(lane, scenario, scenario.strategy.ramp_from_start ? 0.0 : scenario.strategy.approach_speed_m_s,
-               r.cycle.plan().force_limit_N(0.0));
-  if (pads) pads->load(lane, scenario.cell.gravity_m_s2, opened_half_m(scenario));
-  contact.load(lane, scenario);
-  material->load(lane, scenario);
-  yield_stress.set(lane, yield_stress_Pa(scenario.product).value_or(1.0));
-  const InitialState state = initial.of(scenario, material->plastic_load_N(lane));
-  body.load(lane, state.body, scenario.cell.gravity_m_s2);
-  if (state.rest != nullptr) contact.set_rest(lane, *state.rest);
-  contact.set_anchors(lane, body.u(), now, body.frame());
-  load_mount(lane, scenario, parts, state.rest, now, mounts);
-  if (mounts.has(lane))
-    r.six_axis.emplace(scenario.sensor, sensor_stiffness(scenario.sensor), mount_state(lane, mounts));
-  for (Lane& ratio : yield_ratio) ratio.set(lane, 0.0);
-  running.set(lane, true);
-  if (FingerInstruments instruments(scenario); !instruments.idle()) {
-    instruments.start(view.finger_signs(lane, scenario, instruments.has_range()));
-    r.instruments = instruments;
-  }
-  balances.load(lane, view, scenario);
-  auto outcome = std::make_unique<OutcomeObserver>(scenario, balances);
-  r.outcome = outcome.get();
-  watch(lane, std::move(outcome));
-}
-
-void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observer) {
-  LaneRun& r = run_of(lane);
-  require(r.busy && r.step == 0, "LaneSimulation::watch: not right after load");
-  const StepObservation seen = see(lane, 0.0);
-  observer->start({.lane = lane,
-                   .scenario = r.scenario,
-                   .cycle = r.cycle,
-                   .seen = seen,
-                   .view = view,
-                   .six_axis = six_axis(r)});
-  r.observers.push_back(std::move(observer));
 }
 
 void LaneSimulation::Impl::step() {
@@ -167,7 +49,9 @@ void LaneSimulation::Impl::step() {
   }
   gripper.begin_step(w, command, pads ? &pads->on_fingers() : nullptr);
   if (mounts.any()) mounts.begin_step(w);
-  body.begin_step(running);
+  material->begin_step(body.u());
+  body.begin_step(running, material->remembered());
+  material->book_power(body.rate(), body.stiffness_rate(), running);
   add_loads();
   timer.lap(times.right_hand_side_s);
   solve_step();
@@ -181,13 +65,13 @@ void LaneSimulation::Impl::follow_plans() {
     const LaneRun& r = run_of(lane);
     if (!r.busy) continue;
     const SupportPlane plane = choose_support(lane);
-    set_carriers(lane, r.cycle.plan(), r.theta_time_s(w), plane, theta);
-    set_carriers(lane, r.cycle.plan(), r.end_time_s(w), plane, next);
-    set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(w), theta);
-    set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(w), next);
+    set_carriers(lane, r.cycle.plan(), r.theta_time_s(clock), plane, theta);
+    set_carriers(lane, r.cycle.plan(), r.end_time_s(clock), plane, next);
+    set_listed_surfaces(lane, r.scenario.cell, r.theta_time_s(clock), theta);
+    set_listed_surfaces(lane, r.scenario.cell, r.end_time_s(clock), next);
     command_mount(lane, r.scenario, theta, next, mounts);
     if (!has_gripper(r.scenario)) continue;
-    command_drives(lane, r.scenario, r.cycle.plan(), r.theta_time_s(w), gripper, theta, command);
+    command_drives(lane, r, clock, gripper, theta, command);
   }
 }
 
@@ -197,11 +81,11 @@ void LaneSimulation::Impl::follow_plans() {
 SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   LaneRun& r = run_of(lane);
   const MotionPlan& plan = r.cycle.plan();
-  const SupportPlane planned = plan.support_plane(r.end_time_s(w));
+  const SupportPlane planned = plan.support_plane(r.end_time_s(clock));
   if (planned == r.plane) return planned;
   const bool is_lifted = r.scenario.cell.lift_height_m > 0.0;
   const bool stands = contact.tally()[kSupport].closed[lane] > 0.0;
-  const double height_m = plan.support(planned, r.time_s(w)).position_m[2];
+  const double height_m = plan.support(planned, r.time_s(clock)).position_m[2];
   const bool has_target = r.scenario.cell.target_plane;
   const bool below = has_target && contact.lowest_place_m(kSupport, body.u())[lane] < height_m;
   if (is_lifted && (stands || below)) return r.plane;
@@ -209,7 +93,7 @@ SupportPlane LaneSimulation::Impl::choose_support(int lane) {
   if (!has_target) contact.take_support_away(lane);
   balances.leave_support(lane);
   r.plane = planned;
-  set_support(lane, plan, r.time_s(w), planned, now);
+  set_support(lane, plan, r.time_s(clock), planned, now);
   return planned;
 }
 
@@ -218,8 +102,8 @@ void LaneSimulation::Impl::add_loads() {
     const LaneRun& r = run_of(lane);
     const ProductParameters& product = r.scenario.product;
     if (!r.busy || !has_loads(product)) continue;
-    const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(w));
-    const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(w), JumpSide::left);
+    const std::vector<double> at_t = written_load_N(product, parts.body, r.time_s(clock));
+    const std::vector<double> at_next = written_load_N(product, parts.body, r.end_time_s(clock), JumpSide::left);
     std::vector<double> at_theta(at_t.size());
     for (std::size_t i = 0; i < at_t.size(); ++i) at_theta[i] = at_t[i] + w.theta * (at_next[i] - at_t[i]);
     body.add_forces(lane, at_theta);
@@ -230,8 +114,6 @@ void LaneSimulation::Impl::solve_step() {
   Mask pending = running;
   rounds = Lane(0.0);
   sweeps = Lane(0.0);
-  material->begin_step();
-  timer.lap(times.plasticity_s);
   for (int round = 0; round < kMaxPlasticRounds; ++round) {
     solve_contacts_and_product(pending);
     pending = material->update(body.u_theta(), pending);
@@ -247,7 +129,7 @@ void LaneSimulation::Impl::abort_lanes(const Mask& lanes, const char* cause) {
   for (int lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     LaneRun& r = run_of(lane);
-    r.outcome->abort(cause, r.time_s(w));
+    r.outcome->abort(cause, r.time_s(clock));
   }
 }
 
@@ -299,7 +181,7 @@ void LaneSimulation::Impl::advance_state() {
   if (pads) pads->book_step(gripper, running);
   if (mounts.any()) mounts.advance(w, contact.mount_wrench(), running);
   contact.end_step({body.u_theta(), body.u(), theta, next, mount(), padded()}, body.frame(), running);
-  material->end_step(w, running);
+  material->end_step(body.u(), w, running);
   balances.book_step(view, old_mass_u, now, next, running);
   now = next;
 }
@@ -315,15 +197,17 @@ void LaneSimulation::Impl::observe_lanes() {
 void LaneSimulation::Impl::observe_lane(int lane) {
   LaneRun& r = run_of(lane);
   ++times.lane_steps;
-  const double start = r.time_s(w);
+  const double start = r.time_s(clock);
   ++r.step;
-  const double time = r.time_s(w);
+  r.tick += clock.ticks;
+  const double time = r.time_s(clock);
   read_instruments(lane, start, time);
   tell_cycle(lane, start, time);
   const StepObservation seen = see(lane, time);
   balances.book_impulse(lane, view);
   const LaneStep step{.lane = lane,
                       .count = r.step,
+                      .tick = r.tick,
                       .start_s = start,
                       .time_s = time,
                       .contact_sweeps = sweeps[lane],
@@ -332,10 +216,28 @@ void LaneSimulation::Impl::observe_lane(int lane) {
                       .cycle = r.cycle,
                       .seen = seen,
                       .view = view,
+                      .balances = balances,
                       .six_axis = six_axis(r)};
-  bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * w.dt;
+  bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * clock.tick_s;
   for (const auto& observer : r.observers) goes_on = observer->observe(step) && goes_on;
-  if (!goes_on) finish(step);
+  if (!goes_on) return finish(step);
+  if (r.level.chooses()) choose_level(step);
+}
+
+void LaneSimulation::Impl::choose_level(const LaneStep& step) {
+  LaneRun& r = run_of(step.lane);
+  LevelSigns signs{.time_s = step.time_s, .cycle = r.cycle, .seen = step.seen};
+  if (r.cycle.has_contact()) {
+    signs.support_gap_m = contact.least_gap_m(kSupport, step.lane);
+  } else {
+    signs.pad_gap_m =
+        std::min(contact.least_gap_m(kLeftPad, step.lane), contact.least_gap_m(kRightPad, step.lane));
+  }
+  for (int f = 0; f < kJawFingers; ++f) {
+    signs.closing_m_s = std::max(signs.closing_m_s, std::abs(gripper.speed(f)[step.lane]));
+  }
+  signs.weight_N = parts.body.total_mass_kg * length(r.scenario.cell.gravity_m_s2);
+  r.level.decide(clock, signs);
 }
 
 /// Tells the cycle what the step showed; slip counts from the start of the lift on.
@@ -383,6 +285,10 @@ int LaneSimulation::busy_count() const {
       std::count_if(impl_->run.begin(), impl_->run.end(), [](const LaneRun& r) { return r.busy; }));
 }
 void LaneSimulation::step() { impl_->step(); }
+int LaneSimulation::ticks() const { return impl_->clock.ticks; }
+int LaneSimulation::next_ticks(int lane) const { return impl_->run_of(lane).level.ticks(); }
+std::unique_ptr<ParkedScenario> LaneSimulation::take(int lane) { return impl_->take(lane); }
+void LaneSimulation::put(int lane, ParkedScenario& parked) { impl_->put(lane, parked); }
 const std::vector<LaneSimulation::Finished>& LaneSimulation::finished() const { return impl_->finished; }
 void LaneSimulation::enable_timing() { impl_->timing = true; }
 const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return impl_->times; }
@@ -390,10 +296,15 @@ const LaneSimulation::PartTimes& LaneSimulation::part_times() const { return imp
 void LaneSimulation::watch(int lane, std::unique_ptr<LaneObserver> observer) {
   impl_->watch(lane, std::move(observer));
 }
-void LaneSimulation::record_trace(int lane, Trace& trace) {
-  impl_->contact.note_events(lane);
-  watch(lane, std::make_unique<TraceRecorder>(trace, impl_->balances));
+void LaneSimulation::record(int lane, const Recording& kept) {
+  if (kept.trace != nullptr) {
+    impl_->contact.note_events(lane);
+    watch(lane, std::make_unique<TraceRecorder>(*kept.trace));
+  }
+  if (kept.curve != nullptr) watch(lane, std::make_unique<CurveRecorder>(*kept.curve));
+  if (kept.replay != nullptr) {
+    watch(lane, std::make_unique<ReplayRecorder>(*kept.replay, kept.replay_interval_s));
+  }
 }
-void LaneSimulation::record_curve(int lane, Curve& curve) { watch(lane, std::make_unique<CurveRecorder>(curve)); }
 
 }  // namespace unbruised

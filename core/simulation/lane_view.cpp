@@ -49,12 +49,13 @@ StoredEnergy LaneView::stored_energy(int lane, const Scenario& scenario) const {
     add(&StoredEnergy::elastic, displacement[i] * (0.5 * force[i] - plastic[i]));
     if (!product.rest_force_N.empty()) add(&StoredEnergy::elastic, -displacement[i] * product.rest_force_N[i]);
   }
-  energy.elastic += material.self_energy(lane);
+  const double self_energy = material.self_energy(lane, body.u());
+  energy.elastic += self_energy;
   energy.hardening = material.hardening_energy()[lane];
   energy.layers = contact.stored_energy()[lane];
   energy.fingers = has_gripper(scenario) ? gripper.energy()[lane] : 0.0;
   if (pads) energy.fingers += pads->energy_J(lane, gripper);
-  energy.total += material.self_energy(lane) + energy.hardening;
+  energy.total += self_energy + energy.hardening;
   energy.mount = mounts.has(lane) ? mounts.energy()[lane] : 0.0;
   energy.total = energy.total + energy.layers + energy.fingers + energy.mount;
   return energy;
@@ -207,9 +208,11 @@ void LaneView::measure_permanent_set(int lane, const LimitParameters& limits, Me
   if (const auto bruised = material.volume_above_m3(lane, limits.plastic_strain.value_or(kBruisedStrain))) {
     metrics[Metric::bruised_volume_m3] = *bruised;
   }
-  if (!(material.largest_plastic_strain()[lane] > 0.0)) return;
+  if (!(material.largest_plastic_strain()[lane] > 0.0) && !material.flows()) return;
   const BodyModel& product = model.body;
-  std::vector<double> shape = product.statics->free_shape(material.plastic_load_N(lane));
+  const LastingShape lasting = material.lasting(lane, body.u());
+  std::vector<double> shape = product.statics->free_shape(lasting.load_N);
+  for (std::size_t i = 0; i < lasting.displacement_m.size(); ++i) shape[i] += lasting.displacement_m[i];
   if (!product.is_anchored()) remove_rigid_motion(product.position_m, shape);
   double largest = 0.0, sum = 0.0;
   for (std::size_t p = 0; p < product.particle_count; ++p) {

@@ -52,13 +52,21 @@ Model::Model() : parts_(std::make_unique<Parts>()) {}
 Model::~Model() = default;
 
 std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string& error) {
+  return build(scenario, error, 1, nullptr);
+}
+
+std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string& error, int ticks,
+                                          const Parts* shorter) {
   std::shared_ptr<Model> model(new Model());
   Parts& parts = *model->parts_;
   parts.key = factor_key(scenario);
   parts.frame = product_frame(scenario);
-  parts.wilson.emplace(scenario.simulation.time_step_s, scenario.simulation.theta);
+  const SimulationParameters& simulation = scenario.simulation;
+  parts.clock = {simulation.time_step_s, ticks, simulation.theta};
+  parts.wilson.emplace(parts.clock.step_s(), simulation.theta);
   try {
-    std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario));
+    std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario),
+                                               shorter != nullptr ? shorter->body.statics : nullptr);
     if (!body) return nullptr;
     parts.body = std::move(*body);
     parts.contact = product_contact(scenario, parts.body, *parts.wilson);
@@ -69,8 +77,15 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   }
   const auto shape = true_shape(scenario.product);
   if (shape && parts.body.lattice) parts.carried_surface.emplace(*shape, *parts.body.lattice);
-  if (parts.body.is_solid) parts.rest.emplace(*parts.body.statics, parts.contact);
+  if (parts.body.is_solid && shorter == nullptr) parts.rest.emplace(*parts.body.statics, parts.contact);
   return model;
+}
+
+std::shared_ptr<const Model> Model::with_ticks(int ticks, const Scenario& scenario) const {
+  std::string error;
+  std::shared_ptr<const Model> longer = build(scenario, error, ticks, parts_.get());
+  if (!longer) throw std::runtime_error("the model cannot be built for longer steps: " + error);
+  return longer;
 }
 
 std::size_t Model::particle_count() const { return parts_->body.particle_count; }

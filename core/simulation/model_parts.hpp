@@ -14,17 +14,19 @@
 #include "core/scenario/product_frame.hpp"
 #include "core/sensor/carried_surface.hpp"
 #include "core/simulation/simulation.hpp"
+#include "core/simulation/step_clock.hpp"
 
 namespace unbruised {
 
 struct Model::Parts {
   std::string key;  ///< factor_key of every scenario this model is for
   std::optional<WilsonTheta> wilson;
+  StepClock clock;  ///< of its steps
   ProductFrame frame = ProductFrame::upright;
   BodyModel body;
   ContactModel contact;
   std::optional<PadBody> pad;                     ///< where the pads are bodies
-  std::optional<SupportRest> rest;                ///< solids
+  std::optional<SupportRest> rest;                ///< solids that scenarios start with here
   std::optional<CarriedSurface> carried_surface;  ///< lattices
 };
 

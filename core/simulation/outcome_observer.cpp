@@ -116,7 +116,7 @@ void OutcomeObserver::end(const LaneStep& last) {
     if (sensor->overload()) metrics[Metric::sensor_overload] = *sensor->overload();
   }
   if (!record_.aborted()) last.view.measure_permanent_set(last.lane, last.scenario.limits, metrics);
-  if (!record_.diverged()) balances_.measure(last.lane, last.time_s, last.view, last.scenario, metrics);
+  if (!record_.diverged()) last.balances.measure(last.lane, last.time_s, last.view, last.scenario, metrics);
   result_ = record_.finish(last.cycle, last.time_s);
 }
 

@@ -12,8 +12,7 @@ namespace unbruised {
 
 class OutcomeObserver final : public LaneObserver {
  public:
-  /// @param balances of the lanes; have to outlive the run
-  OutcomeObserver(const Scenario& scenario, const Balances& balances) : record_(scenario), balances_(balances) {}
+  explicit OutcomeObserver(const Scenario& scenario) : record_(scenario) {}
 
   void start(const LaneStep& loaded) override;
   bool observe(const LaneStep& step) override;
@@ -26,7 +25,6 @@ class OutcomeObserver final : public LaneObserver {
 
  private:
   HandlingRecord record_;
-  const Balances& balances_;
   double contact_sweeps_ = 0, plastic_rounds_ = 0;  ///< of all steps
   ScenarioResult result_;
 };

@@ -3,9 +3,9 @@
 namespace unbruised {
 
 ScenarioResult simulate(const std::shared_ptr<const Model>& model, const Scenario& scenario, Trace* trace) {
-  LaneSimulation simulation(model);
+  LevelSimulation simulation(model);
   simulation.load(0, scenario);
-  if (trace != nullptr) simulation.record_trace(0, *trace);
+  simulation.record(0, trace);
   while (simulation.busy(0)) simulation.step();
   return simulation.finished().front().result;
 }

@@ -8,7 +8,7 @@
 namespace unbruised {
 
 void TraceRecorder::start(const LaneStep& loaded) {
-  const double dt = loaded.view.model.wilson->dt;
+  const double dt = loaded.view.model.clock.tick_s;
   const double every_s = loaded.scenario.simulation.trace_interval_s.value_or(dt);
   stride_ = std::max<std::int64_t>(1, std::llround(every_s / dt));
   start_trace(loaded.view.model.body.position_m, loaded.scenario, trace_);
@@ -19,7 +19,7 @@ void TraceRecorder::start(const LaneStep& loaded) {
 bool TraceRecorder::observe(const LaneStep& step) {
   record_events(step);
   for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, step.seen.patch[s]);
-  if (step.count % stride_ == 0) record(step);
+  if (step.tick / stride_ > rows_) record(step);
   return true;
 }
 
@@ -29,9 +29,10 @@ void TraceRecorder::record_events(const LaneStep& step) {
 }
 
 void TraceRecorder::record(const LaneStep& step) {
+  rows_ = step.tick / stride_;
   TraceRow row = step.view.trace_row(step.lane, step.scenario, step.time_s);
   row.dissipated = Balances::dissipated(step.lane, step.view, step.scenario);
-  row.work = balances_.work_done(step.lane, step.view, step.scenario);
+  row.work = step.balances.work_done(step.lane, step.view, step.scenario);
   const double friction = product_friction(step.scenario.product);
   for (std::size_t f = 0; f < step.seen.finger_count; ++f) {
     FingerObservation finger = step.seen.finger[f];
@@ -49,7 +50,7 @@ void TraceRecorder::record(const LaneStep& step) {
   const PatchDamage patches = patches_.together();
   row.plastic_strain = std::max(row.plastic_strain, patches.plastic_strain);
   row.absorbed_energy_J = std::max(step.seen.absorbed_energy_J, patches.absorbed_energy_J);
-  append_row(row, step.view.body.state(step.lane), trace_);
+  append_row(row, trace_.keeps_motion ? step.view.body.state(step.lane) : BodyState{}, trace_);
 }
 
 }  // namespace unbruised

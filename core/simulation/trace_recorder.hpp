@@ -10,8 +10,8 @@ namespace unbruised {
 
 class TraceRecorder final : public LaneObserver {
  public:
-  /// Both have to outlive the run; the contacts of the lane have to be noting events.
-  TraceRecorder(Trace& trace, const Balances& balances) : trace_(trace), balances_(balances) {}
+  /// @param trace has to outlive the run; the contacts of the lane have to be noting events
+  explicit TraceRecorder(Trace& trace) : trace_(trace) {}
 
   void start(const LaneStep& loaded) override;
   bool observe(const LaneStep& step) override;
@@ -22,9 +22,9 @@ class TraceRecorder final : public LaneObserver {
   void record(const LaneStep& step);
 
   Trace& trace_;
-  const Balances& balances_;
   WorstPatches patches_;     ///< up to the present step
-  std::int64_t stride_ = 1;  ///< steps from row to row
+  std::int64_t stride_ = 1;  ///< ticks from row to row, or more
+  std::int64_t rows_ = 0;    ///< strides until the last row
 };
 
 }  // namespace unbruised

@@ -100,7 +100,9 @@ void put_surfaces(const TraceRow& row, SignalWriter& signals) {
 }  // namespace
 
 void start_trace(const std::vector<std::array<double, 3>>& position_m, const Scenario& scenario, Trace& trace) {
+  const bool keeps_motion = trace.keeps_motion;
   trace = Trace{};
+  trace.keeps_motion = keeps_motion;
   trace.particle_count = static_cast<int>(position_m.size());
   for (const auto& p : position_m) trace.rest_position_m.insert(trace.rest_position_m.end(), p.begin(), p.end());
   declare(trace, "support_force_N", "N", "force of the support on the product", {"component"}, {3});

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "core/lanes/lane_archive.hpp"
 #include "core/lanes/lane_vector.hpp"
 
 namespace unbruised {
@@ -30,6 +31,13 @@ struct CarrierMotion {
   std::vector<std::array<AxisMotion, 3>> listed;  ///< as many as the cells of the lanes list
   /// Of the palm, which turns about the centre of the pads, from upright; the other two along x, y, z.
   LaneVector palm_rotation_rad, palm_spin_rad_s, palm_spin_acceleration_rad_s2;
+
+  /// All of one lane.
+  void archive(LaneArchive& lane) {
+    for (std::array<AxisMotion, 3>* carrier : {&palm, &cell}) lane.members(*carrier);
+    for (std::array<AxisMotion, 3>& surface : listed) lane.members(surface);
+    lane(palm_rotation_rad.at, palm_spin_rad_s.at, palm_spin_acceleration_rad_s2.at);
+  }
 };
 
 }  // namespace unbruised

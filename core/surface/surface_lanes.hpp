@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_archive.hpp"
 #include "core/scenario/pad_face.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/surface/carrier_motion.hpp"
@@ -53,6 +54,11 @@ class SurfaceLanes {
   /// @param layer_N_m3 stiffness per area of the layers of pads and support
   void load(int lane, const Scenario& scenario, const ProductPlace& product,
             const std::array<double, kFirstCellSurface>& layer_N_m3);
+
+  /// All that changes in a lane after `load`.
+  void archive(LaneArchive& lane) {
+    for (SurfaceLane& surface : surface_) lane(surface.present);
+  }
 
   /// Nothing touches this surface of a lane until the next load.
   void remove(int surface, int lane) { surface_[static_cast<std::size_t>(surface)].present.set(lane, false); }

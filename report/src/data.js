@@ -177,6 +177,10 @@ export function readStudy(document) {
     bestRow: page.best_row ?? null,
     tables,
     trace: page.trace ? readTrace(page.trace, buffer) : null,
+    replays: (page.replays ?? []).map((each) => ({ ...each, trace: readTrace(each.trace, buffer) })),
+    sound: page.sound ?? null,
+    buffer,
+    column: (values) => reader(values, buffer),
     ...readClaims(page),
   };
 }

@@ -12,6 +12,7 @@ import { outcomeMap } from "./outcome_map.js";
 import { pareto } from "./pareto.js";
 import { notices, provenance } from "./provenance.js";
 import { sensitivity } from "./sensitivity.js";
+import { replay } from "./replay.js";
 import { restsOn } from "./rests_on.js";
 import { sizing } from "./sizing.js";
 import { scenarioTable } from "./table.js";
@@ -22,6 +23,7 @@ import { date } from "./words.js";
 
 /** Sections in reading order: [id, title, lead, content, name in the navigation where it is another]. One without content is left out. */
 const SECTIONS = [
+  ["replay", "In motion", (study) => (study.replays.length > 1 ? "What held best, and what went wrong nearest to it, run again and in step." : "The scenario as it ran."), replay],
   ["trace", "Over time", "What the gripper did to the product, step by step.", traceCurves],
   ["pareto", "Trade-off", "More of one costs some of the other.", pareto],
   ["comparison", "Comparison", "Every candidate met the same products, so differences are taken product by product.", comparison],
@@ -39,7 +41,7 @@ const SECTIONS = [
 ];
 
 /** Tables take the whole width. */
-const WIDE = new Set(["scenarios", "tables"]);
+const WIDE = new Set(["replay", "scenarios", "tables"]);
 
 function sectionOf(study, [id, title, lead, content]) {
   let body;

@@ -1,9 +1,11 @@
 // One scenario over time: a strip per signal, one time axis for all, the phases of the cycle behind them.
 
-import { figure } from "./chart.js";
+import { axis, figure } from "./chart.js";
 import { h } from "./dom.js";
 import { legend } from "./legend.js";
 import { tip, tipLine } from "./scenario.js";
+import { fingerForces } from "./replay/panel.js";
+import { outcomeColour } from "./theme.js";
 import { phasesOf, strips } from "./trace_strips.js";
 import { number, plural, quantity, scaleFor, thousands } from "./words.js";
 
@@ -129,23 +131,80 @@ function phaseList(phases) {
 }
 
 function outcomeEvent(study) {
-  const time = study.scenarios.at("outcome_time_s", 0);
+  const time = study.row === null ? null : study.scenarios.at("outcome_time_s", study.row ?? 0);
   return time === null ? "" : `The outcome was decided at ${quantity(time, "s")}. `;
 }
 
-export function traceCurves(study) {
+/** A line through all strips at the time of the clock; a press in the chart sets it. */
+function followClock({ element, chart }, clock) {
+  const canvas = element.querySelector(".chart");
+  const cursor = h("div", { class: "time-cursor", "aria-hidden": "true" });
+  element.classList.add("timed");
+  element.append(cursor);
+  clock.on(() => {
+    const at = chart()?.convertToPixel({ xAxisIndex: 0 }, clock.time);
+    cursor.hidden = !(at >= 0) || at > canvas.clientWidth;
+    if (cursor.hidden) return;
+    cursor.style.transform = `translateX(${at}px)`;
+    cursor.style.top = `${canvas.offsetTop}px`;
+    cursor.style.height = `${canvas.clientHeight}px`;
+  });
+  const set = (event) => {
+    const box = canvas.getBoundingClientRect();
+    const time = chart()?.convertFromPixel({ xAxisIndex: 0 }, event.clientX - box.left);
+    if (!Number.isFinite(time)) return;
+    clock.pause();
+    clock.jump(time);
+  };
+  canvas.addEventListener("pointerdown", (event) => { if (event.pointerType === "mouse" && event.button === 0 && !event.shiftKey) set(event); });
+  canvas.addEventListener("click", set);
+  return element;
+}
+
+export function timeCharts(study, clock = null) {
   const { trace } = study;
   if (!trace) return null;
   const shown = strips(study);
   if (shown.length === 0) return null;
   const phases = phasesOf(study);
   const limited = shown.some(isLimitShown);
-  return figure({
+  const chart = figure({
     height: TOP + 34 + STRIP * shown.length,
     legend: (theme) => (limited ? legend([[theme.bad, "limit", "dashed"]]) : null),
     option: (theme, width) => option(study, shown, phases, theme, width),
     describe: () => `${plural(shown.length, "signal")} over ${quantity(trace.time.at(trace.time.rows - 1), "s")}: ${shown.map((strip) => strip.title).join(", ")}. Phases: ${phases.map((phase) => `${phase.name} until ${number(phase.to, 3)} s`).join(", ")}.`,
     below: phaseList(phases),
-    note: `${outcomeEvent(study)}${thousands(trace.rows)} time steps${trace.thinned ? ", drawn as the least and greatest value of neighbouring steps" : ""}${trace.events ? `, ${plural(trace.events, "contact event")}` : ""}. Ctrl and the wheel zoom, Shift and a drag move. The motion of every particle is in the results file.`,
-  }).element;
+    note: `${outcomeEvent(study)}${thousands(trace.rows)} time steps${trace.thinned ? ", drawn as the least and greatest value of neighbouring steps" : ""}${trace.events ? `, ${plural(trace.events, "contact event")}` : ""}. ${clock ? "A click sets the time of the scene. " : ""}Ctrl and the wheel zoom, Shift and a drag move.${clock ? "" : " The motion of every particle is in the results file."}`,
+  });
+  return clock ? followClock(chart, clock) : chart.element;
+}
+
+export function traceCurves(study) {
+  return timeCharts(study, study.clock);
+}
+
+/** How hard the fingers press in two scenarios at the same time, and the difference. */
+export function differenceOfForces(models, clock) {
+  const forces = models.map(fingerForces);
+  if (forces.some(({ at }) => at.length === 0)) return null;
+  const count = 500;
+  const times = Array.from({ length: count + 1 }, (_, i) => (clock.end * i) / count);
+  const mean = ({ at }, t, end) => (t > end ? null : at.reduce((sum, read) => sum + read(t), 0) / at.length);
+  const values = times.map((t) => models.map((model, i) => mean(forces[i], t, model.end)));
+  const chart = figure({
+    height: 230,
+    legend: (theme) => legend([...models.map((model) => [outcomeColour(model.outcome), model.title, "line"]), [theme.ink, "difference, second less first", "dashed"]]),
+    describe: () => `Mean force of the fingers of ${models.map((model) => model.title).join(" and ")} over ${quantity(clock.end, "s")}, and their difference.`,
+    option: (theme) => ({
+      grid: { left: 52, right: 10, top: 34, bottom: 40 },
+      xAxis: axis(theme, { name: "time", units: "s", most: clock.end, min: 0, max: clock.end, lines: false }),
+      yAxis: { ...axis(theme, { name: "mean force of a finger", units: "N", most: 1, vertical: true }) },
+      tooltip: { trigger: "axis", formatter: (items) => tip(h("div", { class: "tip-head" }, h("b", {}, quantity(items[0].value[0], "s"))), items.map((item) => tipLine(item.seriesName, quantity(item.value[1], "N", 3)))) },
+      series: [
+        ...models.map((model, i) => ({ type: "line", name: model.title, symbol: "none", lineStyle: { width: 1.8, color: outcomeColour(model.outcome) }, itemStyle: { color: outcomeColour(model.outcome) }, data: times.map((t, k) => [t, values[k][i]]) })),
+        { type: "line", name: "difference", symbol: "none", lineStyle: { width: 1.4, color: theme.ink, type: "dashed" }, itemStyle: { color: theme.ink }, data: times.map((t, k) => [t, values[k].some((each) => each === null) ? null : values[k][1] - values[k][0]]) },
+      ],
+    }),
+  });
+  return followClock(chart, clock);
 }

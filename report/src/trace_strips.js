@@ -48,7 +48,7 @@ function limitOf(study, signal) {
 /** Strips { name, title, units, curves, limit, range }, the one that decided first. */
 export function strips(study) {
   const { trace } = study;
-  const decided = crossedLimit(study, 0)?.metric ?? null;
+  const decided = (study.row === null ? null : crossedLimit(study, study.row ?? 0)?.metric) ?? null;
   const place = (strip) => (decided !== null && METRIC_OF[strip.name] === decided ? -1 : ORDER.includes(strip.name) ? ORDER.indexOf(strip.name) : ORDER.length);
   return trace.signals
     .filter((signal) => signal.name !== "phase")
@@ -56,7 +56,7 @@ export function strips(study) {
     .map((strip) => ({ ...strip, curves: tellingCurves(strip.curves, trace.time.rows) }))
     .filter((strip) => strip.curves.length > 0)
     .sort((a, b) => place(a) - place(b))
-    .slice(0, STRIPS_MOST)
+    .slice(0, study.stripsMost ?? STRIPS_MOST)
     .map((strip) => ({ ...strip, range: rangeOf(strip, trace.time.rows) }));
 }
 

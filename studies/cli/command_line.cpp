@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "studies/cli/commands.hpp"
+#include "studies/cli/shelf.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/text/joined.hpp"
@@ -106,6 +107,7 @@ class CommandLine {
     run.add_flag("--full-trace", full_trace_, "with --scenario: every time step, not as many as a chart shows");
     run.add_flag("--fresh", run_.fresh, "move an old run directory aside and start anew");
     run.add_flag("--quiet,-q", run_.quiet, "no progress");
+    run.add_flag("--no-replay", no_replay_, "a page without scenarios in motion");
   }
 
   void add_check() {
@@ -127,14 +129,7 @@ class CommandLine {
     CLI::App& verify = command("verify", "check every checksum of a run directory",
                                [this] { return verify_command(one_word("verify", "a run directory")); });
     verify.add_option("DIR", words_, "run directory")->expected(0, -1);
-    CLI::App& report = command("report", "one self-contained HTML page of what a study found", [this] {
-      const std::string path = one_word("report", "a run directory or results file");
-      return report_command(path, output_.empty() ? std::nullopt : std::optional<std::filesystem::path>(output_),
-                            run_.program);
-    });
-    report.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
-    report.add_option("--output,-o", output_, "the page (default: report.html beside the results)")
-        ->type_name("FILE.html");
+    add_report();
     CLI::App& explain = command("explain", "what a config key, metric, outcome or word of goals means", [this] {
       return explain_command(words_.empty() ? std::nullopt : std::optional(one_word("explain", "a word")));
     });
@@ -143,7 +138,23 @@ class CommandLine {
                     "key or table (strategy.grip_force_N), metric, outcome (held), word of goals (P, quantile), "
                     "metrics, outcomes, goals; without it everything")
         ->expected(0, -1);
-    command("list", "the products, grippers and studies that ship", [] { return list_command(); });
+    CLI::App& list = command("list", "the products, grippers and studies that ship; of a folder its runs", [this] {
+      return words_.empty() ? list_command() : shelf_command(one_word("list", "a folder"));
+    });
+    list.add_option("DIR", words_, "a folder with run directories in it")->expected(0, -1);
+  }
+
+  void add_report() {
+    CLI::App& report =
+        command("report", "one self-contained HTML page of what a study found", [this] { return call_report(); });
+    report.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
+    report.add_option("--output,-o", output_, "the page (default: report.html beside the results)")
+        ->type_name("FILE.html");
+    report.add_option("--scenario", shown_, "show this one in motion too; may repeat")->type_name("ID");
+    report.add_flag("--no-replay", no_replay_, "nothing in motion: nothing is run again");
+    report.add_option("--index", index_, "instead a page over all runs below this folder")->type_name("DIR");
+    report.add_option("--audio", audio_, "the sound of the scenario shown first, as a file too")
+        ->type_name("FILE.wav");
   }
 
   void add_json(CLI::App& to) {
@@ -162,7 +173,8 @@ class CommandLine {
     out.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
     out.add_option("--scenario", scenario_, "the trace of this scenario instead (run --scenario records it)")
         ->type_name("ID");
-    out.add_option("--format", export_.format, "csv (default)")->type_name("FORMAT");
+    out.add_option("--format", export_.format, "csv (default), or vtkhdf: one scenario in motion, for ParaView")
+        ->type_name("FORMAT");
     out.add_option("--table", export_.table,
                    "scenarios (default), window, best, pareto, ... as `info --json` lists them")
         ->type_name("NAME");
@@ -193,6 +205,28 @@ class CommandLine {
         {.path = path, .scenario = scenario_id("info"), .time_s = *at_s_, .program = run_.program}, answer_form());
   }
 
+  int call_report() {
+    const auto output = output_.empty() ? std::nullopt : std::optional<std::filesystem::path>(output_);
+    if (!index_.empty()) {
+      if (!words_.empty()) throw UsageError{"--index DIR takes the place of a run directory", "report"};
+      return index_command(index_, output);
+    }
+    ReportArguments report;
+    report.output = output;
+    report.path = one_word("report", "a run directory or results file");
+    report.program = run_.program;
+    report.moving = !no_replay_;
+    for (const long long id : shown_) {
+      if (id < 0) throw UsageError{"--scenario: ids begin with 0", "report"};
+      report.scenarios.push_back(static_cast<std::uint64_t>(id));
+    }
+    if (!audio_.empty()) report.audio = audio_;
+    if (no_replay_ && (!shown_.empty() || report.audio)) {
+      throw UsageError{"--scenario and --audio run scenarios again, --no-replay none", "report"};
+    }
+    return report_command(report);
+  }
+
   int call_run() {
     take_study("run");
     if (!output_.empty()) run_.output = output_;
@@ -205,6 +239,7 @@ class CommandLine {
       run_.threads = static_cast<int>(*threads_);
     }
     run_.scenario = scenario_id("run");
+    run_.moving = !no_replay_;
     if (full_trace_ && !run_.scenario) throw UsageError{"--full-trace goes with --scenario ID", "run"};
     if (full_trace_) run_.trace_rows = TraceRows::all;
     return run_.scenario ? run_one_command(run_) : run_command(run_);
@@ -278,6 +313,9 @@ class CommandLine {
   std::string output_;
   std::optional<long> threads_;
   std::optional<long long> scenario_;
+  std::vector<long long> shown_;
+  std::string audio_, index_;
+  bool no_replay_ = false;
   std::optional<double> at_s_;
   RunArguments run_;
   NewArguments new_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/report/report_page.hpp"
 #include "studies/results/expected.hpp"
 
 namespace unbruised::studies {
@@ -39,6 +40,7 @@ struct RunArguments {
   TraceRows trace_rows = TraceRows::chart;
   bool fresh = false;
   bool quiet = false;
+  bool moving = true;                 ///< the page shows scenarios in motion
   std::string program = "unbruised";  ///< as it was called, for commands shown to the user
 };
 
@@ -59,9 +61,16 @@ struct InstantArguments {
 };
 /// `info --at TIME`: every signal of a trace at that time.
 int instant_command(const InstantArguments& arguments, AnswerForm form);
-/// @param output none: report.html beside the results, or the name of another results file with .html.
-int report_command(const std::filesystem::path& path, const std::optional<std::filesystem::path>& output,
-                   const std::string& program);
+struct ReportArguments {
+  std::filesystem::path path;  ///< run directory or results file
+  /// None: report.html beside the results, or the name of another results file with .html.
+  std::optional<std::filesystem::path> output{};
+  std::string program = "unbruised";
+  bool moving = true;                            ///< with scenarios that are run again to be seen
+  std::vector<std::uint64_t> scenarios{};        ///< that are shown beside those the study makes worth seeing
+  std::optional<std::filesystem::path> audio{};  ///< a WAV file of the first of them
+};
+int report_command(const ReportArguments& arguments);
 int verify_command(const std::filesystem::path& directory);
 /// @param word a key, table, metric, outcome or word of goals; none: all of them.
 int explain_command(const std::optional<std::string>& word);
@@ -97,11 +106,10 @@ void print_text(const std::string& text);
 /// Prints an error of the results house; its exit status.
 int report_error(const ResultsError& error);
 
-inline constexpr const char* kReportName = "report.html";
-/// Writes report.html into a run directory. @return the page; nothing, after a note, when it fails: the results
-/// are safe without it.
+/// Writes report.html into a run directory. @param moving with scenarios that are run again to be seen. @return
+/// the page; nothing, after a note, when it fails: the results are safe without it.
 std::optional<std::filesystem::path> write_report_of_run(const std::filesystem::path& directory,
-                                                         const std::string& program);
+                                                         const std::string& program, bool moving);
 
 /// Reads a study, or says what is wrong with it.
 StudyOrError read_of(const StudyArguments& arguments);

@@ -1,12 +1,15 @@
 #include <algorithm>
 
 #include "studies/cli/commands.hpp"
+#include "studies/cli/interrupt.hpp"
 #include "studies/cli/recorded.hpp"
+#include "studies/cli/replays.hpp"
 #include "studies/findings/flat_table.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/trace_curves.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/suspect_results.hpp"
+#include "studies/results/vtkhdf_file.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -54,14 +57,47 @@ int export_trace(const ExportArguments& arguments) {
   return write_table(arguments, trace_as_table(*trace), fs::path(source).replace_extension(".csv"));
 }
 
+/// The scenario asked for, or the only one there is, run again for ParaView.
+int export_motion(const ExportArguments& arguments) {
+  const auto recorded = read_recorded(arguments.path);
+  if (!recorded) return report_error(recorded.error());
+  const bool is_single = recorded->tables.rows.size() == 1;
+  if (!arguments.scenario && !is_single) {
+    print_error("--format vtkhdf shows one scenario in motion: name it with --scenario ID");
+    return kExitInput;
+  }
+  const std::uint64_t id = arguments.scenario.value_or(is_single ? recorded->tables.rows.front().id : 0);
+  const fs::path file = arguments.output
+                            ? *arguments.output
+                            : directory_of(*recorded) / joined({"scenario_", std::to_string(id), ".vtkhdf"});
+  if (file == "-") {
+    print_error("--format vtkhdf is no text: name a file with -o");
+    return kExitInput;
+  }
+  listen_for_interrupts();
+  const auto seen = replay_of(*recorded, id);
+  if (!seen) {
+    if (const int status = interrupt_exit_status(); status != 0) return status;
+    print_error(joined({"--scenario ", std::to_string(id), ": ", arguments.path.string(),
+                        " holds no scenario of this number that can be run again"}));
+    return kExitInput;
+  }
+  if (const auto error = write_vtkhdf(file, seen->replay)) return report_error(*error);
+  print_line(joined({"motion: ", file.string(), " (scenario ", std::to_string(id), ", ",
+                     std::to_string(seen->replay.frame_count()), " steps, ",
+                     with_thousands(seen->replay.vertex_m.size()), " places on the product)"}));
+  return kExitDone;
+}
+
 }  // namespace
 
 int export_command(const ExportArguments& arguments) {
+  if (arguments.format == "vtkhdf") return export_motion(arguments);
   if (arguments.format != "csv") {
-    print_error(
-        joined({"--format ", arguments.format,
-                ": this build writes csv. Parquet needs Apache Arrow, which Debian 12 does not have; pandas makes "
-                "it from the csv: pandas.read_csv(FILE).to_parquet(...)"}));
+    print_error(joined({"--format ", arguments.format,
+                        ": this build writes csv and vtkhdf. Parquet needs Apache Arrow, which Debian 12 does not "
+                        "have; pandas makes "
+                        "it from the csv: pandas.read_csv(FILE).to_parquet(...)"}));
     return kExitInput;
   }
   if (arguments.scenario) return export_trace(arguments);

@@ -143,7 +143,8 @@ int run_command(const RunArguments& arguments) {
   progress.close();
   if (!report) return report_failed(arguments, run, report.error());
   print_warnings(report->warnings);
-  const std::optional<fs::path> page = write_report_of_run(run.directory(), arguments.program);
+  const std::optional<fs::path> page =
+      write_report_of_run(run.directory(), arguments.program, arguments.moving && !report->interrupted);
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads, page);
 }

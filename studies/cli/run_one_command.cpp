@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/simulation/simulation.hpp"
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
 #include "studies/cli/recorded.hpp"
+#include "studies/cli/replays.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/warnings.hpp"
 #include "studies/execution/lone_run.hpp"
@@ -83,8 +86,25 @@ std::optional<Scenario> scenario_of_id(const Study& study, const fs::path& direc
   return scenario;
 }
 
+/// What there is to see of one run; nothing where it made no frame.
+std::vector<ScenarioReplay> seen_once(std::uint64_t id, const Scenario& scenario, const ScenarioResult& result,
+                                      const Trace& trace, Replay replay) {
+  if (replay.frame_count() == 0) return {};
+  ScenarioReplay seen{.id = id,
+                      .why = "the scenario",
+                      .result = result,
+                      .stage = replay_stage(scenario),
+                      .replay = std::move(replay),
+                      .trace = {}};
+  seen.trace.time_s = trace.time_s;
+  seen.trace.signals = trace.signals;
+  seen.trace.events = trace.events;
+  return {std::move(seen)};
+}
+
 /// The page of the scenario beside its file; says so when it cannot be written, since the file is there.
-void write_page(const fs::path& file, const ResultsContent& content, const RunArguments& arguments) {
+void write_page(const fs::path& file, const ResultsContent& content, const RunArguments& arguments,
+                std::vector<ScenarioReplay> replays) {
   RunArguments replay = arguments;
   replay.threads.reset();
   const StudyTables tables{.inputs = content.inputs, .rows = content.rows, .window = std::nullopt, .found = {}};
@@ -92,7 +112,8 @@ void write_page(const fs::path& file, const ResultsContent& content, const RunAr
                               .wanted = std::nullopt,
                               .source = file.string(),
                               .digest = rows_digest(content.rows),
-                              .summary = {outcome_line(content.rows)}};
+                              .summary = {outcome_line(content.rows)},
+                              .replays = std::move(replays)};
   const fs::path page = fs::path(file).replace_extension(".html");
   if (const auto error = write_report(page, content, context)) {
     print_note(joined({"no page was written: ", error->message}));
@@ -118,8 +139,10 @@ int run_one_command(const RunArguments& arguments) {
   say_size(*scenario);
   listen_for_interrupts();
   Trace trace;
+  Replay replay;
+  const Recording kept(&trace, arguments.moving ? &replay : nullptr, replay_interval_s(*scenario));
   const std::optional<ScenarioResult> result =
-      run_alone(core_simulator(), *scenario, &trace, &interrupt_requested());
+      run_alone(core_simulator(), *scenario, kept, &interrupt_requested());
   if (!result) return interrupt_exit_status();
 
   std::error_code failed;
@@ -154,7 +177,7 @@ int run_one_command(const RunArguments& arguments) {
   for (const std::string& line : contact_lines(content.tables)) print_line(line);
   compare_with_recorded(*result, recorded);
   print_line(joined({"results: ", file.string()}));
-  write_page(file, content, arguments);
+  write_page(file, content, arguments, seen_once(id, *scenario, *result, trace, std::move(replay)));
   print_line(joined({"digest ", digest_text(result_digest(*result))}));
   return result->outcome == Outcome::diverged ? kExitDiverged : kExitDone;
 }

@@ -21,6 +21,7 @@ class Correlations {
       : data_(input.data), read_(input.read), problems_(input.problems) {}
 
   void add() {
+    if (!kind_uses(Use::random, data_.settings.kind)) return;  // they are refused as a whole
     const std::size_t before = problems_.count();
     for (std::size_t i = 0; i < read_.blocks.correlation.size(); ++i) add_block(i);
     if (problems_.count() == before) check_together();

@@ -45,7 +45,7 @@ struct CsvColumn {
 CsvColumn csv_column(std::string_view list, const std::string& name) {
   const std::string table = std::string(list) + "[].";
   for (const KeySpec& spec : key_table()) {
-    if (!spec.path.starts_with(table)) continue;
+    if (!spec.path.starts_with(table) || spec.type == KeyType::series) continue;
     const std::string key(spec.path.substr(table.size()));
     if (spec.size == 0) {
       if (name == key) return {&spec, key};

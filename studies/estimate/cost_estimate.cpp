@@ -11,6 +11,8 @@
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/product_frame.hpp"
+#include "core/simulation/step_level.hpp"
+#include "core/simulation/step_levels.hpp"
 #include "core/surface/surfaces.hpp"
 #include "studies/execution/build_info.hpp"
 
@@ -65,15 +67,9 @@ LaneStepRate measured_lane_step_rate() {
   return {8.7e-10, 1.27e-10, "an AVX2 core (Zen 3 at 2.4 GHz)"};
 }
 
-double simulated_duration_s(const Scenario& scenario) {
-  if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
-  const StrategyParameters& strategy = scenario.strategy;
-  const double approach_s = planned_approach(scenario).time_s;
-  return MotionPlan(scenario, strategy.ramp_from_start ? 0.0 : approach_s).end_s();
-}
-
 double estimated_steps(const Scenario& scenario) {
-  return std::ceil(simulated_duration_s(scenario) / scenario.simulation.time_step_s);
+  if (step_levels(scenario).ticks.size() > 1) return planned_steps(scenario, planned_approach(scenario).time_s);
+  return std::ceil(planned_end_s(scenario) / scenario.simulation.time_step_s);
 }
 
 double estimated_model_bytes(const ModelSize& size) {
@@ -91,7 +87,8 @@ double estimated_lane_bytes(const ModelSize& size) {
 double estimated_trace_rows(const Scenario& scenario) {
   const SimulationParameters& simulation = scenario.simulation;
   const double every = simulation.trace_interval_s.value_or(simulation.time_step_s) / simulation.time_step_s;
-  return std::floor(estimated_steps(scenario) / std::max(std::round(every), 1.0)) + 1.0;
+  const double ticks = planned_end_s(scenario) / simulation.time_step_s;
+  return std::floor(std::min(estimated_steps(scenario), ticks / std::max(std::round(every), 1.0))) + 1.0;
 }
 
 double estimated_trace_bytes(const Scenario& scenario, const ModelSize& size) {

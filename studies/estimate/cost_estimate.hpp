@@ -26,8 +26,7 @@ inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
 /// Without either set it is that of AVX2, which flatters the machine.
 LaneStepRate measured_lane_step_rate();
 
-/// Time that passes inside the run, from the start to the end of `recover`; compression is neglected.
-double simulated_duration_s(const Scenario& scenario);
+/// Of a run in which everything goes as planned.
 double estimated_steps(const Scenario& scenario);
 
 /// One model: factor, particles and springs, dense compliance of the contact freedoms.

@@ -11,25 +11,18 @@ class CountedLanes final : public LaneEngine {
   CountedLanes(std::unique_ptr<LaneEngine> lanes, Progress& progress)
       : lanes_(std::move(lanes)), progress_(progress) {}
 
-  void load(int lane, const Scenario& scenario) override {
-    lanes_->load(lane, scenario);
-    ++busy_;
-  }
-  void record_trace(int lane, Trace& trace) override { lanes_->record_trace(lane, trace); }
-  void record_curve(int lane, Curve& curve) override { lanes_->record_curve(lane, curve); }
+  void load(int place, const Scenario& scenario) override { lanes_->load(place, scenario); }
+  void record(int place, const Recording& kept) override { lanes_->record(place, kept); }
   void step() override {
     lanes_->step();
-    progress_.count_steps(busy_);
-    busy_ -= lanes_->finished().size();
+    progress_.count_steps(static_cast<std::uint64_t>(lanes_->stepped()));
   }
-  [[nodiscard]] const std::vector<LaneSimulation::Finished>& finished() const override {
-    return lanes_->finished();
-  }
+  [[nodiscard]] int stepped() const override { return lanes_->stepped(); }
+  [[nodiscard]] const std::vector<Finished>& finished() const override { return lanes_->finished(); }
 
  private:
   std::unique_ptr<LaneEngine> lanes_;
   Progress& progress_;
-  std::size_t busy_ = 0;
 };
 
 class CountedModel final : public SharedModel {

@@ -11,8 +11,7 @@ GroupWorker::GroupWorker(LaneScheduler& scheduler, Group& group, Seat& seat)
     : scheduler_(scheduler),
       group_(group),
       seat_(seat),
-      lane_count_(scheduler.simulator_.lane_count()),
-      id_in_lane_(static_cast<std::size_t>(lane_count_)) {}
+      id_in_place_(static_cast<std::size_t>(scheduler.simulator_.place_count())) {}
 
 LaneUse GroupWorker::run() {
   if (group_.stage == Group::Stage::failed) {
@@ -24,7 +23,7 @@ LaneUse GroupWorker::run() {
   return use_;
 }
 
-/// Fills free lanes and makes one step; false when there is nothing left to do.
+/// Fills free places and makes one step; false when there is nothing left to do.
 bool GroupWorker::advance() {
   scheduler_.take(group_, seat_, busy_, taken_);
   if (!taken_.empty() && !ensure_lanes()) return false;
@@ -32,8 +31,8 @@ bool GroupWorker::advance() {
     load_taken();
     if (busy_ == 0) return false;
     lanes_->step();
-    use_.busy_lane_steps += static_cast<std::uint64_t>(busy_);
-    use_.lane_steps += static_cast<std::uint64_t>(lane_count_);
+    use_.busy_lane_steps += static_cast<std::uint64_t>(lanes_->stepped());
+    use_.lane_steps += static_cast<std::uint64_t>(scheduler_.simulator_.lane_count());
     collect_finished();
   } catch (...) {
     run_each_alone();
@@ -56,22 +55,22 @@ bool GroupWorker::ensure_lanes() {
 }
 
 void GroupWorker::load_taken() {
-  int lane = 0;
+  int place = 0;
   while (!taken_.empty()) {
-    while (slot(lane)) ++lane;
+    while (slot(place)) ++place;
     const std::uint64_t id = taken_.front();
-    slot(lane) = id;
+    slot(place) = id;
     ++busy_;
     taken_.erase(taken_.begin());
-    lanes_->load(lane, scheduler_.order_.scenario(id));
-    if (scheduler_.order_.curve) lanes_->record_curve(lane, scheduler_.order_.curve(id) = {});
+    lanes_->load(place, scheduler_.order_.scenario(id));
+    if (scheduler_.order_.curve) lanes_->record(place, Recording(&(scheduler_.order_.curve(id) = {})));
   }
 }
 
 void GroupWorker::collect_finished() {
-  for (const LaneSimulation::Finished& finished : lanes_->finished()) {
-    const std::uint64_t id = slot(finished.lane).value();
-    slot(finished.lane).reset();
+  for (const LaneEngine::Finished& finished : lanes_->finished()) {
+    const std::uint64_t id = slot(finished.place).value();
+    slot(finished.place).reset();
     --busy_;
     scheduler_.deliver(id, finished.result);
   }
@@ -83,7 +82,7 @@ void GroupWorker::run_each_alone() {
   lanes_.reset();
   scheduler_.has_no_free_lanes(seat_);
   std::vector<std::uint64_t> in_flight = std::exchange(taken_, {});
-  for (Slot& held : id_in_lane_) {
+  for (Slot& held : id_in_place_) {
     if (held) in_flight.push_back(*held);
     held.reset();
   }
@@ -97,7 +96,7 @@ void GroupWorker::run_one_alone(std::uint64_t id) {
   try {
     Curve* curve = scheduler_.order_.curve ? &(scheduler_.order_.curve(id) = {}) : nullptr;
     const std::optional<ScenarioResult> result = run_in_fresh_lanes(*group_.model, scheduler_.order_.scenario(id),
-                                                                    {.curve = curve}, scheduler_.order_.stop);
+                                                                    Recording(curve), scheduler_.order_.stop);
     if (result) scheduler_.deliver(id, *result);
   } catch (...) {
     scheduler_.deliver(id, failed_result(current_exception_text()));

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// One worker's lanes in one group of a lane scheduler: fills free lanes, steps, hands results on.
+/// One worker's lanes in one group of a lane scheduler: fills free places, steps, hands results on.
 
 #include <cstdint>
 #include <memory>
@@ -33,14 +33,13 @@ class GroupWorker {
   void run_each_alone();
   void run_one_alone(std::uint64_t id);
   void fail_all_left(const std::string& cause);
-  Slot& slot(int lane) { return id_in_lane_[static_cast<std::size_t>(lane)]; }
+  Slot& slot(int place) { return id_in_place_[static_cast<std::size_t>(place)]; }
 
   LaneScheduler& scheduler_;
   Group& group_;
   Seat& seat_;
-  const int lane_count_;
   std::unique_ptr<LaneEngine> lanes_;
-  std::vector<Slot> id_in_lane_;
+  std::vector<Slot> id_in_place_;
   std::vector<std::uint64_t> taken_;
   int busy_ = 0;
   LaneUse use_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include <tbb/global_control.h>
@@ -44,15 +45,24 @@ WorkReport LaneScheduler::run() {
 }
 
 void LaneScheduler::add(std::span<const std::uint64_t> ids) {
-  std::vector<std::string> keys;
-  keys.reserve(ids.size());
-  for (const std::uint64_t id : ids) keys.push_back(simulator_.factor_key(order_.scenario(id)));
+  struct Added {
+    std::uint64_t id;
+    double duration_s;
+    std::string key;
+  };
+  std::vector<Added> added;
+  added.reserve(ids.size());
+  for (const std::uint64_t id : ids) {
+    const Scenario scenario = order_.scenario(id);
+    added.push_back({id, simulator_.duration_s(scenario), simulator_.factor_key(scenario)});
+  }
+  std::ranges::stable_sort(added, std::ranges::greater(), &Added::duration_s);
   {
     const std::lock_guard lock(mutex_);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const auto [place, is_new] = group_of_key_.try_emplace(std::move(keys[i]), groups_.size());
+    for (Added& each : added) {
+      const auto [place, is_new] = group_of_key_.try_emplace(std::move(each.key), groups_.size());
       if (is_new) groups_.emplace_back().index = place->second;
-      groups_[place->second].waiting.push_back(ids[i]);
+      groups_[place->second].waiting.push_back(each.id);
       open_.insert(place->second);
     }
   }
@@ -200,12 +210,15 @@ void LaneScheduler::drop_model(Group& group) {
   std::erase(idle_, group.index);
 }
 
-/// Up to `lane_count - busy` ids for a worker's free lanes.
+/// Ids for a worker's free places. Where others are without work it takes no more than its lanes can advance at
+/// once.
 void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::uint64_t>& taken) {
   taken.clear();
   const std::lock_guard lock(mutex_);
   if (stopping()) return;
-  const auto free = static_cast<std::size_t>(simulator_.lane_count() - busy);
+  const bool leaves_some = grows() && unassigned_workers_ > 0;
+  const int places = leaves_some ? simulator_.lane_count() : simulator_.place_count();
+  const auto free = static_cast<std::size_t>(std::max(0, places - busy));
   const std::size_t mine = grows() ? left_by_seniors(group, seat) : fair_share(group);
   const std::size_t count = std::min(free, mine);
   taken.assign(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));

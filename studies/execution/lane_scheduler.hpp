@@ -26,7 +26,8 @@
 
 namespace unbruised::studies {
 
-/// Inside a factor key scenarios are handed out in the order of adding. In work that grows, lanes of one thread
+/// Inside a factor key, of scenarios that were added together the longest is handed out first: what starts last is
+/// what others wait for. In work that grows, lanes of one thread
 /// are filled before those of the next are used, and models stay for the questions that follow; otherwise the
 /// threads share what there is.
 class LaneScheduler final : public Work {
@@ -51,7 +52,7 @@ class LaneScheduler final : public Work {
   struct Group {
     enum class Stage { waiting, building, ready, failed };
     std::size_t index = 0;
-    std::deque<std::uint64_t> waiting;  ///< ids to hand out
+    std::deque<std::uint64_t> waiting;  ///< ids to hand out, in order
     Stage stage = Stage::waiting;
     std::shared_ptr<const SharedModel> model;
     std::string error;

@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/outcome/curve.hpp"
 #include "core/outcome/outcome.hpp"
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
 #include "studies/execution/simulator.hpp"
@@ -22,19 +24,19 @@ ScenarioResult failed_result(std::string cause);
 std::string current_exception_text();
 /// The model of a scenario, or why it cannot be built: an exception is a reason too.
 ModelOrReason build_model(const Simulator& simulator, const Scenario& scenario);
-/// What a run leaves beside its result, where it is not null.
-struct Records {
-  Trace* trace = nullptr;
-  Curve* curve = nullptr;
-};
-/// One scenario in lane 0 of fresh lanes until it ends; nothing when stopped.
-/// @param stop may be null.
+/// One scenario in fresh lanes until it ends; nothing when stopped. @param stop may be null.
 std::optional<ScenarioResult> run_in_fresh_lanes(const SharedModel& model, const Scenario& scenario,
-                                                 Records records, const std::atomic<bool>* stop);
-/// The same with a model of its own. @param trace filled when not null.
+                                                 const Recording& kept, const std::atomic<bool>* stop);
+/// The same with a model of its own.
 /// @return nothing when stopped; a `diverged` result with the cause where there is no model or an exception.
-std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario, Trace* trace,
-                                        const std::atomic<bool>* stop);
+std::optional<ScenarioResult> run_alone(const Simulator& simulator, const Scenario& scenario,
+                                        const Recording& kept, const std::atomic<bool>* stop);
+/// Scenarios of one factor key beside each other in fresh lanes, as many as there are lanes at most.
+/// @return their results; nothing when stopped
+std::optional<std::vector<ScenarioResult>> run_side_by_side(const Simulator& simulator,
+                                                            const std::vector<Scenario>& scenarios,
+                                                            const std::vector<Recording>& kept,
+                                                            const std::atomic<bool>* stop);
 
 /// Does the flag say so? Never when null.
 inline bool is_set(const std::atomic<bool>* flag) {

@@ -1,36 +1,56 @@
 #include "studies/execution/simulator.hpp"
 
+#include <map>
+#include <mutex>
 #include <utility>
+
+#include "core/motion/motion_plan.hpp"
 
 namespace unbruised::studies {
 namespace {
 
 class CoreLanes final : public LaneEngine {
  public:
-  explicit CoreLanes(std::shared_ptr<const Model> model) : lanes_(std::move(model)) {}
-  void load(int lane, const Scenario& scenario) override { lanes_.load(lane, scenario); }
-  void record_trace(int lane, Trace& trace) override { lanes_.record_trace(lane, trace); }
-  void record_curve(int lane, Curve& curve) override { lanes_.record_curve(lane, curve); }
+  CoreLanes(std::shared_ptr<const Model> model, LevelSimulation::Longer longer)
+      : lanes_(std::move(model), std::move(longer)) {}
+  void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
+  void record(int place, const Recording& kept) override { lanes_.record(place, kept); }
   void step() override { lanes_.step(); }
-  const std::vector<LaneSimulation::Finished>& finished() const override { return lanes_.finished(); }
+  int stepped() const override { return lanes_.stepped(); }
+  const std::vector<Finished>& finished() const override { return lanes_.finished(); }
 
  private:
-  LaneSimulation lanes_;
+  LevelSimulation lanes_;
 };
 
 class CoreModel final : public SharedModel {
  public:
   explicit CoreModel(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
-  std::unique_ptr<LaneEngine> make_lanes() const override { return std::make_unique<CoreLanes>(model_); }
+  std::unique_ptr<LaneEngine> make_lanes() const override {
+    return std::make_unique<CoreLanes>(
+        model_, [this](int ticks, const Scenario& scenario) { return with_ticks(ticks, scenario); });
+  }
 
  private:
+  /// The one of all threads.
+  std::shared_ptr<const Model> with_ticks(int ticks, const Scenario& scenario) const {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const Model>& longer = longer_[ticks];
+    if (!longer) longer = model_->with_ticks(ticks, scenario);
+    return longer;
+  }
+
   std::shared_ptr<const Model> model_;
+  mutable std::mutex mutex_;
+  mutable std::map<int, std::shared_ptr<const Model>> longer_;  ///< by ticks
 };
 
 class CoreSimulator final : public Simulator {
  public:
   int lane_count() const override { return unbruised::lane_count(); }
+  int place_count() const override { return level_place_count(); }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
+  double duration_s(const Scenario& scenario) const override { return planned_end_s(scenario); }
   ModelOrReason build(const Scenario& scenario) const override {
     std::string error;
     std::shared_ptr<const Model> model = Model::build(scenario, error);

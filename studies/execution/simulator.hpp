@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/outcome/replay.hpp"
 #include "core/outcome/trace.hpp"
 #include "core/scenario/scenario.hpp"
 #include "core/simulation/simulation.hpp"
@@ -14,17 +15,20 @@
 
 namespace unbruised::studies {
 
-/// Lanes that advance together; used by one thread at a time (see `LaneSimulation`).
+/// Scenarios of one factor key; used by one thread at a time (see `LevelSimulation`).
 class LaneEngine {
  public:
+  using Finished = LevelSimulation::Finished;
+
   virtual ~LaneEngine() = default;
-  virtual void load(int lane, const Scenario& scenario) = 0;
-  virtual void record_trace(int lane, Trace& trace) = 0;
-  /// The scenario that was just loaded leaves its curve there.
-  virtual void record_curve(int lane, Curve& curve) = 0;
+  virtual void load(int place, const Scenario& scenario) = 0;
+  /// Of the scenario that was just loaded.
+  virtual void record(int place, const Recording& kept) = 0;
   virtual void step() = 0;
-  /// Results of the lanes that ended in the last step, in lane order.
-  [[nodiscard]] virtual const std::vector<LaneSimulation::Finished>& finished() const = 0;
+  /// How many scenarios the last step advanced.
+  [[nodiscard]] virtual int stepped() const = 0;
+  /// Results of the places that became free in the last step.
+  [[nodiscard]] virtual const std::vector<Finished>& finished() const = 0;
 };
 
 /// What all scenarios of one factor key share; immutable, used by several threads.
@@ -40,8 +44,13 @@ using ModelOrReason = ValueOr<std::shared_ptr<const SharedModel>, std::string>;
 class Simulator {
  public:
   virtual ~Simulator() = default;
+  /// Scenarios that one step can advance.
   [[nodiscard]] virtual int lane_count() const = 0;
+  /// Scenarios that lanes of one maker can hold, `lane_count()` or more.
+  [[nodiscard]] virtual int place_count() const { return lane_count(); }
   [[nodiscard]] virtual std::string factor_key(const Scenario& scenario) const = 0;
+  /// Simulated time that a scenario takes, about [s].
+  [[nodiscard]] virtual double duration_s(const Scenario&) const { return 0.0; }
   [[nodiscard]] virtual ModelOrReason build(const Scenario& scenario) const = 0;
 };
 

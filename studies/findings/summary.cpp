@@ -139,6 +139,14 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
   return lines;
 }
 
+std::string answer_line(const StudyTables& tables, std::string_view study_kind) {
+  const std::string counts = outcome_line(tables.rows), balances = balance_line(tables.rows);
+  for (std::string& line : summary_lines(tables, study_kind)) {
+    if (line != counts && line != balances && line != tables.damage_note) return std::move(line);
+  }
+  return counts;
+}
+
 std::vector<std::string> replay_lines(const StudyTables& tables, const std::string& replay_command) {
   std::vector<const ScenarioRow*> not_held;
   for (const ScenarioRow& row : tables.rows) {

@@ -39,6 +39,8 @@ const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
 /// All of the above in order. @param study_kind the word of a kind: one that searches forces shows all
 /// combinations it can, a grid few.
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind);
+/// What it found, in one of these lines: without counts, remarks and balances.
+std::string answer_line(const StudyTables& tables, std::string_view study_kind);
 /// The first row of each outcome that is not held, most serious first, with its cause and the command that replays
 /// it.
 /// @param replay_command without the id, e.g. "unbruised run study.toml --scenario".

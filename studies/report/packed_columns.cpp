@@ -79,6 +79,12 @@ json PackedColumns::texts(std::span<const std::string> values) {
   return indexed(index, std::move(words));
 }
 
+json PackedColumns::raw(std::string_view bytes) {
+  const std::size_t at = start_column();
+  bytes_ += bytes;
+  return {{"type", "u8"}, {"at", at}, {"rows", bytes.size()}};
+}
+
 json PackedColumns::indexed(const std::vector<std::uint32_t>& index, json words) {
   if (words.size() == 1) return {{"constant", words[0]}, {"rows", index.size()}};
   const bool small = words.size() <= 256;

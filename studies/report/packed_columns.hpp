@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -30,6 +31,8 @@ class PackedColumns {
 
   nlohmann::json numbers(std::span<const double> values, Digits digits = Digits::all);
   nlohmann::json texts(std::span<const std::string> values);
+  /// Bytes as they are: {"type": "u8", "at": byte offset, "rows": n}.
+  nlohmann::json raw(std::string_view bytes);
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 

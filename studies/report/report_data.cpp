@@ -13,6 +13,7 @@
 #include "studies/report/packed_columns.hpp"
 #include "studies/report/page_words.hpp"
 #include "studies/report/report_trace.hpp"
+#include "studies/report/sound.hpp"
 #include "studies/results/window_columns.hpp"
 
 namespace unbruised::studies {
@@ -233,6 +234,15 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   for (const ResultTable& table : content.tables) page["tables"].push_back(table_json(packed, table));
   if (content.trace != nullptr && !content.trace->time_s.empty())
     page["trace"] = trace_json(packed, *content.trace);
+  page["replays"] = json::array();
+  if (!context.replays.empty()) page["sound"] = sound_json(sound_map(context.replays));
+  for (const ScenarioReplay& seen : context.replays) {
+    const auto row = std::find_if(content.rows.begin(), content.rows.end(),
+                                  [&](const ScenarioRow& each) { return each.id == seen.id; });
+    const auto at = static_cast<std::size_t>(row - content.rows.begin());
+    page["replays"].push_back(
+        replay_json(packed, seen, row == content.rows.end() ? std::nullopt : std::optional(at)));
+  }
   // ASCII only: U+2028 and whatever else ends a line in a script becomes an escape.
   constexpr int kNoIndent = -1;
   constexpr bool kAsciiOnly = true;

@@ -14,9 +14,6 @@
 namespace unbruised::studies {
 namespace {
 
-/// How every page begins: what may be replaced is recognised by it.
-constexpr std::string_view kBegin = "<!doctype html>\n<!-- Unbruised report -->\n";
-
 constexpr std::string_view kIcon =
     "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'%3E%3Cpath fill='none' "
     "stroke='%231b9e77' stroke-width='3.5' stroke-linecap='round' d='M5 7v18M27 7v18'/%3E%3Ccircle cx='16' "
@@ -51,12 +48,20 @@ bool may_be_replaced(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return true;
   std::ifstream in(path, std::ios::binary);
-  std::string begin(kBegin.size(), '\0');
+  std::string begin(kReportBegin.size(), '\0');
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == kBegin;
+  return begin == kReportBegin;
 }
 
 }  // namespace
+
+MaybeError refuse_foreign_page(const std::filesystem::path& path) {
+  if (may_be_replaced(path)) return std::nullopt;
+  return ResultsError{
+      ResultsErrorKind::foreign,
+      joined({path.string(), " is there and is no report of this program; name another file with -o"}),
+      {}};
+}
 
 std::string html_text(std::string_view text) {
   std::string escaped;
@@ -87,7 +92,7 @@ std::string html_text(std::string_view text) {
 std::string report_page(const ResultsContent& content, const ReportContext& context) {
   const ReportData data = report_data(content, context);
   const std::string script = joined({"\n", report_script()});
-  return joined({kBegin, "<html lang=\"en\">\n<head>\n", head(content, script), "</head>\n<body>\n",
+  return joined({kReportBegin, "<html lang=\"en\">\n<head>\n", head(content, script), "</head>\n<body>\n",
                  without_script(content, context), "<div id=\"page\"></div>\n",
                  "<script type=\"application/json\" id=\"study\">", data.json, "</script>\n",
                  "<script type=\"application/octet-stream+base64\" id=\"columns\">", base64(data.columns),
@@ -105,12 +110,7 @@ MaybeError write_report(const std::filesystem::path& path, const ResultsContent&
         "registry URL`, then run scripts/build",
         {}};
   }
-  if (!may_be_replaced(path)) {
-    return ResultsError{
-        ResultsErrorKind::foreign,
-        joined({path.string(), " is there and is no report of this program; name another file with -o"}),
-        {}};
-  }
+  if (auto error = refuse_foreign_page(path)) return error;
   return write_text_file(path, report_page(content, context));
 }
 

@@ -22,6 +22,13 @@ std::string report_page(const ResultsContent& content, const ReportContext& cont
 MaybeError write_report(const std::filesystem::path& path, const ResultsContent& content,
                         const ReportContext& context);
 
+/// How every page begins: what may be replaced is recognised by it.
+inline constexpr std::string_view kReportBegin = "<!doctype html>\n<!-- Unbruised report -->\n";
+inline constexpr const char* kReportName = "report.html";  ///< in a run directory
+
+/// Nothing where a page may be written: nothing is there yet, or an earlier page. Else foreign.
+MaybeError refuse_foreign_page(const std::filesystem::path& path);
+
 /// `text` as HTML shows it.
 std::string html_text(std::string_view text);
 

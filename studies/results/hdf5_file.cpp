@@ -171,6 +171,16 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
   write_attribute(object, name, H5T_STD_I32LE, H5T_NATIVE_INT32, &value, std::nullopt);
 }
 
+void Hdf5File::set_attribute(const std::string& object, const std::string& name,
+                             std::span<const std::int64_t> values) {
+  write_attribute(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, values.data(), values.size());
+}
+void Hdf5File::set_fixed_attribute(const std::string& object, const std::string& name, const std::string& text) {
+  const Hdf5Handle type = require(H5Tcopy(H5T_C_S1), H5Tclose, "copy a type for", object);
+  check(H5Tset_size(type.id(), text.size()), "size a text of", object);
+  check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "pad a text of", object);
+  write_attribute(object, name, type.id(), type.id(), text.data(), std::nullopt);
+}
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
   write_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value, std::nullopt);
 }

@@ -47,7 +47,10 @@ class Hdf5File {
   void set_attribute(const std::string& object, const std::string& name, const std::string& text);
   void set_attribute(const std::string& object, const std::string& name, std::int32_t value);
   void set_attribute(const std::string& object, const std::string& name, std::span<const std::int8_t> values);
+  void set_attribute(const std::string& object, const std::string& name, std::span<const std::int64_t> values);
   void set_attribute(const std::string& object, const std::string& name, double value);
+  /// A text of fixed length, as files for VTK have it.
+  void set_fixed_attribute(const std::string& object, const std::string& name, const std::string& text);
   void set_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
 
   [[nodiscard]] bool exists(const std::string& name) const;

@@ -68,6 +68,20 @@ Table simulation_keys() {
        .choices = {"automatic", "pads and support", "six sides", "whole surface"},
        .use = Use::lattice,
        .field = simulation<&S::contact_set>},
+      {.path = "simulation.levels",
+       .type = choice,
+       .meaning =
+           "Which steps a run takes. \"auto\": time_step_s where something happens, twice that while the product "
+           "is "
+           "pressed or put down, and up to eight times, at most 6 ms, while the fingers only approach or the "
+           "product "
+           "is merely carried; the scenario itself decides at the end of each step. It serves a product that "
+           "stays "
+           "upright between the flat pads of two fingers, without sensors, guards, belts or listed surfaces; all "
+           "others take time_step_s throughout, as with \"off\".",
+       .choices = {"auto", "off"},
+       .use = Use::gripper,
+       .field = simulation<&S::levels>},
   };
 }
 

@@ -33,8 +33,10 @@ inline Scenario falling_bar(int masses, double layer_N_m, double time_step_s, do
     particle.initial_velocity_m_s = {0.0, 0.0, -Bar::kSpeed_m_s};
     if (i == 0) particle.contact_stiffness_N_m = layer_N_m;
     network.particle.push_back(particle);
-    if (i > 0)
-      network.spring.push_back({{i - 1, i}, Bar::kModulus_Pa * Bar::kArea_m2 / spacing, 0.0, {}, {}, 0.0});
+    if (i == 0) continue;
+    NetworkSpring& spring = network.spring.emplace_back();
+    spring.between = {i - 1, i};
+    spring.stiffness_N_m = Bar::kModulus_Pa * Bar::kArea_m2 / spacing;
   }
   Scenario scenario;
   scenario.product = network;

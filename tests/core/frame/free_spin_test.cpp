@@ -144,7 +144,7 @@ TEST_F(FreeSpin, IsTheSameWhateverFliesBesideItAndIsLoadedOnTheWay) {
   LaneSimulation simulation(build(scenario));
   simulation.load(0, other);
   simulation.load(5, scenario);
-  simulation.record_trace(5, beside);
+  simulation.record(5, &beside);
   for (int k = 0; k < 13; ++k) simulation.step();
   for (int lane = 6; lane < 12; ++lane) simulation.load(lane, third);
   while (simulation.busy(5)) simulation.step();

@@ -27,8 +27,11 @@ Scenario bathe() {
   wall.position_m = {3.0, 0.0, 0.0};
   network.particle.push_back(second);
   network.particle.push_back(wall);
-  network.spring.push_back({{1, 2}, 2.0, 0.0, {}, {}, 0.0});
-  network.spring.push_back({{2, 3}, 2.0, 0.0, {}, {}, 0.0});
+  for (const std::array<int, 2>& between : {std::array{1, 2}, std::array{2, 3}}) {
+    NetworkSpring& spring = network.spring.emplace_back();
+    spring.between = between;
+    spring.stiffness_N_m = 2.0;
+  }
   network.load.push_back({2, {0.0}, {{10.0, 0.0, 0.0}}});
   return scenario;
 }
@@ -126,7 +129,10 @@ class LoadedChain {
       particle.fixed = {false, true, true};
       network.particle.push_back(particle);
       const int j = static_cast<int>(i);
-      network.spring.push_back({{j, j + 1}, stiffness[i], damping_time_ * stiffness[i], {}, {}, 0.0});
+      NetworkSpring& spring = network.spring.emplace_back();
+      spring.between = {j, j + 1};
+      spring.stiffness_N_m = stiffness[i];
+      spring.damping_N_s_m = damping_time_ * stiffness[i];
     }
     NetworkLoad load;
     load.particle = 3;

@@ -7,58 +7,28 @@
 
 #include "core/material/material.hpp"
 #include "core/simulation/model_parts.hpp"
-#include "tests/core/simulation/scenes.hpp"
+#include "tests/core/material/pressed_bar.hpp"
 
 namespace unbruised {
 namespace {
 
 using namespace testing;
 
-constexpr double kE_Pa = 1e6, kYield_Pa = 3e4, kTangent_Pa = 3e5;
-constexpr double kLength_m = 0.06, kWidth_m = 0.02;
+constexpr double kYield_Pa = 3e4, kTangent_Pa = 3e5;
 
-/// A bar lying between two stiff, frictionless pads that press on its ends, slowly.
 Scenario bar(double largest_stress_Pa) {
-  Scenario scenario = small_box();
+  Scenario scenario = pressed_bar();
   LatticeParameters& product = lattice_of(scenario);
-  product.size_m = {kLength_m, kWidth_m, kWidth_m};
-  product.youngs_modulus_Pa = kE_Pa;
-  product.poisson_ratio = 0.3;
   product.yield_stress_Pa = kYield_Pa;
   product.tangent_modulus_Pa = kTangent_Pa;
-  product.friction = 0.0;
   product.relaxation_time_s = 5e-3;
-  scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
-  scenario.cell.support = false;
-  scenario.cell.lift_height_m = 0.0;
-  scenario.cell.transfer_m = {0.0, 0.0};
-  scenario.cell.approach_gap_m = 1e-4;
-  jaw_of(scenario).pad_size_m = {0.04, 0.04};
   jaw_of(scenario).pad_modulus_Pa = 1e8;
-  jaw_of(scenario).drive_viscous_N_s_m = 100.0;
-  scenario.strategy.approach_speed_m_s = 0.01;
-  scenario.strategy.contact_force_N = 0.1;
   scenario.strategy.grip_force_N = largest_stress_Pa * kWidth_m * kWidth_m;
   scenario.strategy.grip_ramp_s = 3.0;
   scenario.strategy.settle_s = 0.5;
   scenario.strategy.recover_s = 0.5;
   scenario.simulation.time_step_s = 2e-3;
   return scenario;
-}
-
-/// Compressive strain between the ends of the bar, over time.
-std::vector<double> bar_strain(const Trace& trace) {
-  const auto n = static_cast<std::size_t>(trace.particle_count);
-  std::vector<double> strain(trace.time_s.size(), 0.0);
-  for (std::size_t k = 0; k < strain.size(); ++k) {
-    for (std::size_t p = 0; p < n; ++p) {
-      const double x = trace.rest_position_m[3 * p];
-      if (std::abs(x) < 0.5 * kLength_m - 1e-9) continue;
-      // Nine particles at each end; the pads push them inwards.
-      strain[k] -= std::copysign(1.0, x) * trace.displacement_m[3 * (n * k + p)] / 9.0 / kLength_m;
-    }
-  }
-  return strain;
 }
 
 TEST(CellPlasticity, ABarFollowsTheElasticPlasticLineAndKeepsTheRest) {
@@ -158,7 +128,7 @@ TEST(Material, RefusesLanesAndDisplacementsThatDoNotFit) {
   network_of(springs).spring.front().yield_force_N = 1.0;
   for (const Scenario& scenario : {small_box(), springs}) {
     const auto model = build(scenario);
-    const auto material = make_material(model->parts().body);
+    const auto material = make_material(model->parts().body, *model->parts().wilson);
     EXPECT_THROW(material->load(kLanes, scenario), std::logic_error);
     EXPECT_THROW(material->load(-1, scenario), std::logic_error);
     EXPECT_THROW(material->update(LaneArray(3), Mask(true)), std::logic_error);

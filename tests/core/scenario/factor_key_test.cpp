@@ -69,6 +69,8 @@ std::vector<double> numbers_of(const Model& model) {
   std::vector<double> all = {parts.wilson->dt, parts.wilson->theta, parts.body.relaxation_time_s,
                              parts.contact.patch_side_m};
   const auto add = [&all](const auto& values) { all.insert(all.end(), values.begin(), values.end()); };
+  for (const BranchStep& branch : parts.body.relaxation.branch)
+    add(std::vector<double>{branch.share, branch.time_s});
   for (const auto* values : {&parts.body.mass_kg, &parts.body.K.value, &parts.body.C.value,
                              &parts.body.factor.value, &parts.body.rest_force_N, &parts.contact.compliance}) {
     add(*values);
@@ -77,6 +79,7 @@ std::vector<double> numbers_of(const Model& model) {
   for (const auto& fixed : parts.body.fixed) add(fixed);
   for (const SpringGeometry& spring : parts.body.springs) {
     add(std::vector<double>{spring.stiffness, spring.rest_length, spring.yield_force, spring.hardening_ratio});
+    for (const RelaxationBranch& branch : spring.branch) add(std::vector<double>{branch.share, branch.time_s});
   }
   for (const ContactCandidate& candidate : parts.contact.candidate) {
     add(std::vector<double>{candidate.surface_m, candidate.area_m2, candidate.stiffness_N_m,
@@ -109,6 +112,8 @@ Scenario by_loss() {
   product.relaxation_time_s.reset();
   product.loss_ratio = 0.2;
   product.at_frequency_Hz = 50.0;
+  product.prony_modulus = {0.2, 0.3};
+  product.prony_time_s = {0.5, 20.0};
   return scenario;
 }
 
@@ -127,6 +132,9 @@ Scenario network() {
   spring.rest_length_m = 1.0;
   spring.yield_force_N = 5.0;
   spring.hardening_ratio = 0.1;
+  spring.burgers_flow_N_s_m = 700.0;
+  spring.burgers_recovery_N_m = 100.0;
+  spring.burgers_recovery_N_s_m = 50.0;
   network.spring.push_back(spring);
   network.load.push_back({1, {0.0}, {{1.0, 0.0, 0.0}}});
   return scenario;

@@ -182,6 +182,8 @@ bool trips(const PlausibleRow& row, const Scenario& scenario) {
 /// A scenario with the row's first field far above or below what is plausible.
 bool can_be_tripped(const PlausibleRow& row) {
   Scenario grip = usual_grip();
+  lattice_in(grip).prony_modulus = {0.2};
+  lattice_in(grip).prony_time_s = {1.0};
   jaw_of(grip).opening_m = 0.08;
   jaw_of(grip).finger.resize(1);
   grip.strategy.waypoint = {{.place_m = std::array<double, 3>{}, .rotation_rad = std::array<double, 3>{}}};

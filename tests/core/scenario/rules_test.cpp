@@ -50,6 +50,41 @@ std::vector<Breach> lattice_breaches() {
       {"product.relaxation_time_s", "excludes", usual_grip, [](S s) { lattice_in(s).relaxation_time_s = 1e-3; }},
       {"product.at_frequency_Hz", "missing", usual_grip, [](S s) { lattice_in(s).at_frequency_Hz.reset(); }},
       {"product.at_frequency_Hz", "not used", usual_grip, [](S s) { lattice_in(s).loss_ratio.reset(); }},
+      {"product.prony_time_s", "must be as many as prony_modulus = 2", usual_grip,
+       [](S s) {
+         lattice_in(s).prony_modulus = {0.2, 0.3};
+       }},
+      {"product.prony_time_s", "must be 6 times at most", usual_grip,
+       [](S s) {
+         lattice_in(s).prony_modulus.assign(7, 0.1);
+         lattice_in(s).prony_time_s.assign(7, 1.0);
+       }},
+      {"product.prony_modulus", "must not add up to more than the modulus, 1; they add up to 1.2", usual_grip,
+       [](S s) {
+         lattice_in(s).prony_modulus = {0.5, 0.7};
+         lattice_in(s).prony_time_s = {1.0, 2.0};
+       }},
+      {"product.prony_modulus", "must add up to less than 1 with prony_from", usual_grip,
+       [](S s) {
+         lattice_in(s).prony_modulus = {0.5, 0.5};
+         lattice_in(s).prony_time_s = {1.0, 2.0};
+         lattice_in(s).prony_from = PronyFrom::long_term;
+       }},
+      {"product.prony_from", "not used without prony_modulus", usual_grip,
+       [](S s) { lattice_in(s).prony_from = PronyFrom::long_term; }},
+      {"product.burgers_recovery_modulus", "missing; a Burgers model needs", usual_grip,
+       [](S s) {
+         lattice_in(s).burgers_flow_time_s = 100.0;
+         lattice_in(s).burgers_recovery_time_s = 2.0;
+       }},
+      {"product.burgers_flow_time_s", "excludes prony_modulus", usual_grip,
+       [](S s) {
+         lattice_in(s).burgers_flow_time_s = 100.0;
+         lattice_in(s).burgers_recovery_modulus = 2.0;
+         lattice_in(s).burgers_recovery_time_s = 2.0;
+         lattice_in(s).prony_modulus = {0.2};
+         lattice_in(s).prony_time_s = {1.0};
+       }},
       {"product.initial_spin_rad_s[1]", "must be 0 with a gripper", usual_grip,
        [](S s) {
          lattice_in(s).initial_spin_rad_s = {0.0, 1.0, 0.0};
@@ -358,6 +393,32 @@ std::vector<Breach> network_breaches() {
        [](S s) {
          network_in(s).spring[0].hardening_ratio = 0.1;
          network_in(s).spring[0].yield_force_N.reset();
+       }},
+      {"product.spring[0].prony_time_s", "must be as many as prony_modulus = 1", usual_network,
+       [](S s) { network_in(s).spring[0].prony_modulus = {0.2}; }},
+      {"product.spring[0].prony_modulus", "must not add up to more", usual_network,
+       [](S s) {
+         network_in(s).spring[0].prony_modulus = {0.5, 0.7};
+         network_in(s).spring[0].prony_time_s = {1.0, 2.0};
+       }},
+      {"product.spring[0].prony_from", "not used without prony_modulus", usual_network,
+       [](S s) { network_in(s).spring[0].prony_from = PronyFrom::long_term; }},
+      {"product.spring[0].burgers_flow_N_s_m", "missing; a Burgers model needs", usual_network,
+       [](S s) { network_in(s).spring[0].burgers_recovery_N_m = 100.0; }},
+      {"product.spring[0].burgers_flow_N_s_m", "excludes prony_modulus", usual_network,
+       [](S s) {
+         NetworkSpring& spring = network_in(s).spring[0];
+         spring.burgers_flow_N_s_m = spring.burgers_recovery_N_m = spring.burgers_recovery_N_s_m = 100.0;
+         spring.prony_modulus = {0.2};
+         spring.prony_time_s = {1.0};
+       }},
+      {"product.spring[0].prony_modulus", "needs a stiffness_N_m > 0", usual_network,
+       [](S s) {
+         network_in(s).spring[0].prony_modulus = {0.2};
+         network_in(s).spring[0].prony_time_s = {1.0};
+         network_in(s).spring[0].stiffness_N_m = 0.0;
+         network_in(s).spring[0].yield_force_N.reset();
+         network_in(s).spring[0].hardening_ratio = 0.0;
        }},
       {"product.spring[0].yield_force_N", "needs a stiffness", usual_network,
        [](S s) { network_in(s).spring[0].stiffness_N_m = 0.0; }},
@@ -668,16 +729,28 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape",     "product.axis",
-                                            "product.kind",      "product.particle[].fixed",
-                                            "gripper",           "gripper.coupling",
-                                            "gripper.hold",      "gripper.pad.shape",
-                                            "gripper.pad.along", "gripper.pad.kind",
-                                            "gripper.finger",    "cell.support",
-                                            "strategy.pick",     "cell.surface",
-                                            "cell.target_plane", "simulation.contact_set",
-                                            "strategy.guard",    "strategy.ramp_from_start",
-                                            "sensor.at",         "sensor.model"};
+  const std::set<std::string_view> words = {"product.shape",
+                                            "product.axis",
+                                            "product.kind",
+                                            "product.particle[].fixed",
+                                            "gripper",
+                                            "gripper.coupling",
+                                            "gripper.hold",
+                                            "gripper.pad.shape",
+                                            "gripper.pad.along",
+                                            "gripper.pad.kind",
+                                            "gripper.finger",
+                                            "cell.support",
+                                            "strategy.pick",
+                                            "cell.surface",
+                                            "cell.target_plane",
+                                            "simulation.contact_set",
+                                            "strategy.guard",
+                                            "strategy.ramp_from_start",
+                                            "sensor.at",
+                                            "sensor.model",
+                                            "product.prony_from",
+                                            "product.spring[].prony_from"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

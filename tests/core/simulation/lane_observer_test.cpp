@@ -55,7 +55,7 @@ ScenarioResult run_watched(const Scenario& scenario, std::vector<std::unique_ptr
   LaneSimulation simulation(testing::build(scenario));
   simulation.load(2, scenario);
   for (auto& observer : observers) simulation.watch(2, std::move(observer));
-  if (trace != nullptr) simulation.record_trace(2, *trace);
+  if (trace != nullptr) simulation.record(2, trace);
   while (simulation.busy(2)) simulation.step();
   return simulation.finished().front().result;
 }

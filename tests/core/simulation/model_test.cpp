@@ -30,9 +30,9 @@ TEST(LaneSimulation, RefusesALaneThatIsBusyOrDoesNotExistAndATraceThatComesLate)
   EXPECT_THROW(simulation.load(lane_count(), scenario), std::logic_error) << "there is no such lane";
   EXPECT_THROW((void)simulation.busy(-1), std::logic_error);
   Trace trace;
-  EXPECT_THROW(simulation.record_trace(1, trace), std::logic_error) << "nothing runs there";
+  EXPECT_THROW(simulation.record(1, &trace), std::logic_error) << "nothing runs there";
   simulation.step();
-  EXPECT_THROW(simulation.record_trace(0, trace), std::logic_error) << "it has begun";
+  EXPECT_THROW(simulation.record(0, &trace), std::logic_error) << "it has begun";
 }
 
 }  // namespace

@@ -36,18 +36,18 @@ inline ScenarioResult run(const Scenario& scenario, Trace* trace = nullptr) {
 /// @param traces one for each, where not null
 inline std::vector<ScenarioResult> run_side_by_side(const std::vector<Scenario>& scenarios,
                                                     std::vector<Trace>* traces = nullptr) {
-  LaneSimulation simulation(build(scenarios.front()));
+  LevelSimulation simulation(build(scenarios.front()));
   if (traces != nullptr) traces->resize(scenarios.size());
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     EXPECT_EQ(factor_key(scenarios[i]), factor_key(scenarios.front()));
     simulation.load(static_cast<int>(i), scenarios[i]);
-    if (traces != nullptr) simulation.record_trace(static_cast<int>(i), (*traces)[i]);
+    if (traces != nullptr) simulation.record(static_cast<int>(i), &(*traces)[i]);
   }
   std::vector<ScenarioResult> results(scenarios.size());
-  while (simulation.busy_count() > 0) {
+  for (std::size_t left = scenarios.size(); left > 0; left -= simulation.finished().size()) {
     simulation.step();
     for (const auto& finished : simulation.finished()) {
-      results[static_cast<std::size_t>(finished.lane)] = finished.result;
+      results[static_cast<std::size_t>(finished.place)] = finished.result;
     }
   }
   return results;
@@ -136,6 +136,7 @@ inline Scenario small_box() {
   scenario.strategy.settle_s = 0.1;
   scenario.strategy.recover_s = 0.1;
   scenario.simulation.time_step_s = 1e-3;
+  scenario.simulation.levels = LevelUse::off;  // a row of the trace for each; levels: level_simulation_test
   return scenario;
 }
 

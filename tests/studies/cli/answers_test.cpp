@@ -118,7 +118,8 @@ TEST_F(Answers, OneScenarioLeavesAThinTraceAPageAndTheSameBits) {
   EXPECT_TRUE(trace.starts_with("time_s,")) << trace.substr(0, 100);
 
   // A step so small that every second one is left out, and all of them when asked.
-  const std::string fine = "run study.toml -o fine --scenario 3 --set simulation.time_step_s=5e-4";
+  const std::string fine =
+      "run study.toml -o fine --scenario 3 --set simulation.time_step_s=5e-4 --set simulation.levels=off";
   ASSERT_EQ(call(fine).status, 0);
   ASSERT_EQ(call("export fine --scenario 3 -o thin.csv").status, 0);
   const Answer whole = call(fine + " --full-trace");

@@ -23,9 +23,10 @@ class Instants : public testing::ProgramTest {
   void SetUp() override {
     ProgramTest::SetUp();
     write("study.toml", kStudy);
-    ASSERT_EQ(call("run -q study.toml -j 1").status, 0);
+    ASSERT_EQ(call("run -q study.toml -j 1 --set simulation.levels=off").status, 0);
   }
-  void record() const { ASSERT_EQ(call("run study.toml --scenario 1").status, 0); }
+  /// With a row for every step.
+  void record() const { ASSERT_EQ(call("run study.toml --scenario 1 --set simulation.levels=off").status, 0); }
   void expect_refused(const std::string& words, const std::string& sentence) const {
     const Answer answer = call(words);
     EXPECT_EQ(answer.status, 2) << words;

@@ -218,7 +218,7 @@ void expect_mixed(const Tally& tally, int least) {
 }
 
 TEST(RandomRules, WhatTheReaderAcceptsOfLatticesIsValidAndCanBeBuilt) {
-  expect_mixed(try_studies(120, 4, &Writer::lattice_study), 10);
+  expect_mixed(try_studies(240, 4, &Writer::lattice_study), 10);
 }
 
 TEST(RandomRules, WhatTheReaderAcceptsOfNetworksIsValidAndCanBeBuilt) {

@@ -74,15 +74,18 @@ class FakeLanes final : public LaneEngine {
     }
   }
 
-  void record_trace(int, Trace& trace) override { trace.time_s = {0.0}; }
-  void record_curve(int, Curve&) override {}
+  void record(int, const Recording& kept) override {
+    if (kept.trace != nullptr) kept.trace->time_s = {0.0};
+  }
 
   void step() override {
     ++record_.steps;
     finished_.clear();
+    stepped_ = 0;
     for (int lane = 0; lane < kFakeLanes; ++lane) {
       Slot& slot = slots_[static_cast<std::size_t>(lane)];
       if (!slot.scenario) continue;
+      ++stepped_;
       if (slot.scenario->strategy.grip_force_N == faults_.throws_in_step_at_N) throw std::bad_alloc();
       if (--slot.steps_left > 0) continue;
       finished_.push_back({lane, fake_result(*slot.scenario)});
@@ -91,7 +94,8 @@ class FakeLanes final : public LaneEngine {
     std::this_thread::yield();
   }
 
-  const std::vector<LaneSimulation::Finished>& finished() const override { return finished_; }
+  int stepped() const override { return stepped_; }
+  const std::vector<Finished>& finished() const override { return finished_; }
 
  private:
   struct Slot {
@@ -101,7 +105,8 @@ class FakeLanes final : public LaneEngine {
   FakeRecord& record_;
   const FakeFaults& faults_;
   std::vector<Slot> slots_ = std::vector<Slot>(kFakeLanes);
-  std::vector<LaneSimulation::Finished> finished_;
+  std::vector<Finished> finished_;
+  int stepped_ = 0;
 };
 
 class FakeModel final : public SharedModel {

@@ -32,19 +32,21 @@ class FormulaLanes final : public LaneEngine {
     const double force_N = scenario.strategy.grip_force_N;
     slot.steps_left = 1 + static_cast<int>(static_cast<std::uint64_t>(force_N * 1e9) % 7U);
   }
-  void record_trace(int, Trace&) override {}
-  void record_curve(int, Curve&) override {}
+  void record(int, const Recording&) override {}
   void step() override {
     finished_.clear();
+    stepped_ = 0;
     for (int lane = 0; lane < kFormulaLanes; ++lane) {
       Slot& slot = slots_[static_cast<std::size_t>(lane)];
+      if (slot.result) ++stepped_;
       if (!slot.result || --slot.steps_left > 0) continue;
       finished_.push_back({lane, *slot.result});
       slot.result.reset();
     }
     std::this_thread::yield();
   }
-  const std::vector<LaneSimulation::Finished>& finished() const override { return finished_; }
+  int stepped() const override { return stepped_; }
+  const std::vector<Finished>& finished() const override { return finished_; }
 
  private:
   struct Slot {
@@ -53,7 +55,8 @@ class FormulaLanes final : public LaneEngine {
   };
   const Formula& formula_;
   std::vector<Slot> slots_ = std::vector<Slot>(kFormulaLanes);
-  std::vector<LaneSimulation::Finished> finished_;
+  std::vector<Finished> finished_;
+  int stepped_ = 0;
 };
 
 class FormulaModel final : public SharedModel {

@@ -49,7 +49,7 @@ unbruised::testing::Recount recount_of(const fs::path& path, std::size_t steps) 
   LaneSimulation simulation(unbruised::testing::build(scenario));
   simulation.load(0, scenario);
   Trace trace;
-  simulation.record_trace(0, trace);
+  simulation.record(0, &trace);
   for (std::size_t step = 0; step < steps && simulation.busy(0); ++step) simulation.step();
   const auto found = unbruised::testing::recount(trace, scenario.simulation.theta, step_s);
   EXPECT_EQ(found.closed_differs, 0u) << path;

@@ -79,5 +79,7 @@ ReportFixture sample();
 std::vector<ReportFixture> product_fixtures();
 std::vector<ReportFixture> single_fixtures();
 std::vector<ReportFixture> faulty_fixtures();
+/// The only ones that are simulated: what is in motion.
+std::vector<ReportFixture> moving_fixtures();
 
 }  // namespace unbruised::studies::testing

@@ -10,7 +10,8 @@ namespace unbruised::studies::testing {
 
 std::vector<ReportFixture> report_fixtures() {
   std::vector<ReportFixture> all;
-  for (auto* kind : {window_fixtures, search_fixtures, product_fixtures, single_fixtures, faulty_fixtures}) {
+  for (auto* kind :
+       {window_fixtures, search_fixtures, product_fixtures, single_fixtures, faulty_fixtures, moving_fixtures}) {
     std::vector<ReportFixture> some = kind();
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }

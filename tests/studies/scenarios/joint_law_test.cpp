@@ -41,9 +41,15 @@ const std::string kFriction = "product.friction";
 const std::string kYield = "product.yield_stress_Pa";
 const std::string kMass = "product.mass_kg";
 
+/// A study of products that yield.
+std::string yielding_block() {
+  std::string study = gripped_block("sample");
+  return study.insert(study.find("[gripper]"), "yield_stress_Pa = 2e3\ntangent_modulus_Pa = 5e3\n");
+}
+
 /// Friction, modulus, yield stress and mass; the modulus and the mass change the factored matrix.
 std::string four_keys() {
-  return gripped_block("sample") +
+  return yielding_block() +
          random_block(kFriction,
                       "distribution = \"normal\"\nmean = 0.5\nstandard_deviation = 0.05\nat_least = 0.1") +
          random_block(kModulus,
@@ -125,7 +131,7 @@ std::string rows() {
     for (const double value : values) text += std::to_string(value) + ", ";
     return text + "]";
   };
-  return gripped_block("sample") + random_block(kFriction, "distribution = \"uniform\"\nfrom = 0.4\nto = 0.6") +
+  return yielding_block() + random_block(kFriction, "distribution = \"uniform\"\nfrom = 0.4\nto = 0.6") +
          random_block(kModulus, "distribution = \"data\"\nzip = \"fruit\"\ndata = " + list(kModuli)) +
          random_block(kYield, "distribution = \"data\"\nzip = \"fruit\"\ndata = " + list(kYields));
 }
@@ -177,7 +183,7 @@ Coverage coverage_of_parts(const std::string& design, std::size_t groups, double
   constexpr std::size_t kCount = 64;
   constexpr double kRank = 0.79;
   const Study study = study_of(
-      gripped_block("sample") +
+      yielding_block() +
       random_block(kFriction, "distribution = \"normal\"\nmean = 0.5\nstandard_deviation = 0.05\nat_least = 0.1") +
       random_block(kModulus, "distribution = \"normal\"\nmean = 1e6\nstandard_deviation = 1e5\nat_least = 1e5") +
       correlation(kFriction, kModulus, kRank) + sampling(design, kCount, groups));

@@ -30,6 +30,9 @@ using A2 = std::array<double, 2>;
 std::vector<Arrival> product_arrivals() {
   const std::vector<std::string> plastic = {"product.yield_stress_Pa=11.5", "product.tangent_modulus_Pa=7.5"};
   const std::vector<std::string> lossy = {"product.loss_ratio=0.25", "product.at_frequency_Hz=12.5"};
+  const std::vector<std::string> burgers = {"product.burgers_flow_time_s=37.5",
+                                            "product.burgers_recovery_modulus=3.75",
+                                            "product.burgers_recovery_time_s=0.375"};
   return {
       {"product.shape", "\"cylinder\"", [](S s) { return lattice(s).shape == Shape::cylinder; }},
       {"product.size_m", "[0.5, 0.25, 0.75]",
@@ -48,6 +51,27 @@ std::vector<Arrival> product_arrivals() {
       {"product.relaxation_time_s", "0.125", [](S s) { return lattice(s).relaxation_time_s == 0.125; }},
       {"product.loss_ratio", "0.25", [](S s) { return lattice(s).loss_ratio == 0.25; }, lossy},
       {"product.at_frequency_Hz", "12.5", [](S s) { return lattice(s).at_frequency_Hz == 12.5; }, lossy},
+      {"product.prony_modulus",
+       "[0.25, 0.125]",
+       [](S s) {
+         return lattice(s).prony_modulus == std::vector<double>{0.25, 0.125};
+       },
+       {"product.prony_time_s=[1.0, 2.0]"}},
+      {"product.prony_time_s",
+       "[1.5, 25.0]",
+       [](S s) {
+         return lattice(s).prony_time_s == std::vector<double>{1.5, 25.0};
+       },
+       {"product.prony_modulus=[0.25, 0.125]"}},
+      {"product.prony_from",
+       "\"long term\"",
+       [](S s) { return lattice(s).prony_from == PronyFrom::long_term; },
+       {"product.prony_modulus=[0.25]", "product.prony_time_s=[1.5]"}},
+      {"product.burgers_flow_time_s", "37.5", [](S s) { return lattice(s).burgers_flow_time_s == 37.5; }, burgers},
+      {"product.burgers_recovery_modulus", "3.75", [](S s) { return lattice(s).burgers_recovery_modulus == 3.75; },
+       burgers},
+      {"product.burgers_recovery_time_s", "0.375", [](S s) { return lattice(s).burgers_recovery_time_s == 0.375; },
+       burgers},
       {"product.friction", "0.875", [](S s) { return lattice(s).friction == 0.875; }},
       {"product.initial_velocity_m_s", "[1.0, 2.0, 3.0]",
        [](S s) {
@@ -317,6 +341,7 @@ std::vector<Arrival> surface_arrivals() {
       {"cell.target_plane", "false", [](S s) { return !s.cell.target_plane; }},
       {"simulation.contact_set", "\"six sides\"",
        [](S s) { return s.simulation.contact_set == ContactSet::six_sides; }},
+      {"simulation.levels", "\"off\"", [](S s) { return s.simulation.levels == LevelUse::off; }},
   };
 }
 
@@ -431,6 +456,9 @@ std::vector<Arrival> limit_and_simulation_arrivals() {
 }
 
 std::vector<Arrival> network_arrivals() {
+  const std::vector<std::string> burgers = {"product.spring[0].burgers_flow_N_s_m=37.5",
+                                            "product.spring[0].burgers_recovery_N_m=3.75",
+                                            "product.spring[0].burgers_recovery_N_s_m=0.375"};
   return {
       {"product.particle[1].position_m", "[1.0, 2.0, 3.0]",
        [](S s) {
@@ -464,6 +492,28 @@ std::vector<Arrival> network_arrivals() {
       {"product.spring[0].yield_force_N", "3.75", [](S s) { return network(s).spring[0].yield_force_N == 3.75; }},
       {"product.spring[0].hardening_ratio", "3.75",
        [](S s) { return network(s).spring[0].hardening_ratio == 3.75; }},
+      {"product.spring[0].prony_modulus",
+       "[0.25, 0.125]",
+       [](S s) {
+         return network(s).spring[0].prony_modulus == std::vector<double>{0.25, 0.125};
+       },
+       {"product.spring[0].prony_time_s=[1.0, 2.0]"}},
+      {"product.spring[0].prony_time_s",
+       "[1.5, 25.0]",
+       [](S s) {
+         return network(s).spring[0].prony_time_s == std::vector<double>{1.5, 25.0};
+       },
+       {"product.spring[0].prony_modulus=[0.25, 0.125]"}},
+      {"product.spring[0].prony_from",
+       "\"long term\"",
+       [](S s) { return network(s).spring[0].prony_from == PronyFrom::long_term; },
+       {"product.spring[0].prony_modulus=[0.25]", "product.spring[0].prony_time_s=[1.5]"}},
+      {"product.spring[0].burgers_flow_N_s_m", "37.5",
+       [](S s) { return network(s).spring[0].burgers_flow_N_s_m == 37.5; }, burgers},
+      {"product.spring[0].burgers_recovery_N_m", "3.75",
+       [](S s) { return network(s).spring[0].burgers_recovery_N_m == 3.75; }, burgers},
+      {"product.spring[0].burgers_recovery_N_s_m", "0.375",
+       [](S s) { return network(s).spring[0].burgers_recovery_N_s_m == 0.375; }, burgers},
       {"product.load[0].particle", "0", [](S s) { return network(s).load[0].particle == 0; }},
       {"product.load[0].time_s", "[0.5, 3.0]",
        [](S s) {

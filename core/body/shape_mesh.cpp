@@ -1,0 +1,144 @@
+#include "core/body/shape_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "core/scenario/product.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Pieces along the side of a cube that becomes an ellipsoid, and along the longest side of a box.
+constexpr int kCubeSide = 14, kBoxSide = 13;
+/// Pieces around a cylinder, and from the middle of its ends to their rims.
+constexpr int kAround = 56, kRings = 7;
+
+using Place = std::array<double, 3>;
+
+void add_square(std::vector<std::array<int, 3>>& triangle, const std::array<int, 4>& corner) {
+  triangle.push_back({corner[0], corner[1], corner[2]});
+  triangle.push_back({corner[0], corner[2], corner[3]});
+}
+
+/// Calls back with the four corners of every piece of every side of a cube, counter-clockwise from outside:
+/// whole numbers from 0 to `count` along each axis.
+template <class Take>
+void walk_sides(const std::array<int, 3>& count, const Take& take) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
+    for (const bool high : {false, true}) {
+      for (int i = 0; i < count[a]; ++i) {
+        for (int j = 0; j < count[b]; ++j) {
+          std::array<std::array<int, 3>, 4> corner{};
+          for (std::size_t c = 0; c < 4; ++c) {
+            const bool far_a = c == 1 || c == 2, far_b = c >= 2;
+            corner[c][axis] = high ? count[axis] : 0;
+            corner[c][a] = i + ((high ? far_a : far_b) ? 1 : 0);
+            corner[c][b] = j + ((high ? far_b : far_a) ? 1 : 0);
+          }
+          take(2 * axis + (high ? 1 : 0), corner);
+        }
+      }
+    }
+  }
+}
+
+ShapeMesh ellipsoid_mesh(const std::array<double, 3>& size_m) {
+  ShapeMesh mesh;
+  std::map<std::array<int, 3>, int> number;
+  const auto number_of = [&](const std::array<int, 3>& at) {
+    const auto [found, is_new] = number.try_emplace(at, static_cast<int>(mesh.place_m.size()));
+    if (is_new) {
+      Place place{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        place[i] = std::tan(std::numbers::pi / 4.0 * (2.0 * at[i] / kCubeSide - 1.0));
+      }
+      const double length = std::hypot(place[0], place[1], place[2]);
+      for (std::size_t i = 0; i < 3; ++i) place[i] *= 0.5 * size_m[i] / length;
+      mesh.place_m.push_back(place);
+    }
+    return found->second;
+  };
+  walk_sides({kCubeSide, kCubeSide, kCubeSide}, [&](std::size_t, const std::array<std::array<int, 3>, 4>& corner) {
+    add_square(mesh.triangle,
+               {number_of(corner[0]), number_of(corner[1]), number_of(corner[2]), number_of(corner[3])});
+  });
+  return mesh;
+}
+
+ShapeMesh box_mesh(const std::array<double, 3>& size_m) {
+  ShapeMesh mesh;
+  const double longest_m = std::max({size_m[0], size_m[1], size_m[2]});
+  std::array<int, 3> count{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    count[i] = std::max(4, static_cast<int>(std::lround(kBoxSide * size_m[i] / longest_m)));
+  }
+  std::map<std::pair<std::size_t, std::array<int, 3>>, int> number;
+  walk_sides(count, [&](std::size_t side, const std::array<std::array<int, 3>, 4>& corner) {
+    std::array<int, 4> found{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto [at, is_new] =
+          number.try_emplace(std::pair(side, corner[c]), static_cast<int>(mesh.place_m.size()));
+      found[c] = at->second;
+      if (!is_new) continue;
+      Place place{};
+      for (std::size_t i = 0; i < 3; ++i)
+        place[i] = (static_cast<double>(corner[c][i]) / count[i] - 0.5) * size_m[i];
+      mesh.place_m.push_back(place);
+    }
+    add_square(mesh.triangle, found);
+  });
+  return mesh;
+}
+
+/// A grid of places closed around `axis`: at ring r and angle a `place(r, a)`.
+template <class At>
+void add_rings(int rings, const At& place, ShapeMesh& mesh) {
+  const int first = static_cast<int>(mesh.place_m.size());
+  for (int r = 0; r <= rings; ++r) {
+    for (int a = 0; a < kAround; ++a) mesh.place_m.push_back(place(r, 2.0 * std::numbers::pi * a / kAround));
+  }
+  for (int r = 0; r < rings; ++r) {
+    for (int a = 0; a < kAround; ++a) {
+      const int next = (a + 1) % kAround, here = first + r * kAround;
+      add_square(mesh.triangle, {here + a, here + next, here + kAround + next, here + kAround + a});
+    }
+  }
+}
+
+ShapeMesh cylinder_mesh(std::size_t axis, const std::array<double, 3>& size_m) {
+  ShapeMesh mesh;
+  const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
+  const auto place = [&](double along, double out, double angle) {
+    Place at{};
+    at[axis] = along * size_m[axis];
+    at[a] = 0.5 * out * size_m[a] * std::cos(angle);
+    at[b] = 0.5 * out * size_m[b] * std::sin(angle);
+    return at;
+  };
+  constexpr int kHigh = 2 * kRings;
+  add_rings(
+      kHigh, [&](int r, double angle) { return place(static_cast<double>(r) / kHigh - 0.5, 1.0, angle); }, mesh);
+  add_rings(
+      kRings, [&](int r, double angle) { return place(0.5, 1.0 - static_cast<double>(r) / kRings, angle); }, mesh);
+  add_rings(
+      kRings, [&](int r, double angle) { return place(-0.5, static_cast<double>(r) / kRings, angle); }, mesh);
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<ShapeMesh> shape_mesh(const ProductParameters& product) {
+  const std::optional<TrueShape> shape = true_shape(product);
+  if (!shape) return std::nullopt;
+  const std::array<double, 3> size_m = shape_extents_m(product).value();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!shape->is_round(axis) && shape->is_round((axis + 1) % 3)) return cylinder_mesh(axis, size_m);
+  }
+  return shape->is_round(0) ? ellipsoid_mesh(size_m) : box_mesh(size_m);
+}
+
+}  // namespace unbruised

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/door/require.hpp"
+#include "core/lanes/lane.hpp"
+#include "core/simulation/parked_scenario.hpp"
+#include "core/simulation/simulation.hpp"
+
+namespace unbruised {
+namespace {
+
+constexpr int kPlaces = 3 * kLanes;
+
+/// Who waits for a lane: not begun, or between two steps.
+struct Waiting {
+  int place = 0;
+  std::optional<Scenario> fresh;
+  std::unique_ptr<ParkedScenario> parked;
+  std::vector<std::function<void(LaneSimulation&, int lane)>> once_loaded;
+};
+
+/// The scenarios that take steps of one length.
+struct Batch {
+  explicit Batch(std::shared_ptr<const Model> model) : lanes(std::move(model)) { place.fill(kFree); }
+
+  static constexpr int kFree = -1;
+  LaneSimulation lanes;
+  std::array<int, kLanes> place{};  ///< in each lane
+  std::deque<Waiting> waiting;
+
+  [[nodiscard]] int busy() const { return lanes.busy_count(); }
+  /// How many would take the next step.
+  [[nodiscard]] int ready() const { return std::min(kLanes, busy() + static_cast<int>(waiting.size())); }
+  [[nodiscard]] int free_lane() const { return static_cast<int>(std::ranges::find(place, kFree) - place.begin()); }
+  /// Lets those who wait into free lanes.
+  void fill() {
+    for (int lane = free_lane(); lane < kLanes && !waiting.empty(); lane = free_lane()) {
+      Waiting next = std::move(waiting.front());
+      waiting.pop_front();
+      next.fresh ? lanes.load(lane, *next.fresh) : lanes.put(lane, *next.parked);
+      for (const auto& act : next.once_loaded) act(lanes, lane);
+      place[static_cast<std::size_t>(lane)] = next.place;
+    }
+  }
+};
+
+}  // namespace
+
+struct LevelSimulation::Impl {
+  Impl(std::shared_ptr<const Model> shared, Longer source) : model(std::move(shared)), longer(std::move(source)) {
+    batch.emplace(1, std::make_unique<Batch>(model));
+  }
+
+  Batch& first() { return *batch.at(1); }
+  Batch& with_ticks(int ticks, const Scenario& scenario) {
+    std::unique_ptr<Batch>& found = batch[ticks];
+    if (!found) {
+      found = std::make_unique<Batch>(longer ? longer(ticks, scenario) : model->with_ticks(ticks, scenario));
+      if (timing) found->lanes.enable_timing();
+    }
+    return *found;
+  }
+  /// Those who want steps of another length go there.
+  void send_on(Batch& from) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      int& place = from.place[static_cast<std::size_t>(lane)];
+      if (place == Batch::kFree) continue;
+      const int ticks = from.lanes.next_ticks(lane);
+      if (ticks == from.lanes.ticks()) continue;
+      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}};
+      Batch& to = with_ticks(ticks, moved.parked->run.scenario);
+      to.waiting.push_back(std::move(moved));
+    }
+  }
+  /// Acts on the lane of a place that was just loaded, now or when it has one.
+  void once_loaded(int place, std::function<void(LaneSimulation&, int lane)> act) {
+    const auto lane = std::ranges::find(first().place, place);
+    if (lane != first().place.end()) return act(first().lanes, static_cast<int>(lane - first().place.begin()));
+    const auto waits = std::ranges::find(first().waiting, place, &Waiting::place);
+    require(waits != first().waiting.end(), "LevelSimulation: nothing was loaded into the place");
+    waits->once_loaded.push_back(std::move(act));
+  }
+
+  std::shared_ptr<const Model> model;
+  Longer longer;
+  std::map<int, std::unique_ptr<Batch>> batch;  ///< by ticks
+  std::array<bool, kPlaces> busy{};
+  std::vector<Finished> finished;
+  int stepped = 0;
+  bool timing = false;
+};
+
+LevelSimulation::LevelSimulation(std::shared_ptr<const Model> model, Longer longer)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(longer))) {}
+LevelSimulation::~LevelSimulation() = default;
+
+void LevelSimulation::load(int place, const Scenario& scenario) {
+  require(place >= 0 && place < kPlaces, "LevelSimulation::load: there is no such place");
+  bool& busy = impl_->busy[static_cast<std::size_t>(place)];
+  require(!busy, "LevelSimulation::load: the place is busy");
+  Batch& first = impl_->first();
+  first.waiting.push_back({place, scenario, nullptr, {}});
+  first.fill();
+  busy = true;
+}
+
+bool LevelSimulation::busy(int place) const {
+  return place >= 0 && place < kPlaces && impl_->busy[static_cast<std::size_t>(place)];
+}
+
+void LevelSimulation::record(int place, const Recording& kept) {
+  impl_->once_loaded(place, [kept](LaneSimulation& lanes, int lane) { lanes.record(lane, kept); });
+}
+
+void LevelSimulation::step() {
+  impl_->finished.clear();
+  const auto most =
+      std::ranges::max_element(impl_->batch, {}, [](const auto& each) { return each.second->ready(); });
+  Batch& batch = *most->second;
+  batch.fill();
+  impl_->stepped = batch.busy();
+  batch.lanes.step();
+  for (const LaneSimulation::Finished& done : batch.lanes.finished()) {
+    const int place = std::exchange(batch.place[static_cast<std::size_t>(done.lane)], Batch::kFree);
+    impl_->busy[static_cast<std::size_t>(place)] = false;
+    impl_->finished.push_back({place, done.result});
+  }
+  impl_->send_on(batch);
+}
+
+int LevelSimulation::stepped() const { return impl_->stepped; }
+const std::vector<LevelSimulation::Finished>& LevelSimulation::finished() const { return impl_->finished; }
+
+void LevelSimulation::enable_timing() {
+  impl_->timing = true;
+  for (auto& [ticks, batch] : impl_->batch) batch->lanes.enable_timing();
+}
+
+LaneSimulation::PartTimes LevelSimulation::part_times() const {
+  LaneSimulation::PartTimes sum;
+  for (const auto& [ticks, batch] : impl_->batch) sum += batch->lanes.part_times();
+  return sum;
+}
+
+LaneSimulation::PartTimes& LaneSimulation::PartTimes::operator+=(const PartTimes& other) {
+  right_hand_side_s += other.right_hand_side_s;
+  solve_s += other.solve_s;
+  contact_s += other.contact_s;
+  plasticity_s += other.plasticity_s;
+  update_s += other.update_s;
+  lane_steps += other.lane_steps;
+  steps += other.steps;
+  return *this;
+}
+
+int level_place_count() { return kPlaces; }
+
+}  // namespace unbruised

@@ -1,0 +1,125 @@
+#include "core/simulation/step_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace unbruised {
+namespace {
+
+/// A finger that touches or leaves, a support that lets go, a jump of the palm's acceleration or a pad that slides
+/// rings on for so long; 10 ms would do for a kiwi.
+constexpr double kRinging_s = 0.03;
+/// The drive presses into the swing of an impact.
+constexpr double kImpact_s = 0.06;
+/// A surface that is this near is about to touch.
+constexpr double kNearPad_m = 1e-4, kNearSupport_m = 1e-3;
+/// The support still carries the product, as a share of its weight.
+constexpr double kCarries = 0.7;
+/// A pad with more than this share of its contacts sliding slides.
+constexpr double kSliding = 0.3;
+/// A product flows that has absorbed this much more of the energy it had.
+constexpr double kFlows = 0.01;
+
+bool slides(const StepObservation& seen) {
+  return std::ranges::any_of(seen.fingers(), [](const FingerObservation& finger) {
+    return finger.sliding_contacts > kSliding * finger.closed_contacts;
+  });
+}
+
+bool touches(const StepObservation& seen) {
+  return std::ranges::any_of(seen.fingers(),
+                             [](const FingerObservation& finger) { return finger.closed_contacts > 0.0; });
+}
+
+double way_m(const PalmState& from, const PalmState& to) {
+  return std::abs(to.position_m[2] - from.position_m[2]);
+}
+
+}  // namespace
+
+void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
+  note(signs);
+  // From here until the end of the next long step, as it is looked at, and half as far again.
+  const double longest_s = static_cast<double>(levels_.ticks.back()) * clock.tick_s;
+  ticks_ = ticks_for(need(2.0 * clock.theta * longest_s, signs));
+  const double left_s = signs.cycle.plan().end_s() - signs.time_s;
+  while (ticks_ > 1 && ticks_ * clock.tick_s > left_s) --ticks_;
+  ticks_ = *std::prev(std::ranges::upper_bound(levels_.ticks, ticks_));
+}
+
+void LevelChoice::note(const LevelSigns& signs) {
+  const auto ring = [&](double since_s) { short_until_s_ = std::max(short_until_s_, since_s + kRinging_s); };
+  const MotionPlan& plan = signs.cycle.plan();
+  for (std::size_t f = 0; f < kJawFingers; ++f) {
+    const bool touches = signs.seen.finger[f].closed_contacts > 0.0;
+    if (std::exchange(touches_[f], touches) != touches) ring(signs.time_s + kImpact_s);
+  }
+  if (signs.seen.absorbed_energy_J > (1.0 + kFlows) * absorbed_J_) {
+    absorbed_J_ = signs.seen.absorbed_energy_J;
+    ring(signs.time_s);
+  }
+  if (touches(signs.seen) && slides(signs.seen)) ring(signs.time_s);
+  if (signs.time_s >= plan.lift_start_s() && !hung_ && !(signs.seen.support_N > 0.0)) {
+    hung_ = true;
+    ring(signs.time_s);
+  }
+  if (off_s_ == kNever && signs.time_s > plan.release_start_s() && !touches(signs.seen)) off_s_ = signs.time_s;
+}
+
+int LevelChoice::ticks_for(Need need) const {
+  if (need == Need::shortest) return levels_.ticks.front();
+  return need == Need::medium ? levels_.ticks[1] : levels_.ticks.back();
+}
+
+LevelChoice::Need LevelChoice::need(double reach_s, const LevelSigns& signs) const {
+  const MotionPlan& plan = signs.cycle.plan();
+  if (!signs.cycle.has_contact()) {
+    return signs.pad_gap_m < kNearPad_m + signs.closing_m_s * reach_s ? Need::shortest : Need::longest;
+  }
+  if (signs.time_s < short_until_s_) return Need::shortest;
+  if (plan.jumps_between(signs.time_s - kRinging_s, signs.time_s + reach_s)) return Need::shortest;
+  if (signs.time_s < plan.lift_start_s() && !plan.is_stopped(signs.time_s)) return Need::medium;
+  return need_of_carried(reach_s, signs);
+}
+
+LevelChoice::Need LevelChoice::need_of_carried(double reach_s, const LevelSigns& signs) const {
+  const MotionPlan& plan = signs.cycle.plan();
+  if (!hung_) return signs.seen.support_N < kCarries * signs.weight_N ? Need::shortest : Need::medium;
+  const bool is_let_go = signs.time_s > off_s_ + kRinging_s;
+  if (is_let_go) return Need::longest;
+  if (signs.time_s + reach_s > plan.release_start_s() || signs.seen.support_N > 0.0) return Need::medium;
+  const double sinks_m = way_m(plan.palm(signs.time_s), plan.palm(signs.time_s + reach_s));
+  return signs.support_gap_m < kNearSupport_m + sinks_m ? Need::medium : Need::longest;
+}
+
+double planned_steps(const Scenario& scenario, double contact_s) {
+  /// By then the support has let go, and open fingers are off.
+  constexpr double kLetsGo_s = 0.01;
+  const StepClock clock{scenario.simulation.time_step_s, 1, scenario.simulation.theta};
+  HandlingCycle cycle(scenario);
+  LevelChoice choice(step_levels(scenario));
+  StepObservation seen;
+  double steps = 0.0;
+  const double speed_m_s = scenario.strategy.approach_speed_m_s;
+  for (double time_s = 0.0; time_s < cycle.plan().end_s(); time_s += choice.ticks() * clock.tick_s) {
+    if (time_s >= contact_s) cycle.observe(time_s, contact_s);
+    const MotionPlan& plan = cycle.plan();
+    const double height_m = plan.palm(time_s).position_m[2] - scenario.cell.place_height_m;
+    const bool hangs = time_s > plan.lift_start_s() + kLetsGo_s && height_m > scenario.strategy.release_height_m;
+    const bool grips = cycle.has_contact() && time_s < plan.release_start_s() + kLetsGo_s;
+    seen.support_N = hangs ? 0.0 : 1.0;
+    for (FingerObservation& finger : seen.finger) finger.closed_contacts = grips ? 1.0 : 0.0;
+    choice.decide(clock, {.time_s = time_s,
+                          .cycle = cycle,
+                          .seen = seen,
+                          .pad_gap_m = std::max(0.0, contact_s - time_s) * speed_m_s,
+                          .closing_m_s = speed_m_s,
+                          .support_gap_m = height_m,
+                          .weight_N = 1.0});
+    steps += 1.0;
+  }
+  return steps;
+}
+
+}  // namespace unbruised

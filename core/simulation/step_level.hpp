@@ -1,0 +1,63 @@
+#pragma once
+
+/// @file
+/// Step levels: a scenario takes its own `time_step_s` where something happens, and multiples of it while the
+/// product is merely gripped, held or carried (docs/theory.md, "Step levels"). Which one is decided by the
+/// scenario's own state at the end of each step, so that its bits know nothing of other scenarios.
+
+#include <array>
+#include <utility>
+
+#include "core/motion/handling_cycle.hpp"
+#include "core/outcome/handling_record.hpp"
+#include "core/simulation/step_clock.hpp"
+#include "core/simulation/step_levels.hpp"
+#include "core/surface/surfaces.hpp"
+
+namespace unbruised {
+
+/// What decides about the coming step, at the end of the last.
+struct LevelSigns {
+  double time_s = 0.0;
+  const HandlingCycle& cycle;
+  const StepObservation& seen;
+  double pad_gap_m = 0.0;      ///< least gap of a pad; asked for before the first contact
+  double closing_m_s = 0.0;    ///< of the fastest finger
+  double support_gap_m = 0.0;  ///< of the product over its support; asked for after it
+  double weight_N = 0.0;       ///< of the product
+};
+
+/// How long the coming step of a scenario is, and what that remembers of former ones.
+class LevelChoice {
+ public:
+  LevelChoice() = default;
+  explicit LevelChoice(StepLevels levels) : levels_(std::move(levels)) {}
+
+  /// Is there anything to choose?
+  [[nodiscard]] bool chooses() const { return levels_.ticks.size() > 1; }
+  /// Takes in the end of a step. @param clock of any level
+  void decide(const StepClock& clock, const LevelSigns& signs);
+  /// Of the coming step.
+  [[nodiscard]] int ticks() const { return ticks_; }
+
+ private:
+  enum class Need { shortest, medium, longest };
+  void note(const LevelSigns& signs);
+  [[nodiscard]] Need need(double reach_s, const LevelSigns& signs) const;
+  [[nodiscard]] Need need_of_carried(double reach_s, const LevelSigns& signs) const;
+  [[nodiscard]] int ticks_for(Need need) const;
+
+  StepLevels levels_;
+  int ticks_ = 1;
+  double short_until_s_ = 0.0;  ///< something has happened
+  std::array<bool, kJawFingers> touches_{};
+  double absorbed_J_ = 0.0;  ///< by the cells
+  double off_s_ = kNever;    ///< when the fingers had let go
+  bool hung_ = false;        ///< the support has let go of the product
+};
+
+/// How many steps a scenario with several levels takes when everything goes as planned.
+/// @param contact_s when the fingers touch; finite
+double planned_steps(const Scenario& scenario, double contact_s);
+
+}  // namespace unbruised

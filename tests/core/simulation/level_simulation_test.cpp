@@ -1,0 +1,228 @@
+// Scenarios that take steps of several lengths: moved from lane to lane they go on as if nothing had happened, and
+// what they show is what the shortest step shows.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "core/lanes/lane.hpp"
+#include "core/simulation/parked_scenario.hpp"
+#include "tests/core/frame/held_scenes.hpp"
+#include "tests/core/frame/rolling_scenes.hpp"
+#include "tests/core/simulation/scenes.hpp"
+
+namespace unbruised {
+namespace {
+
+using namespace testing;
+
+/// A box that yields where the pads press.
+Scenario yielding_box() {
+  Scenario scenario = small_box();
+  lattice_of(scenario).yield_stress_Pa = 600.0;
+  lattice_of(scenario).tangent_modulus_Pa = 4e4;
+  return scenario;
+}
+
+Scenario soft_pads() {
+  Scenario scenario = small_box();
+  ParallelJawParameters& jaw = jaw_of(scenario);
+  jaw.pad.kind = PadKind::lattice;
+  jaw.pad.cell_size_m = 0.005;
+  jaw.pad_thickness_m = 0.01;
+  jaw.pad_modulus_Pa = 2e5;
+  jaw.pad_poisson_ratio = 0.45;
+  jaw.pad_relaxation_time_s = 1e-3;
+  return scenario;
+}
+
+Scenario creeping_box() {
+  Scenario scenario = yielding_box();
+  lattice_of(scenario).prony_modulus = {0.2, 0.3};
+  lattice_of(scenario).prony_time_s = {0.05, 1.0};
+  return scenario;
+}
+
+Scenario measured_by_wrist() {
+  Scenario scenario = small_box();
+  scenario.sensor.at = SensorMount::wrist;
+  scenario.sensor.mass_kg = 0.3;
+  scenario.sensor.position_m = {0.0, 0.0, 0.05};
+  return scenario;
+}
+
+Scenario locked() {
+  Scenario scenario = small_box();
+  jaw_of(scenario).hold = HoldMode::position;
+  jaw_of(scenario).lock_stiffness_N_m = 1e4;
+  return scenario;
+}
+
+Scenario shaped() {
+  Scenario scenario = small_box();
+  jaw_of(scenario).pad.shape = PadShape::cylinder;
+  jaw_of(scenario).pad.radius_m = 0.03;
+  return scenario;
+}
+
+Scenario falling_box() {
+  Scenario scenario = turned_box({0.02, 0.03, 0.02}, {0.3, 0.2, 0.0});
+  scenario.simulation.duration_s = 0.3;
+  return scenario;
+}
+
+Scenario network() {
+  Scenario scenario = oscillator(0.1, 1e3, 1e-3, 300);
+  network_of(scenario).particle[1].initial_velocity_m_s = {0.1, 0.0, 0.0};
+  network_of(scenario).spring[0].yield_force_N = 0.2;
+  return scenario;
+}
+
+/// One scenario of the same factor key that is somewhere else when it meets the other.
+Scenario neighbour_of(Scenario scenario) {
+  scenario.strategy.grip_force_N *= 1.5;
+  return scenario;
+}
+
+ScenarioResult run_in_one_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario,
+                               Trace* trace = nullptr) {
+  LaneSimulation lanes(model);
+  lanes.load(0, scenario);
+  lanes.record(0, trace);
+  while (lanes.busy(0)) lanes.step();
+  return lanes.finished().front().result;
+}
+
+/// Two simulations in turns, another lane each time, beside neighbours that come and go.
+ScenarioResult run_from_lane_to_lane(const std::shared_ptr<const Model>& model, const Scenario& scenario,
+                                     Trace* trace) {
+  LaneSimulation here(model), there(model);
+  std::array<LaneSimulation*, 2> both = {&here, &there};
+  for (LaneSimulation* lanes : both) lanes->load(2, neighbour_of(scenario));
+  for (int step = 0; step < 40; ++step) there.step();
+  int lane = 0;
+  here.load(lane, scenario);
+  here.record(lane, trace);
+  for (int step = 1;; ++step) {
+    LaneSimulation& lanes = *both.front();
+    lanes.step();
+    if (!lanes.busy(lane)) break;
+    if (step % 3 != 0) continue;
+    const std::unique_ptr<ParkedScenario> parked = lanes.take(lane);
+    EXPECT_FALSE(lanes.busy(lane));
+    lane = (lane + 5) % kLanes;
+    if (lane == 2) lane = 3;
+    std::swap(both[0], both[1]);
+    both.front()->put(lane, *parked);
+    if (!both.front()->busy(2)) both.front()->load(2, neighbour_of(scenario));
+  }
+  for (const auto& finished : both.front()->finished()) {
+    if (finished.lane == lane) return finished.result;
+  }
+  ADD_FAILURE() << "no result";
+  return {};
+}
+
+void expect_same_trace(const Trace& a, const Trace& b, const char* where) {
+  EXPECT_EQ(a.time_s, b.time_s) << where;
+  ASSERT_EQ(a.signals.size(), b.signals.size()) << where;
+  for (std::size_t i = 0; i < a.signals.size(); ++i) {
+    const std::vector<double>&x = a.signals[i].values, &y = b.signals[i].values;
+    EXPECT_TRUE(std::equal(x.begin(), x.end(), y.begin(), y.end(), same_bits))
+        << where << ": " << a.signals[i].name;
+  }
+  ASSERT_EQ(a.events.size(), b.events.size()) << where;
+  for (std::size_t i = 0; i < a.events.size(); ++i) {
+    EXPECT_EQ(a.events[i].time_s, b.events[i].time_s) << where;
+    EXPECT_EQ(a.events[i].kind, b.events[i].kind) << where;
+  }
+}
+
+TEST(LaneMoves, ChangeNoBit) {
+  const std::vector<std::pair<const char*, std::function<Scenario()>>> scenes = {
+      {"yielding box", yielding_box},
+      {"slipping box", slipping_box},
+      {"box that creeps and yields", creeping_box},
+      {"pads that are bodies", soft_pads},
+      {"wrist sensor", measured_by_wrist},
+      {"locked fingers", locked},
+      {"shaped pads", shaped},
+      {"falling box", falling_box},
+      {"tilted block",
+       [] {
+         return tilted_block({0.3, 0.0, 0.0}, 2.0, 1e-3);
+       }},
+      {"network that yields", network}};
+  for (const auto& [name, scene] : scenes) {
+    const Scenario scenario = scene();
+    const auto model = build(scenario);
+    ASSERT_NE(model, nullptr) << name;
+    Trace trace, moved;
+    const ScenarioResult alone = run_in_one_lane(model, scenario, &trace);
+    EXPECT_GT(alone.metrics[Metric::step_count], 100.0) << name;
+    expect_same_bits(run_from_lane_to_lane(model, scenario, &moved), alone, name);
+    expect_same_trace(moved, trace, name);
+  }
+}
+
+TEST(StepLevels, OffIsTheShortestStepThroughout) {
+  const Scenario scenario = yielding_box();  // small_box asks for it
+  const auto model = build(scenario);
+  expect_same_bits(simulate(model, scenario, nullptr), run_in_one_lane(model, scenario), "off");
+}
+
+/// Boxes that differ in force and speed, so that they want other steps at other times.
+std::vector<Scenario> many_boxes() {
+  std::vector<Scenario> scenarios;
+  for (int i = 0; i < level_place_count(); ++i) {
+    Scenario scenario = yielding_box();
+    scenario.simulation.time_step_s = 5e-4;
+    scenario.simulation.levels = LevelUse::automatic;
+    scenario.strategy.grip_force_N = 0.25 + 0.02 * (i % 8);
+    scenario.strategy.approach_speed_m_s = 0.02 + 0.01 * (i / 8);
+    scenarios.push_back(scenario);
+  }
+  return scenarios;
+}
+
+TEST(StepLevels, GiveTheSameBitsAloneAndInCompany) {
+  const std::vector<Scenario> scenarios = many_boxes();
+  const std::vector<ScenarioResult> together = run_side_by_side(scenarios);
+  const auto model = build(scenarios.front());
+  for (const std::size_t i : {std::size_t{0}, std::size_t{13}, scenarios.size() - 1}) {
+    expect_same_bits(simulate(model, scenarios[i], nullptr), together[i], "box " + std::to_string(i));
+  }
+}
+
+// The margins of the issue that asked for levels: force 0.5 %, slip 1 um + 1 %, yield ratio 0.5 %, set 1 %, times
+// 0.1 ms.
+TEST(StepLevels, ShowWhatTheShortestStepShows) {
+  std::vector<Scenario> scenarios = many_boxes();
+  const std::vector<ScenarioResult> levels = run_side_by_side(scenarios);
+  for (Scenario& scenario : scenarios) scenario.simulation.levels = LevelUse::off;
+  const std::vector<ScenarioResult> uniform = run_side_by_side(scenarios);
+  double steps = 0.0, uniform_steps = 0.0;
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    const Metrics &a = levels[i].metrics, &b = uniform[i].metrics;
+    EXPECT_EQ(levels[i].outcome, uniform[i].outcome) << i;
+    const auto near = [&](Metric metric, double share, double absolute = 0.0) {
+      EXPECT_NEAR(a[metric], b[metric], share * std::abs(b[metric]) + absolute) << i;
+    };
+    near(Metric::peak_finger_force_N, 0.005);
+    near(Metric::slip_max_m, 0.01, 1e-6);
+    near(Metric::contact_yield_ratio_max, 0.005);
+    near(Metric::permanent_set_max_m, 0.01);
+    near(Metric::cycle_time_s, 0.0, 1e-4);
+    EXPECT_LT(std::abs(a[Metric::energy_balance_error]), 0.01) << i;
+    EXPECT_LT(a[Metric::impulse_balance_error], 1e-9) << i;
+    steps += a[Metric::step_count];
+    uniform_steps += b[Metric::step_count];
+  }
+  EXPECT_LT(steps, 0.5 * uniform_steps);
+  std::cout << "[ measured ] steps " << steps / uniform_steps << " of the uniform ones\n";
+}
+
+}  // namespace
+}  // namespace unbruised

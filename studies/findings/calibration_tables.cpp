@@ -32,12 +32,22 @@ std::string direction_text(const Study& study, const std::vector<double>& direct
   return text;
 }
 
+/// What a key's value or interval has to be doubted for; empty: nothing.
+std::string doubt_of(const SpecimenFit& fit, std::size_t k) {
+  if (fit.unit[k] <= kAtEnd || fit.unit[k] >= 1.0 - kAtEnd) return "is at the end of its range";
+  const auto has = [&](EndKind kind) {
+    return fit.intervals[k].low.kind == kind || fit.intervals[k].high.kind == kind;
+  };
+  if (has(EndKind::unsettled)) return "has an interval that did not settle";
+  return has(EndKind::range) ? "has an interval up to the end of its range, and may lie beyond" : "";
+}
+
 std::string note_of(const Study& study, const SpecimenFit& fit) {
   if (!fit.is_fitted) return "no scenario gave a curve";
   std::string note;
   for (std::size_t k = 0; k < fit.unit.size(); ++k) {
-    if (fit.unit[k] > kAtEnd && fit.unit[k] < 1.0 - kAtEnd) continue;
-    add_part(note, "; ", joined({key_leaf(study.variables()[k].key), " is at the end of its range"}));
+    const std::string doubt = doubt_of(fit, k);
+    if (!doubt.empty()) add_part(note, "; ", joined({key_leaf(study.variables()[k].key), " ", doubt}));
   }
   if (!(fit.weakest_error < kToldError)) {
     add_part(note, "; ", joined({"does not tell ", direction_text(study, fit.weakest)}));
@@ -280,7 +290,8 @@ class Tables {
     }
     const std::string of = " of " + std::to_string(fits_.size()) + " curves";
     if (failed > 0)
-      all.push_back(std::to_string(failed) + of + ": no scenario gave a curve (no contact, or all diverged)");
+      all.push_back(std::to_string(failed) + of +
+                    ": no scenario gave a curve (no contact, or all diverged or out of range)");
     if (untold > 0) {
       all.push_back(
           joined({std::to_string(untold), of, " do not tell the keys apart: ", direction,

@@ -42,9 +42,8 @@ KindAnswer run_calibrate(const KindInput& input) {
 }
 
 std::size_t curves_at_most(const Study& study) {
-  // The search, and up to seven Gauss-Newton rounds of derivatives with their three trial steps.
-  const std::size_t of_a_round = 2 * study.variables().size() + 1 + 3;
-  return study.calibrate().curves.size() * (study.calibrate().budget + 7 * of_a_round);
+  return study.calibrate().curves.size() *
+         fit_scenarios_at_most(study.variables().size(), study.calibrate().budget);
 }
 
 std::vector<ColumnInfo> fitted_columns(const Study& study) {

@@ -2,7 +2,7 @@
 
 /// @file
 /// One specimen's fit: NLopt on the mean square of the residuals, with differences whose points are asked
-/// together, then Gauss-Newton steps, whose derivatives give the intervals too.
+/// together, then Gauss-Newton steps, then the intervals by their profiles.
 
 #include <cstddef>
 #include <functional>
@@ -25,6 +25,9 @@ std::vector<double> values_at(const Curve& curve, CurveTest test, std::span<cons
 /// The curves at points in the keys' own units, in their order; nothing: the study is being stopped. An empty
 /// curve stands for a scenario that gave none.
 using AskCurves = std::function<std::optional<std::vector<Curve>>(const std::vector<std::vector<double>>& points)>;
+
+/// Scenarios that one fit asks for, at most. @param budget of its search
+std::size_t fit_scenarios_at_most(std::size_t keys, std::size_t budget);
 
 /// @param keys what is fitted: ranges, scales, starts
 /// @return nothing when stopped

@@ -102,7 +102,8 @@ void CurveRounds::simulate(const std::vector<const std::vector<double>*>& points
   input_.journal.expect(points.size(), known);
   const BatchReport done = run_batch(input_.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
     if (!input_.journal.is_done(id)) input_.journal.record({.id = id, .result = result, .inputs = inputs_of(id)});
-    if (result.outcome == Outcome::diverged) curves[id - first_id] = {};
+    const bool is_believed = result.outcome != Outcome::diverged && result.outcome != Outcome::out_of_range;
+    if (!is_believed) curves[id - first_id] = {};
   });
   lane_use_.add(done.lane_use);
   stopped_ = done.stopped;

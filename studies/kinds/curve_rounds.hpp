@@ -29,7 +29,8 @@ class CurveRounds {
   /// number. Rethrows what the journal or a fit threw.
   void run(std::size_t fits, const std::function<void(std::size_t fit)>& work);
 
-  /// The curves at points in the keys' own units; nothing: the study is being stopped. From inside `run`.
+  /// The curves at points in the keys' own units, empty where a run diverged or is out of range; nothing: the
+  /// study is being stopped. From inside `run`.
   std::optional<std::vector<Curve>> ask(std::size_t fit, const std::vector<std::vector<double>>& points);
 
   [[nodiscard]] bool is_stopped() const { return stopped_; }

@@ -90,6 +90,12 @@ class Inverse {
   double least_ = 0.0;
 };
 
+std::vector<double> with_intercept(const std::vector<double>& row) {
+  std::vector<double> longer(row.size() + 1, 1.0);
+  std::copy(row.begin(), row.end(), longer.begin() + 1);
+  return longer;
+}
+
 }  // namespace
 
 LinearFit linear_fit(const std::vector<std::vector<double>>& J, std::span<const double> r) {
@@ -127,10 +133,6 @@ std::vector<Prediction> leave_one_out(const std::vector<std::vector<double>>& x,
   for (std::size_t left_out = 0; left_out < x.size(); ++left_out) {
     std::vector<std::vector<double>> rows;
     std::vector<double> minus_y;
-    const auto with_intercept = [](std::vector<double> row) {
-      row.insert(row.begin(), 1.0);
-      return row;
-    };
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (i == left_out) continue;
       rows.push_back(with_intercept(x[i]));

@@ -41,7 +41,7 @@ Table calibrate_keys() {
        .study_field = study_table<at, &S::tolerance>},
       {.path = "calibrate.budget",
        .type = integer,
-       .meaning = "Scenarios of one specimen's fit, at most.",
+       .meaning = "Scenarios of one specimen's search, at most; derivatives and intervals come on top.",
        .range = {10.0, false, 10'000.0, false},
        .use = use,
        .study_field = study_table<at, &S::budget>},

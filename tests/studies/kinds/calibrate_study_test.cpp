@@ -22,7 +22,9 @@ namespace {
 const std::string kStiffness = "product.spring[0].stiffness_N_m";
 const std::string kYield = "product.spring[0].yield_force_N";
 
-/// Drawn out slowly to 8 N in a second.
+/// Drawn out slowly to 8 N in a second. So light and so little damped that its way is that at rest within 50 um, a
+/// tenth of the noise: 0.01 N s/m at 0.09 m/s are 0.9 mN, and the jump of speed at the yield force rings by 80 um
+/// on 91 N/m for some steps.
 const std::string kSpring = R"(
 [product]
 kind = "network"
@@ -31,12 +33,12 @@ position_m = [0.0, 0.0, 0.0]
 fixed = ["x", "y", "z"]
 [[product.particle]]
 position_m = [0.5, 0.0, 0.0]
-mass_kg = 0.01
+mass_kg = 1e-4
 fixed = ["y", "z"]
 [[product.spring]]
 between = [0, 1]
 stiffness_N_m = 1000.0
-damping_N_s_m = 0.1
+damping_N_s_m = 0.01
 yield_force_N = 5.0
 hardening_ratio = 0.1
 [[product.load]]
@@ -46,7 +48,7 @@ force_N = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0]]
 [cell]
 gravity_m_s2 = [0.0, 0.0, 0.0]
 [simulation]
-time_step_s = 5e-3
+time_step_s = 1e-3
 duration_s = 1.0
 )";
 
@@ -56,6 +58,10 @@ double elongation_m(double k, double yield_N, double force_N) {
   const double plastic = std::max(0.0, force_N - yield_N) / (0.1 * k);
   return force_N / k + plastic;
 }
+
+/// A spring of more mass, and longer steps, for what needs no closed form.
+const std::vector<std::string> kQuick = {"simulation.time_step_s=5e-3", "product.particle[1].mass_kg=0.01",
+                                         "product.spring[0].damping_N_s_m=0.1"};
 
 struct Truth {
   double stiffness_N_m = 0.0;
@@ -121,15 +127,17 @@ void expect_recovered(int specimens, double least) {
 }
 
 TEST(CalibrateStudy, FindsTheKeysThatSpringsWereMadeWith) {
-  expect_recovered(12, 9.0);
-}  // 9 of 12: 0.2 % by chance
+  expect_recovered(3, 2.0);  // fewer than 2 of 3: 0.7 % by chance
+}
 
-/// 95 of 100, three standard errors: 88.5.
+/// 95 of 100, less three standard errors: 88.5.
 TEST(HeavyCalibrateStudy, FindsTheKeysOfAHundredSprings) { expect_recovered(100, 89.0); }
 
 TEST(CalibrateStudy, LeavesAProductThatRobustStudiesTakeAsItIs) {
   std::vector<Truth> truths;
-  const Study study = study_of(calibration(16, 5, truths), {"calibrate.outcome=rupture_force_N"});
+  std::vector<std::string> sets = kQuick;
+  sets.emplace_back("calibrate.outcome=rupture_force_N");
+  const Study study = study_of(calibration(16, 5, truths), sets);
   const TemporaryFolder folder("calibrate");
   const StudyReport report = run_in(folder.path(), study, core_simulator());
   const std::filesystem::path product = folder.path() / "calibrated.toml";
@@ -166,7 +174,7 @@ TEST(CalibrateStudy, LeavesAProductThatRobustStudiesTakeAsItIs) {
 
 TEST(CalibrateStudy, HasTheSameRowsForAnyThreadsAndAfterAnInterruption) {
   std::vector<Truth> truths;
-  const Study study = study_of(calibration(3, 7, truths));
+  const Study study = study_of(calibration(2, 7, truths), kQuick);
   const StudyReport one = run_fresh(study, core_simulator(), {.threads = 1});
   const StudyReport two = run_fresh(study, core_simulator(), {.threads = 2});
   EXPECT_EQ(rows_digest(one.tables.rows), rows_digest(two.tables.rows));
@@ -175,8 +183,8 @@ TEST(CalibrateStudy, HasTheSameRowsForAnyThreadsAndAfterAnInterruption) {
   EXPECT_TRUE(run_in(folder.path(), study, core_simulator(), {.stop = &stop}).interrupted);
   const StudyReport again = run_in(folder.path(), study, core_simulator());
   EXPECT_EQ(rows_digest(again.tables.rows), rows_digest(one.tables.rows));
-  EXPECT_EQ(number_in(table_of(again, "calibration"), kYield, 2),
-            number_in(table_of(one, "calibration"), kYield, 2));
+  EXPECT_EQ(number_in(table_of(again, "calibration"), kYield, 1),
+            number_in(table_of(one, "calibration"), kYield, 1));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "core/algebra/lane_matrix.hpp"
 
-#include "core/algebra/lane_packs.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -44,13 +43,22 @@ bool fits(const BlockMatrix& A, const LaneArray& x) {
 
 }  // namespace
 
-void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, std::array<Lane, 3>& sum) {
-  Lane acc[3] = {sum[0], sum[1], sum[2]};
-  for (int j : columns) {
-    const auto at = static_cast<std::size_t>(j);
-    add_block(row + 9 * at, x.row(3 * at), acc);
-  }
-  for (std::size_t i = 0; i < 3; ++i) sum[i] = acc[i];
+void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, const BusyPacks& lanes,
+                std::array<Lane, 3>& sum) {
+  alignas(kLaneAlignment) double sums[3 * kLanes];
+  for (std::size_t i = 0; i < 3; ++i) sum[i].store(sums + i * kLanes);
+  lanes.with([&]<class P>(const Packs<P, kLanes>& packs) {
+    packs.each([&](int lane) {
+      P acc[3];
+      for (int i = 0; i < 3; ++i) acc[i] = P::load(sums + i * kLanes + lane);
+      for (int j : columns) {
+        const auto at = static_cast<std::size_t>(j);
+        add_block(row + 9 * at, x.row(3 * at) + lane, acc);
+      }
+      for (int i = 0; i < 3; ++i) acc[i].store(sums + i * kLanes + lane);
+    });
+  });
+  for (std::size_t i = 0; i < 3; ++i) sum[i] = Lane::load(sums + i * kLanes);
 }
 
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/algebra/block_matrix.hpp"
+#include "core/algebra/lane_packs.hpp"
 #include "core/lanes/lane.hpp"
 
 namespace unbruised {
@@ -19,6 +20,8 @@ void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2
                   const Mask& lanes = Mask(true));
 
 /// sum += sum_j block_j x_j over the 3x3 blocks `row + 9 j` of one row and rows 3 j.. of x, for the listed j.
-void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, std::array<Lane, 3>& sum);
+/// @param lanes that are asked for; what becomes of the others' sums is not said
+void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, const BusyPacks& lanes,
+                std::array<Lane, 3>& sum);
 
 }  // namespace unbruised

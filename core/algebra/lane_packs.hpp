@@ -42,12 +42,23 @@ struct Packs {
   }
 };
 
-/// Calls `f(packs)` with those of the busy lanes: wide ones, or the one narrow one that holds all of them.
+/// Packs that hold the busy lanes.
+struct BusyPacks {
+  explicit BusyPacks(const Mask& busy) : wide(busy), narrow(busy) {}
+  Packs<WidePack, kLanes> wide;
+  Packs<NarrowPack, kLanes> narrow;
+
+  /// Calls `f(packs)` with wide ones, or with the one narrow one that holds all busy lanes.
+  template <class F>
+  void with(F&& f) const {
+    narrow.count == 1 ? f(narrow) : f(wide);
+  }
+};
+
+/// The same for lanes that are asked for once.
 template <class F>
 void with_packs(const Mask& busy, F&& f) {
-  const Packs<WidePack, kLanes> wide(busy);
-  const Packs<NarrowPack, kLanes> narrow(busy);
-  narrow.count == 1 ? f(narrow) : f(wide);
+  BusyPacks(busy).with(f);
 }
 
 }  // namespace unbruised

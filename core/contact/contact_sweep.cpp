@@ -346,11 +346,12 @@ Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
   const std::size_t m = model_.node_count();
   for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
     Pass pass{solving, sweep >= kNewtonSweeps ? Slope::steepest : Slope::tangent};
+    const BusyPacks busy(solving);
     for (std::size_t a = 0; a < active_node_.size(); ++a) {
       const auto i = static_cast<std::size_t>(active_node_[a]);
       const double* row = model_.compliance.data() + 9 * i * m;
       Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
-      add_blocks(row, active_node_, node_force_, node.d);
+      add_blocks(row, active_node_, node_force_, busy, node.d);
       if (eyes_.places != nullptr) {
         const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
         for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];

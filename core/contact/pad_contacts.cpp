@@ -62,6 +62,7 @@ void PadContacts::list_near(std::span<const int> candidates) {
 }
 
 void PadContacts::restart(const Mask& lanes) {
+  solving_ = BusyPacks(lanes);
   for (LaneArray& push : push_) {
     for (std::size_t row = 0; row < push.rows(); ++row) push.put(row, select(lanes, Lane(0.0), push.get(row)));
   }
@@ -71,7 +72,8 @@ LaneVector PadContacts::motion(std::size_t c, const Lane& way) const {
   const Place at = place(c);
   const PadFaces::Face& of = face(at);
   LaneVector moved = get_vector(free_, c);
-  add_blocks(of.compliance.data() + 9 * at.number * of.candidate.size(), near_[at.pad], push_[at.pad], moved.at);
+  add_blocks(of.compliance.data() + 9 * at.number * of.candidate.size(), near_[at.pad], push_[at.pad], solving_,
+             moved.at);
   for (std::size_t i = 0; i < 3; ++i) moved[i] -= Lane(of.lag[3 * at.number + i]) * way;
   return moved;
 }

@@ -88,6 +88,7 @@ class PadContacts {
   std::array<LaneArray, kJawFingers> node_force_;   ///< 3 per particle of its face
   std::array<std::vector<int>, kJawFingers> near_;  ///< numbers in the face, ascending
   std::array<Lane, kJawFingers> way_free_{Lane(0.0), Lane(0.0)};
+  BusyPacks solving_{Mask(true)};  ///< those that restarted last
 };
 
 }  // namespace unbruised

@@ -287,6 +287,10 @@ int LaneSimulation::busy_count() const {
 void LaneSimulation::step() { impl_->step(); }
 int LaneSimulation::ticks() const { return impl_->clock.ticks; }
 int LaneSimulation::next_ticks(int lane) const { return impl_->run_of(lane).level.ticks(); }
+double LaneSimulation::time_left_s(int lane) const {
+  const LaneRun& r = impl_->run_of(lane);
+  return r.cycle.plan().end_s() - r.time_s(impl_->clock);
+}
 std::unique_ptr<ParkedScenario> LaneSimulation::take(int lane) { return impl_->take(lane); }
 void LaneSimulation::put(int lane, ParkedScenario& parked) { impl_->put(lane, parked); }
 const std::vector<LaneSimulation::Finished>& LaneSimulation::finished() const { return impl_->finished; }

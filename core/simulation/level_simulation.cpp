@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <map>
@@ -23,6 +24,7 @@ struct Waiting {
   std::optional<Scenario> fresh;
   std::unique_ptr<ParkedScenario> parked;
   std::vector<std::function<void(LaneSimulation&, int lane)>> once_loaded;
+  double left_s = HUGE_VAL;  ///< to the end of its plan, once it has begun
 };
 
 /// The scenarios that take steps of one length.
@@ -37,6 +39,16 @@ struct Batch {
   [[nodiscard]] int busy() const { return lanes.busy_count(); }
   /// How many would take the next step.
   [[nodiscard]] int ready() const { return std::min(kLanes, busy() + static_cast<int>(waiting.size())); }
+  [[nodiscard]] bool is_full() const { return ready() == kLanes; }
+  /// Of the scenario that has most time before it; 0: there is none.
+  [[nodiscard]] double left_s() const {
+    double most_s = 0.0;
+    for (const Waiting& each : waiting) most_s = std::max(most_s, each.left_s);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (place[static_cast<std::size_t>(lane)] != kFree) most_s = std::max(most_s, lanes.time_left_s(lane));
+    }
+    return most_s;
+  }
   [[nodiscard]] int free_lane() const { return static_cast<int>(std::ranges::find(place, kFree) - place.begin()); }
   /// Lets those who wait into free lanes.
   void fill() {
@@ -73,7 +85,8 @@ struct LevelSimulation::Impl {
       if (place == Batch::kFree) continue;
       const int ticks = from.lanes.next_ticks(lane);
       if (ticks == from.lanes.ticks()) continue;
-      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}};
+      const double left_s = from.lanes.time_left_s(lane);
+      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}, left_s};
       Batch& to = with_ticks(ticks, moved.parked->run.scenario);
       to.waiting.push_back(std::move(moved));
     }
@@ -105,7 +118,7 @@ void LevelSimulation::load(int place, const Scenario& scenario) {
   bool& busy = impl_->busy[static_cast<std::size_t>(place)];
   require(!busy, "LevelSimulation::load: the place is busy");
   Batch& first = impl_->first();
-  first.waiting.push_back({place, scenario, nullptr, {}});
+  first.waiting.push_back({place, scenario, nullptr, {}, HUGE_VAL});
   first.fill();
   busy = true;
 }
@@ -120,9 +133,10 @@ void LevelSimulation::record(int place, const Recording& kept) {
 
 void LevelSimulation::step() {
   impl_->finished.clear();
-  const auto most =
-      std::ranges::max_element(impl_->batch, {}, [](const auto& each) { return each.second->ready(); });
-  Batch& batch = *most->second;
+  // Full batches cost least a scenario; where there are too few for that, those behind catch up with the others.
+  const auto next = std::ranges::max_element(
+      impl_->batch, {}, [](const auto& each) { return std::pair(each.second->is_full(), each.second->left_s()); });
+  Batch& batch = *next->second;
   batch.fill();
   impl_->stepped = batch.busy();
   batch.lanes.step();

@@ -114,6 +114,8 @@ class LaneSimulation {
   /// to be.
   [[nodiscard]] int ticks() const;
   [[nodiscard]] int next_ticks(int lane) const;
+  /// From where the scenario in a lane is to the end that its plan has now [s].
+  [[nodiscard]] double time_left_s(int lane) const;
   /// Takes a scenario out of its lane between two steps, and puts it into a free one, of this model or the same
   /// for other steps. It goes on as if nothing had happened.
   [[nodiscard]] std::unique_ptr<ParkedScenario> take(int lane);
@@ -154,7 +156,8 @@ class LevelSimulation {
   /// As that of LaneSimulation, right after load.
   void record(int place, const Recording& kept);
 
-  /// Advances the scenarios of one batch, the one with most to do, by one of its steps.
+  /// Advances the scenarios of one batch by one of its steps: of the full batches, or where none is full of all,
+  /// the one with the scenario that has most time before it.
   void step();
   /// How many scenarios the last step advanced.
   [[nodiscard]] int stepped() const;

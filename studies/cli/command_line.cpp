@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "studies/cli/commands.hpp"
+#include "studies/cli/locations.hpp"
 #include "studies/cli/shelf.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/execution/build_info.hpp"
@@ -262,7 +263,7 @@ class CommandLine {
       (is_set_word(word) ? sets : studies).push_back(word);
     }
     words_ = studies;
-    run_.study.study = one_word(name, "a study file (STUDY.toml)");
+    run_.study.study = study_file(one_word(name, "a study file (STUDY.toml)"));
     run_.study.sets = sets;
   }
 

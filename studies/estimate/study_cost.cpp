@@ -61,17 +61,21 @@ KnownCost known_cost(const ScenarioSet& set) {
   return cost;
 }
 
-double compute_seconds(const KnownCost& known, double each, int threads) {
-  double seconds = 0.0, batches = 0.0;
-  const double lanes = lane_count();
+/// In full lanes: what a batch leaves empty costs as much as what is filled, up to half of it.
+double paid_lanes(double scenarios) {
+  const double half = 0.5 * lane_count();
+  return std::max(1.0, std::ceil(scenarios / half)) * half;
+}
+
+double compute_seconds(const KnownCost& known, const Evaluations& evaluations, int threads) {
+  double seconds = 0.0, batches = 0.0;  // of a round
   for (const GroupCost& group : known.groups) {
-    const double evaluations = each * static_cast<double>(group.count);
-    // Lanes that stay empty cost as much as full ones.
-    const double filled = std::ceil(evaluations / lanes);
-    batches += filled;
-    seconds += filled * lanes * group.mean_steps() * group.lane_step_s;
+    const double scenarios = evaluations.each * static_cast<double>(group.count) / evaluations.rounds;
+    batches += std::ceil(scenarios / lane_count());
+    seconds += paid_lanes(scenarios) * group.mean_steps() * group.lane_step_s;
   }
-  return seconds / std::min(static_cast<double>(threads), batches);  // a batch is one thread's
+  return evaluations.rounds * seconds /
+         std::min(static_cast<double>(threads), batches);  // a batch is one thread's
 }
 
 double memory_bytes(const KnownCost& known, int threads) {
@@ -95,8 +99,8 @@ StudyCost study_cost(const Study& study, int threads) {
   const ScenarioFamily& family = *runner_of(study.kind()).scenarios;
   const ScenarioSet set = family.known(study);
   const KnownCost known = known_cost(set);
-  const double each = family.evaluations_each(study, known.group_of);
-  StudyCost cost{.scenarios = each * static_cast<double>(set.count), .groups = known.groups.size()};
+  const Evaluations evaluations = family.evaluations(study, known.group_of);
+  StudyCost cost{.scenarios = evaluations.each * static_cast<double>(set.count), .groups = known.groups.size()};
   const auto [least, most] = std::minmax_element(
       known.groups.begin(), known.groups.end(),
       [](const GroupCost& a, const GroupCost& b) { return a.size.freedom_count < b.size.freedom_count; });
@@ -109,7 +113,7 @@ StudyCost study_cost(const Study& study, int threads) {
   cost.longest_run_s = known.longest_run_s;
   cost.memory_bytes = memory_bytes(known, threads) + estimated_rows_bytes(cost.scenarios, set.columns.size());
   cost.disk_bytes = disk_bytes(study, known, set.columns.size(), cost.scenarios);
-  cost.seconds = compute_seconds(known, each, threads);
+  cost.seconds = compute_seconds(known, evaluations, threads);
   cost.threads = threads;
   return cost;
 }

@@ -49,6 +49,12 @@ struct KindAnswer {
 /// What is known of the number of scenarios before they run.
 enum class ScenarioCount { exact, about, at_most };
 
+/// How many scenarios a study runs, and how many of them wait for the answers of others.
+struct Evaluations {
+  double each = 1.0;    ///< per known scenario
+  double rounds = 1.0;  ///< that follow one another
+};
+
 /// The scenarios of kinds that get them in the same way.
 struct ScenarioFamily {
   ScenarioCount count = ScenarioCount::exact;
@@ -58,8 +64,8 @@ struct ScenarioFamily {
   std::optional<Scenario> (*scenario_of_row)(const Study& study, const ScenarioRow& row);
   /// Scenarios that are known before anything runs: all, one per combination, or some that are like the others.
   ScenarioSet (*known)(const Study& study);
-  /// Scenarios of the study per known one. @param group_of the factor group of each known one
-  double (*evaluations_each)(const Study& study, const std::vector<std::size_t>& group_of);
+  /// @param group_of the factor group of each known scenario
+  Evaluations (*evaluations)(const Study& study, const std::vector<std::size_t>& group_of);
 };
 
 struct KindRow {

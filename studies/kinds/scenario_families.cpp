@@ -22,7 +22,7 @@ std::optional<Scenario> scenario_of_set(const Study& study, const ScenarioRow& r
   return set.scenario(row.id);
 }
 
-double once(const Study& /*study*/, const std::vector<std::size_t>& /*group_of*/) { return 1.0; }
+Evaluations once(const Study& /*study*/, const std::vector<std::size_t>& /*group_of*/) { return {}; }
 
 // -- Forces at every point of a grid. ----------------------------------------------------------------------------
 
@@ -41,8 +41,8 @@ std::optional<Scenario> scenario_of_force(const Study& study, const ScenarioRow&
   return scenario_of_window_inputs(study, row.inputs);
 }
 
-/// Evaluations per combination of a window study, from a rehearsal with made-up ends inside the range.
-double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
+/// Evaluations of a window study, from a rehearsal with made-up ends inside the range.
+Evaluations rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
   const WindowSettings& range = study.window();
   const std::size_t count = std::min(group_of.size(), kRehearsedCombinations);
   WindowSearchSettings settings{
@@ -53,7 +53,9 @@ double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>&
   const double ratio = range.to_N / range.from_N;
   const double hold_N = range.from_N * std::pow(ratio, 0.37);
   const double damage_N = range.from_N * std::pow(ratio, 0.71);
+  double rounds = 1.0;  // the look at half the step
   const ForceEvaluator rehearse = [&](const std::vector<ForceRequest>& requests) {
+    rounds += 1.0;
     std::vector<GripSample> answers;
     for (const ForceRequest& request : requests) {
       answers.push_back({.grip_force_N = request.grip_force_N,
@@ -62,8 +64,9 @@ double rehearsed_evaluations(const Study& study, const std::vector<std::size_t>&
     }
     return std::optional(std::move(answers));
   };
-  return static_cast<double>(search_windows(settings, rehearse).evaluation_count) / static_cast<double>(count) +
-         kHalfStepEvaluations / static_cast<double>(group_of.size());
+  const auto asked = static_cast<double>(search_windows(settings, rehearse).evaluation_count);
+  return {.each = asked / static_cast<double>(count) + kHalfStepEvaluations / static_cast<double>(group_of.size()),
+          .rounds = rounds};
 }
 
 // -- Questions of searches. --------------------------------------------------------------------------------------
@@ -77,8 +80,9 @@ std::optional<Scenario> scenario_of_question(const Study& study, const ScenarioR
 
 ScenarioSet probes(const Study& study) { return search_probes(study, kProbedProducts); }
 
-double questions_each(const Study& study, const std::vector<std::size_t>& group_of) {
-  return static_cast<double>(evaluations_at_most(study)) / static_cast<double>(group_of.size());
+/// How many of them wait for others is not known beforehand.
+Evaluations asked_questions(const Study& study, const std::vector<std::size_t>& group_of) {
+  return {.each = static_cast<double>(evaluations_at_most(study)) / static_cast<double>(group_of.size())};
 }
 
 // -- Questions of fits. ------------------------------------------------------------------------------------------
@@ -93,19 +97,19 @@ const ScenarioFamily kFixedScenarios = {.count = ScenarioCount::exact,
                                         .columns = set_columns,
                                         .scenario_of_row = scenario_of_set,
                                         .known = scenario_set,
-                                        .evaluations_each = once};
+                                        .evaluations = once};
 
 const ScenarioFamily kAskedForces = {.count = ScenarioCount::about,
                                      .columns = force_columns,
                                      .scenario_of_row = scenario_of_force,
                                      .known = scenario_set,
-                                     .evaluations_each = rehearsed_evaluations};
+                                     .evaluations = rehearsed_evaluations};
 
 const ScenarioFamily kAskedQuestions = {.count = ScenarioCount::at_most,
                                         .columns = search_columns,
                                         .scenario_of_row = scenario_of_question,
                                         .known = probes,
-                                        .evaluations_each = questions_each};
+                                        .evaluations = asked_questions};
 
 const ScenarioFamily kAskedCurves = {.count = ScenarioCount::at_most,
                                      .columns = fitted_columns,

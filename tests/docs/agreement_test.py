@@ -92,7 +92,7 @@ class Pages(unittest.TestCase):
         commands = re.findall(r"^  ([a-z]+)  ", say("--help"), re.M)
         helps = say("--help") + "".join(say(command, "--help") for command in commands)
         helps += "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "scripts").iterdir() if path.is_file())
-        helps += (SOURCE / "report/build").read_text(encoding="utf-8")
+        helps += "".join((SOURCE / other).read_text(encoding="utf-8") for other in ("report/build", "benchmarks/run"))
         flags, wrong = set(re.findall(r"--[a-z][a-z-]*", helps)), []
         for page in pages(SOURCE):
             inside = [(block.line, text) for block in page.blocks for text in block.commands]

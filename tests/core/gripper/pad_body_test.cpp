@@ -97,6 +97,14 @@ TEST(PadBody, BulgesAsFiniteElementsOfThickRubberDo) {
   }
 }
 
+// Half a minute; the whole table is in docs/validation.md.
+TEST(HeavyPadBody, OfEightCellsIsWithinFivePerCentOfFiniteElements) {
+  const PadBody pad = make_pad(0.01, 0.49, 0.00125);
+  const double held = stiffness_N_m(pad, 0, true) / kThickHeld_N_m - 1.0;
+  EXPECT_LT(std::abs(held), 0.05);
+  std::cout << "[ measured ] eight cells: a face that sticks " << 100.0 * held << " % off\n";
+}
+
 TEST(PadBody, IsShearedAsAThinBlockIs) {
   // G A / t of a block whose face goes along itself; what its free sides lack is of the order t / side.
   const double thickness_m = 0.003, poisson_ratio = 0.3;

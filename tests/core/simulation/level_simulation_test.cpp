@@ -196,6 +196,26 @@ TEST(StepLevels, GiveTheSameBitsAloneAndInCompany) {
   }
 }
 
+// A batch costs nearly the same however few of its lanes are busy.
+TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
+  std::vector<Scenario> scenarios = many_boxes();
+  for (Scenario& scenario : scenarios) scenario.strategy.approach_speed_m_s = 0.05;
+  LevelSimulation simulation(build(scenarios.front()));
+  for (int place = 0; place < level_place_count(); ++place) {
+    simulation.load(place, scenarios[static_cast<std::size_t>(place)]);
+  }
+  double busy = 0.0, lanes = 0.0;
+  std::size_t finished = 0;
+  while (finished < scenarios.size()) {
+    simulation.step();
+    finished += simulation.finished().size();
+    busy += simulation.stepped();
+    lanes += kLanes;
+  }
+  EXPECT_GT(busy / lanes, 0.8);
+  std::cout << "[ measured ] lanes " << 100.0 * busy / lanes << " % busy\n";
+}
+
 // The margins of the issue that asked for levels: force 0.5 %, slip 1 um + 1 %, yield ratio 0.5 %, set 1 %, times
 // 0.1 ms.
 TEST(StepLevels, ShowWhatTheShortestStepShows) {

@@ -28,10 +28,10 @@ struct Measured {
 };
 
 TEST(StudyCost, OfProductsThatTouchWithTheirWholeSurfaceIsRightWithinAFactorOfTwo) {
-  // Core time over the threads that worked, 2026-11-27, on a machine that did other things beside it: 17.1 s on
-  // two, and 44 s on one (that before places were looked at as late as they are now).
+  // Core time over the threads that worked, on a machine that did other things beside it: 17.1 s on two
+  // (2026-11-27), and 24.2 s on one (2026-11-28, when a lone scenario no longer cost as much as sixteen).
   const double machine = measured_lane_step_rate().seconds_per_factor_entry / 8.7e-10;
-  for (const Measured& run : {Measured{"drop_attitude", 8.5}, Measured{"turn_and_place", 44.0}}) {
+  for (const Measured& run : {Measured{"drop_attitude", 8.5}, Measured{"turn_and_place", 24.2}}) {
     const double ratio = cost_of(run.name, 2).seconds / (machine * run.seconds);
     EXPECT_GT(ratio, 0.5) << run.name;
     EXPECT_LT(ratio, 2.0) << run.name;

@@ -74,7 +74,7 @@ function predictions(fits) {
   const at = (column, row) => fits.at(column, row);
   const most = 1.05 * Math.max(...rows.map((row) => Math.max(outcome.at(row), at("predicted", row))));
   const highest = Math.min(3 * most, Math.max(most, 1.02 * Math.max(...rows.map((row) => at("predicted_high", row)))));
-  const { predicted, predicted_covered: covered, predicted_relative_error: error } = fits.attributes;
+  const { predicted, predicted_covered: covered, mean_error_relative: error } = fits.attributes;
   const chart = figure({
     height: (width) => Math.max(300, Math.min(460, width * 0.55)),
     option: (theme) => ({

@@ -56,13 +56,13 @@ std::string specimen_line(const ResultTable& table, std::size_t i) {
 void add_prediction(const ResultTable& table, std::vector<std::string>& lines) {
   const double count = number_attribute(table, "predicted").value_or(0.0);
   if (count == 0.0) return;
-  lines.push_back(joined(
-      {text_attribute(table, "outcome"), " of each specimen from its keys, by the others: mean error ",
-       short_number(number_attribute(table, "predicted_absolute_error").value_or(kAbsent)), " (",
-       percent(number_attribute(table, "predicted_relative_error").value_or(kAbsent)), "), without its curve ",
-       short_number(number_attribute(table, "mean_absolute_deviation").value_or(kAbsent)), "; ",
-       whole(number_attribute(table, "predicted_covered").value_or(0.0)), " of ", whole(count), " inside their ",
-       percent(number_attribute(table, "confidence").value_or(0.95)), " interval"}));
+  lines.push_back(
+      joined({text_attribute(table, "outcome"), " of each specimen from its keys, by the others: mean error ",
+              short_number(number_attribute(table, "mean_error").value_or(kAbsent)), " (",
+              percent(number_attribute(table, "mean_error_relative").value_or(kAbsent)), "), without its curve ",
+              short_number(number_attribute(table, "mean_absolute_deviation").value_or(kAbsent)), "; ",
+              whole(number_attribute(table, "predicted_covered").value_or(0.0)), " of ", whole(count),
+              " inside their ", percent(number_attribute(table, "confidence").value_or(0.95)), " interval"}));
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ class Tables {
     table.attributes.emplace_back("outcome", settings_.outcome);
     table.attributes.emplace_back("predicted", static_cast<double>(predicted_.count));
     table.attributes.emplace_back("predicted_covered", static_cast<double>(predicted_.covered));
-    table.attributes.emplace_back("predicted_absolute_error", predicted_.absolute_error);
-    table.attributes.emplace_back("predicted_relative_error", predicted_.relative_error);
+    table.attributes.emplace_back("mean_error", predicted_.absolute_error);
+    table.attributes.emplace_back("mean_error_relative", predicted_.relative_error);
     table.attributes.emplace_back("mean_absolute_deviation", predicted_.outcome_mean);
   }
 

@@ -87,8 +87,11 @@ Evaluations asked_questions(const Study& study, const std::vector<std::size_t>& 
 
 // -- Questions of fits. ------------------------------------------------------------------------------------------
 
-double curves_each(const Study& study, const std::vector<std::size_t>& /*group_of*/) {
-  return static_cast<double>(curves_at_most(study));
+/// All fits ask at the same time, most of all for the points of a gradient.
+Evaluations asked_curves(const Study& study, const std::vector<std::size_t>& /*group_of*/) {
+  const auto scenarios = static_cast<double>(curves_at_most(study));
+  const auto together = static_cast<double>(study.calibrate().curves.size() * (2 * study.variables().size() + 1));
+  return {.each = scenarios, .rounds = scenarios / together};
 }
 
 }  // namespace
@@ -115,6 +118,6 @@ const ScenarioFamily kAskedCurves = {.count = ScenarioCount::at_most,
                                      .columns = fitted_columns,
                                      .scenario_of_row = scenario_of_fit,
                                      .known = first_of_fits,
-                                     .evaluations_each = curves_each};
+                                     .evaluations = asked_curves};
 
 }  // namespace unbruised::studies

@@ -13,7 +13,7 @@ function keyFact(fits, population, row) {
 }
 
 function predictionFact(fits) {
-  const { predicted, predicted_covered: covered, predicted_relative_error: error, outcome } = fits.attributes;
+  const { predicted, predicted_covered: covered, mean_error_relative: error, outcome } = fits.attributes;
   if (!(predicted > 0)) return null;
   return fact(`${label(outcome)} of each by the others`, `${percent(error)} off on average`, `${thousands(covered)} of ${thousands(predicted)} inside their intervals`);
 }

@@ -132,7 +132,7 @@ ReportFixture calibrated() {
                      {"outcome", std::string("rupture_force_N")},
                      {"predicted", 2.0},
                      {"predicted_covered", 2.0},
-                     {"predicted_relative_error", 0.058}};
+                     {"mean_error_relative", 0.058}};
   std::vector<std::string> of_point;
   std::vector<double> closure_m, measured_N, simulated_N;
   for (std::size_t i = 0; i < names.size(); ++i) {

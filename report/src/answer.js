@@ -1,6 +1,7 @@
 // The answer, before anything else: what stands against it, one large line, one sentence, a few facts.
 
 import { bestAnswer } from "./answer/best.js";
+import { calibrateAnswer } from "./answer/calibrate.js";
 import { compareAnswer } from "./answer/compare.js";
 import { frontAnswer } from "./answer/front.js";
 import { verdictElement } from "./answer/parts.js";
@@ -17,6 +18,7 @@ function chooseAnswer(study) {
   const filled = (name) => (study.tables.get(name)?.rows ?? 0) > 0;
   if (filled("candidates")) return compareAnswer(study);
   if (filled("pareto")) return frontAnswer(study);
+  if (filled("calibration")) return calibrateAnswer(study);
   if (study.tables.has("sensitivity")) return sensitivityAnswer(study);
   if (study.window && study.window.rows > 0) {
     const answer = windowAnswer(study);

@@ -93,7 +93,7 @@ export function findings(study) {
   return parts.length ? h("div", {}, parts) : null;
 }
 
-const KNOWN = ["searches", "evaluations", "constraints", "best", "verification", "pareto", "candidates", "comparison", "sensitivity", "sizing"];
+const KNOWN = ["searches", "evaluations", "constraints", "best", "verification", "pareto", "candidates", "comparison", "sensitivity", "sizing", "calibration", "calibration_curve", "population", "population_correlation"];
 
 /** Tables this page has no picture for. */
 export function otherTables(study) {

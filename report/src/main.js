@@ -1,6 +1,7 @@
 // The report of one study: the answer first, then what it rests on.
 
 import { answer } from "./answer.js";
+import { calibration } from "./calibration.js";
 import { comparison } from "./comparison.js";
 import { convergence } from "./convergence.js";
 import { readStudy } from "./data.js";
@@ -30,6 +31,7 @@ const SECTIONS = [
   ["replay", "In motion", (study) => (study.replays.length > 1 ? "What held best, and what went wrong nearest to it, run again and in step." : "The scenario as it ran."), replay],
   ["trace", "Over time", "What the gripper did to the product, step by step.", traceCurves],
   ["pareto", "Trade-off", "More of one costs some of the other.", pareto],
+  ["calibration", "Measured and simulated", "Each specimen's curve, and the same with the values that were fitted to it.", calibration, "Curves"],
   ["comparison", "Comparison", "Every candidate met the same products, so differences are taken product by product.", comparison],
   ["sensitivity", "What matters", "How strongly each input moves the result.", sensitivity],
   ["windows", "Windows", (study) => `From the least force that holds${judgesDamage(study) ? " to the greatest that leaves no mark" : `; ${damageRemark(study)}`}.`, (study) => (study.kind === "sweep" && study.window?.rows > 400 ? null : windows(study))],

@@ -27,7 +27,9 @@ std::string scenarios_line(const Study& study, const StudyCost& cost) {
     case ScenarioCount::about:
       return joined({"combinations: ", with_thousands(study.scenario_count()), ", scenarios: about ", count});
     case ScenarioCount::at_most:
-      return joined({"scenarios: at most ", count, ", checks of the best included"});
+      return joined(
+          {"scenarios: at most ", count,
+           fits_curves(study.kind()) ? ", those of intervals included" : ", checks of the best included"});
     case ScenarioCount::exact:
       break;
   }

@@ -27,6 +27,8 @@ bool kind_uses(Use use, const StudyKindRow& row) {
       return row.random != Blocks::refused;
     case Use::candidates:
       return row.candidate != Blocks::refused;
+    case Use::curves:
+      return row.scenarios == ScenarioSource::curves;
     case Use::design:
       return row.scenarios == ScenarioSource::design;
     default:

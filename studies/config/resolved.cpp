@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "studies/config/execution_error.hpp"
+#include "studies/config/measured_data.hpp"
 #include "studies/config/study_data.hpp"
 
 namespace unbruised::studies {
@@ -111,16 +112,18 @@ struct Writer {
     if (data.plan.columns[i].is_use()) variants(data.plan.columns[i]);
   }
 
-  /// [[variable]], [[random]], [[correlation]] and [[candidate]].
+  /// [[variable]], [[random]] and the like.
   void search_blocks() {
     StudyBlocks blocks;
+    const std::string searched = fits_curves(data.settings.kind) ? "parameter" : "variable";
     for (const SearchVariable& v : data.variables) {
-      blocks.variable.push_back({.key = v.key,
-                                 .from = v.from,
-                                 .to = v.to,
-                                 .scale = v.scale == optimizer::Scale::log ? VaryScale::log : VaryScale::linear,
-                                 .start = v.start,
-                                 .origin = {}});
+      (fits_curves(data.settings.kind) ? blocks.parameter : blocks.variable)
+          .push_back({.key = v.key,
+                      .from = v.from,
+                      .to = v.to,
+                      .scale = v.scale == optimizer::Scale::log ? VaryScale::log : VaryScale::linear,
+                      .start = v.start,
+                      .origin = {}});
     }
     blocks.random = data.random_blocks;
     for (const RankCorrelation& c : data.correlations) {
@@ -128,7 +131,17 @@ struct Writer {
       blocks.correlation.push_back({.between = {key(c.first), key(c.second)}, .value = c.value, .origin = {}});
     }
     for (const StrategyCandidate& c : data.candidates) blocks.candidate.push_back({c.name, "", {}});
-    block_list("variable", blocks, blocks.variable.size());
+    block_list(searched, blocks, data.variables.size());
+    const CurveTest test = data.calibrate.test;
+    for (const MeasuredCurve& curve : data.calibrate.curves) {
+      SpecimenBlock block;
+      block.name = curve.specimen;
+      block.outcome = curve.outcome;
+      (column_over(test) == "time_s" ? block.time_s : block.closure_m) = curve.x;
+      (column_measured(test) == "force_N" ? block.force_N : block.closure_m) = curve.y;
+      blocks.specimen.push_back(std::move(block));
+    }
+    block_list("specimen", blocks, blocks.specimen.size());
     block_list("random", blocks, blocks.random.size());
     block_list("correlation", blocks, blocks.correlation.size());
     block_list("candidate", blocks, blocks.candidate.size());

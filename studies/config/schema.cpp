@@ -101,8 +101,9 @@ bool has_field(const KeySpec& spec, const Scenario& scenario, int index) {
 }
 
 bool is_of_block(std::string_view path) {
-  return path.starts_with("variable[") || path.starts_with("random[") || path.starts_with("correlation[") ||
-         path.starts_with("candidate[");
+  constexpr std::array<std::string_view, 6> kLists = {"variable[", "parameter[",   "specimen[",
+                                                      "random[",   "correlation[", "candidate["};
+  return std::any_of(kLists.begin(), kLists.end(), [&](std::string_view list) { return path.starts_with(list); });
 }
 
 }  // namespace unbruised::studies

@@ -35,6 +35,10 @@ class BlockReader {
     if (!place || !place->leaf.empty()) return;
     if (place->list == "variable") {
       out_.blocks.variable.emplace_back().origin = table.origin;
+    } else if (place->list == "parameter") {
+      out_.blocks.parameter.emplace_back().origin = table.origin;
+    } else if (place->list == "specimen") {
+      out_.blocks.specimen.emplace_back().origin = table.origin;
     } else if (place->list == "random") {
       out_.blocks.random.emplace_back().origin = table.origin;
       out_.random_keys.emplace_back();
@@ -77,6 +81,8 @@ class BlockReader {
 
   ReadBlocks finish() {
     report_missing("variable", out_.blocks.variable);
+    report_missing("parameter", out_.blocks.parameter);
+    report_missing("specimen", out_.blocks.specimen);
     report_missing("random", out_.blocks.random);
     report_missing("correlation", out_.blocks.correlation);
     report_missing("candidate", out_.blocks.candidate);
@@ -134,6 +140,7 @@ class BlockReader {
 std::vector<std::pair<std::string, Origin>> ReadBlocks::keys() const {
   std::vector<std::pair<std::string, Origin>> all;
   for (const VariableBlock& block : blocks.variable) all.emplace_back(block.key, block.origin);
+  for (const VariableBlock& block : blocks.parameter) all.emplace_back(block.key, block.origin);
   for (const RandomBlock& block : blocks.random) all.emplace_back(block.key, block.origin);
   return all;
 }

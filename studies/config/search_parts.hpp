@@ -32,6 +32,8 @@ std::optional<Distribution> distribution_of(const RandomBlock& block, std::size_
                                             const std::vector<std::string>& given_keys, Problems& problems);
 /// The correlations of the random keys, from their blocks; they are there already.
 void add_correlations(const SearchInput& input);
+/// Settings and measured curves of a calibration; the keys that are fitted are there already.
+void add_curves(const SearchInput& input);
 /// Goals and settings of [search], [compare] and [sensitivity].
 void add_goals(const SearchInput& input);
 

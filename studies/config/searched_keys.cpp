@@ -41,11 +41,12 @@ class SearchedKeys {
   explicit SearchedKeys(const SearchInput& input)
       : data_(input.data), read_(input.read), base_(input.base), problems_(input.problems) {}
 
-  void add_variables() {
-    for (std::size_t i = 0; i < read_.blocks.variable.size(); ++i) {
-      const VariableBlock& block = read_.blocks.variable[i];
-      if (!check_key("variable", i, block.key, block.origin) || !block.from || !block.to) continue;
-      const std::string name = "variable[" + std::to_string(i) + "].";
+  /// @param list "variable", or "parameter": keys that are fitted
+  void add_variables(const std::string& list, const std::vector<VariableBlock>& blocks) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const VariableBlock& block = blocks[i];
+      if (!check_key(list, i, block.key, block.origin) || !block.from || !block.to) continue;
+      const std::string name = list + "[" + std::to_string(i) + "].";
       const auto complain = [&](const char* leaf, double value, const std::string& rule) {
         problems_.add(block.origin, name + leaf, spelled(value), rule);
         return false;
@@ -295,7 +296,8 @@ class SearchedKeys {
 
 void add_searched_keys(const SearchInput& input) {
   SearchedKeys keys(input);
-  keys.add_variables();
+  keys.add_variables("variable", input.read.blocks.variable);
+  keys.add_variables("parameter", input.read.blocks.parameter);
   keys.add_randoms();
 }
 

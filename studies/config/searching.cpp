@@ -26,6 +26,7 @@ class Completion {
     add_correlations(input_);
     add_goals(input_);
     check_indices();
+    if (fits_curves(kind())) add_curves(input_);
     data_.sampling = data_.settings.sampling;
     check_products_fit();
   }
@@ -42,6 +43,8 @@ class Completion {
 
   void refuse_foreign_blocks() {
     refuse_blocks(read_.blocks.variable, "variable", Use::search);
+    refuse_blocks(read_.blocks.parameter, "parameter", Use::curves);
+    refuse_blocks(read_.blocks.specimen, "specimen", Use::curves);
     refuse_blocks(read_.blocks.random, "random", Use::random);
     refuse_blocks(read_.blocks.correlation, "correlation", Use::random);
     refuse_blocks(read_.blocks.candidate, "candidate", Use::candidates);
@@ -55,6 +58,9 @@ class Completion {
     const StudyKindRow& row = row_of(kind());
     if (row.variable == Blocks::required && read_.blocks.variable.empty()) {
       needs("[[variable]] blocks: what may be changed, and how far");
+    }
+    if (row.parameter == Blocks::required && read_.blocks.parameter.empty()) {
+      needs("[[parameter]] blocks: what is fitted, and how far it may go");
     }
     if (row.random == Blocks::required && read_.blocks.random.empty())
       needs("[[random]] blocks: what varies from product to product");

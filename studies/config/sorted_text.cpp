@@ -133,8 +133,7 @@ class Sorting {
 
   void refuse_other_kinds(const Entry& entry) {
     if (entry.path != "study.kind") return;
-    const bool is_later = entry.value.text == "calibrate";
-    const auto rule = is_later ? "not in this version" : check_value(*find_key(entry.path).spec, entry.value, 0);
+    const auto rule = check_value(*find_key(entry.path).spec, entry.value, 0);
     if (!rule) return;
     problems_.add(entry.origin, entry.path, spelled(entry.value), *rule);
     out_.is_other_kind = true;

@@ -131,14 +131,17 @@ class Checking {
     const std::vector<std::string> may_vary =
         kinds_where([](const StudyKindRow& other) { return other.vary != Blocks::refused; });
     const std::string word = toml_string(row.word);
-    if (row.variable == Blocks::refused && row.random == Blocks::refused) {
+    if (row.variable == Blocks::refused && row.random == Blocks::refused && row.parameter == Blocks::refused) {
       input_.problems.add(kind, "study.kind", word,
                           "does one run; [[vary]] needs " + listed_quoted(may_vary, "or"));
       return;
     }
     input_.problems.add(input_.data.plan.columns.front().origin, "[[vary]]",
                         "goes with " + listed_quoted(may_vary, "and") + "; a study of kind " + word + " has " +
-                            (row.variable != Blocks::refused ? "[[variable]]" : "[[random]]") + " blocks");
+                            (row.variable != Blocks::refused    ? "[[variable]]"
+                             : row.parameter != Blocks::refused ? "[[parameter]]"
+                                                                : "[[random]]") +
+                            " blocks");
   }
 
   const StudyCheck& input_;

@@ -63,6 +63,11 @@ constexpr std::array kKinds = {
                  .asks = "which of the [[random]] keys decides",
                  .scenarios = ScenarioSource::design,
                  .random = required},
+    StudyKindRow{.kind = StudyKind::calibrate,
+                 .word = "calibrate",
+                 .asks = "which values of keys give the measured curves",
+                 .scenarios = ScenarioSource::curves,
+                 .parameter = required},
 };
 
 /// Does every row stand where its kind's number says?

@@ -47,6 +47,7 @@ class Reader {
     blocks_ = read_blocks(text_.block_entries, text_.block_tables, problems_);
     load_data();
     assemble_bases(known);
+    if (fits_curves(data_.settings.kind)) load_curves();
     complete_search(data_, blocks_, assemblies_.front(), problems_);
     const bool chooses_step = problems_.empty() && !is_given(kTimeStepKey);
     if (chooses_step) set_time_step(data_, kLeastChosenStep_s);
@@ -76,6 +77,23 @@ class Reader {
       const Entry named = *csv;
       for (Entry& entry : library_.read_csv(list, named, problems_)) text_.study.push_back(std::move(entry));
     }
+  }
+
+  /// The curves of files become [[specimen]] blocks.
+  void load_curves() {
+    CalibrateTable& settings = data_.settings.calibrate;
+    const Origin origin = assemblies_.front().origin_of("calibrate.data");
+    if (!settings.data.empty() && !blocks_.blocks.specimen.empty()) {
+      problems_.add(origin, "calibrate.data", "excludes [[specimen]] blocks; give one of them");
+      return;
+    }
+    for (const std::string& file : settings.data) {
+      const Entry named{"calibrate.data", text_value(file), origin};
+      for (SpecimenBlock& block : library_.read_curves(named, settings, problems_)) {
+        blocks_.blocks.specimen.push_back(std::move(block));
+      }
+    }
+    settings.data.clear();
   }
 
   [[nodiscard]] bool draws_products() const {

@@ -184,6 +184,7 @@ std::vector<std::string> found_lines(const std::vector<ResultTable>& tables, std
   add_check_lines(tables, lines);
   add_effects(tables, lines);
   add_statistics(tables, lines);
+  add_calibration_lines(tables, lines);
   return lines;
 }
 

@@ -25,4 +25,7 @@ void add_check_lines(const std::vector<ResultTable>& tables, std::vector<std::st
 /// compare: the winner, the candidates, the pairs.
 void add_compare_lines(const std::vector<ResultTable>& tables, std::vector<std::string>& lines);
 
+/// calibrate: the population, the specimens, what is predicted.
+void add_calibration_lines(const std::vector<ResultTable>& tables, std::vector<std::string>& lines);
+
 }  // namespace unbruised::studies

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "studies/kinds/calibrate_kind.hpp"
 #include "studies/kinds/scenario_families.hpp"
 #include "studies/kinds/search_kinds.hpp"
 #include "studies/kinds/set_kinds.hpp"
@@ -20,6 +21,7 @@ constexpr std::array kKinds = {
     KindRow{StudyKind::pareto, run_search, &kAskedQuestions, pareto_template},
     KindRow{StudyKind::compare, run_compare, &kFixedScenarios, compare_template},
     KindRow{StudyKind::sensitivity, run_sensitivity, &kFixedScenarios, sensitivity_template},
+    KindRow{StudyKind::calibrate, run_calibrate, &kAskedCurves, calibrate_template},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "studies/kinds/calibrate_kind.hpp"
 #include "studies/kinds/search_study.hpp"
 #include "studies/kinds/window_findings.hpp"
 #include "studies/kinds/window_search.hpp"
@@ -84,6 +85,15 @@ Evaluations asked_questions(const Study& study, const std::vector<std::size_t>& 
   return {.each = static_cast<double>(evaluations_at_most(study)) / static_cast<double>(group_of.size())};
 }
 
+// -- Questions of fits. ------------------------------------------------------------------------------------------
+
+/// All fits ask at the same time, most of all for the points of a gradient.
+Evaluations asked_curves(const Study& study, const std::vector<std::size_t>& /*group_of*/) {
+  const auto scenarios = static_cast<double>(curves_at_most(study));
+  const auto together = static_cast<double>(study.calibrate().curves.size() * (2 * study.variables().size() + 1));
+  return {.each = scenarios, .rounds = scenarios / together};
+}
+
 }  // namespace
 
 const ScenarioFamily kFixedScenarios = {.count = ScenarioCount::exact,
@@ -103,5 +113,11 @@ const ScenarioFamily kAskedQuestions = {.count = ScenarioCount::at_most,
                                         .scenario_of_row = scenario_of_question,
                                         .known = probes,
                                         .evaluations = asked_questions};
+
+const ScenarioFamily kAskedCurves = {.count = ScenarioCount::at_most,
+                                     .columns = fitted_columns,
+                                     .scenario_of_row = scenario_of_fit,
+                                     .known = first_of_fits,
+                                     .evaluations = asked_curves};
 
 }  // namespace unbruised::studies

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// The three ways in which kinds come by their scenarios.
+/// The four ways in which kinds come by their scenarios.
 
 #include "studies/kinds/kind_table.hpp"
 
@@ -13,5 +13,7 @@ extern const ScenarioFamily kFixedScenarios;
 extern const ScenarioFamily kAskedForces;
 /// optimize, robust, pareto: searches ask.
 extern const ScenarioFamily kAskedQuestions;
+/// calibrate: fits ask.
+extern const ScenarioFamily kAskedCurves;
 
 }  // namespace unbruised::studies

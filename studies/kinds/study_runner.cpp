@@ -70,6 +70,12 @@ class StudyRun {
     return run_.write_strategy(toml);
   }
 
+  /// The product file of a calibration.
+  MaybeError write_product() {
+    if (!answer_.product || answer_.product->empty()) return run_.remove_product();
+    return run_.write_product(*answer_.product);
+  }
+
   /// Recorded rows; those of searches with their numbers.
   [[nodiscard]] std::vector<ScenarioRow> numbered_rows() const {
     std::vector<ScenarioRow> rows = run_.rows();
@@ -88,6 +94,7 @@ class StudyRun {
   MaybeError write_results() {
     doubt_rows();
     if (auto error = write_strategy()) return error;
+    if (auto error = write_product()) return error;
     ResultsContent content = unfinished_content(study_, run_, all_warnings());
     content.meta.complete = !report_.interrupted;
     const std::string damage_note = content.meta.damage_note;

@@ -193,6 +193,16 @@ std::string sensitivity_template(const TemplateNumbers& numbers) {
                  line("samples = 16", "runs: 16 x (keys + 1)"), random_keys(numbers)});
 }
 
+std::string calibrate_template(const TemplateNumbers& numbers) {
+  const double modulus_Pa = numbers.youngs_modulus_Pa;
+  return joined({"\n[calibrate]\n",
+                 line("data = [\"data/press_example.csv\"]", "your curves: closure_m, force_N, specimen"),
+                 texts("test", "press", "or relaxation, creep, slide"),
+                 box("parameter", "product.youngs_modulus_Pa", round_two(0.5 * modulus_Pa),
+                     round_two(5.0 * modulus_Pa), "what is fitted, and how far it may go"),
+                 "scale = \"log\"\n"});
+}
+
 TemplateNumbers template_numbers(const Scenario& scenario) {
   const auto& product = std::get<LatticeParameters>(scenario.product);
   const ParallelJawParameters& gripper = jaw_of(scenario);

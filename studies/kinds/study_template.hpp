@@ -41,6 +41,7 @@ std::string robust_template(const TemplateNumbers& numbers);
 std::string pareto_template(const TemplateNumbers& numbers);
 std::string compare_template(const TemplateNumbers& numbers);
 std::string sensitivity_template(const TemplateNumbers& numbers);
+std::string calibrate_template(const TemplateNumbers& numbers);
 
 /// @param scenario the product in the gripper, all else by default; the product is a lattice.
 TemplateNumbers template_numbers(const Scenario& scenario);

@@ -34,10 +34,21 @@ MaybeError make_directory(const fs::path& directory) {
   return {};
 }
 
+MaybeError remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  return error ? MaybeError{system_error("remove", file, error.value())} : MaybeError{};
+}
+
+/// Answers of a study as files.
+constexpr std::string_view kStrategyFile = "strategy.toml";
+constexpr std::string_view kProductFile = "calibrated.toml";
+
 // Entries that make a directory more than an empty one; a single-scenario file or a log may stand there.
 bool is_own_extra(const std::string& name) {
   return name == "lock" || name == "log.txt" || name.starts_with("config.toml.") || name == "report.html" ||
-         name == "report.html.tmp" || name == "strategy.toml" || name == "strategy.toml.tmp" ||
+         name == "report.html.tmp" || name == kStrategyFile || name == std::string(kStrategyFile) + ".tmp" ||
+         name == kProductFile || name == std::string(kProductFile) + ".tmp" ||
          (name.starts_with("scenario_") && (name.ends_with(".h5") || name.ends_with(".html") ||
                                             name.ends_with(".html.tmp") || name.ends_with(".csv")));
 }
@@ -345,14 +356,16 @@ MaybeError RunDirectory::finish(ResultsContent content) {
 }
 
 MaybeError RunDirectory::write_strategy(std::string_view toml) {
-  return write_text_file(directory_ / "strategy.toml", toml);
+  return write_text_file(directory_ / kStrategyFile, toml);
 }
 
-MaybeError RunDirectory::remove_strategy() {
-  std::error_code error;
-  fs::remove(directory_ / "strategy.toml", error);
-  return error ? MaybeError{system_error("remove", directory_ / "strategy.toml", error.value())} : MaybeError{};
+MaybeError RunDirectory::remove_strategy() { return remove_file(directory_ / kStrategyFile); }
+
+MaybeError RunDirectory::write_product(std::string_view toml) {
+  return write_text_file(directory_ / kProductFile, toml);
 }
+
+MaybeError RunDirectory::remove_product() { return remove_file(directory_ / kProductFile); }
 
 MaybeError RunDirectory::write_results(const ResultsContent& content) {
   const auto image = results_image(results_path(), content);

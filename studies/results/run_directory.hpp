@@ -77,6 +77,9 @@ class RunDirectory {
   /// `strategy.toml`: the study's answer as a file, written anew, or gone where there is no answer.
   MaybeError write_strategy(std::string_view toml);
   MaybeError remove_strategy();
+  /// `calibrated.toml`: a product file that the study has made, likewise.
+  MaybeError write_product(std::string_view toml);
+  MaybeError remove_product();
 
  private:
   RunDirectory() = default;

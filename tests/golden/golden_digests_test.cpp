@@ -91,7 +91,7 @@ TEST_P(GoldenStudies, KeepTheirDigests) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, GoldenStudies,
                          ::testing::Values("sweep", "viscous_layers", "window", "sample", "optimize", "robust",
-                                           "pareto", "compare", "sensitivity"),
+                                           "pareto", "compare", "sensitivity", "calibrate"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 /// Every network that ships.

@@ -27,6 +27,7 @@ const EXPECTED = {
   kiwi_sobol: { says: ["Friction", "Clearly ahead", "85 %", "71 % to 99 %"], charts: ["sensitivity", "map", "distributions"] },
   kiwi_morris: { says: ["Friction", "moves friction margin by 0.61"], charts: ["sensitivity", "map", "distributions"] },
   no_effects: { says: ["No effect to tell", "Friction margin does not vary, whatever the keys are."], charts: ["sensitivity", "map", "distributions"] },
+  kiwi_calibrate: { says: ["1 key fitted to 3 measured curves", "3 of 3 specimens", "1 fit to be doubted", "differ by 25 %", "5.8 % off on average", "2 of 2 inside"], charts: ["calibration", "map"] },
   kiwi_sample: { says: ["Probability of being held", "of 200 products", "95 % interval"], charts: ["map", "distributions"] },
   in_motion: { says: [], charts: ["replay", "map"] },
   hold: { says: ["Held", "Held and unmarked", "Contact yield ratio", "limit 1: 83.4 % of it", "Cycle time"], charts: ["trace"] },

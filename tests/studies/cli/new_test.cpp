@@ -8,8 +8,8 @@
 namespace unbruised::studies {
 namespace {
 
-const std::vector<std::string> kKinds = {"simulate", "sweep",  "window",  "sample",     "optimize",
-                                         "robust",   "pareto", "compare", "sensitivity"};
+const std::vector<std::string> kKinds = {"simulate", "sweep",  "window",  "sample",      "optimize",
+                                         "robust",   "pareto", "compare", "sensitivity", "calibrate"};
 
 class NewStudy : public testing::ProgramTest {
  protected:

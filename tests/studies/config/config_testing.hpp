@@ -55,8 +55,14 @@ inline std::string search_block(const std::string& kind) {
   if (kind == "pareto") text += "[search]\nobjectives = [\"cycle_time_s\", \"peak_finger_force_N\"]\n";
   if (kind == "sensitivity") text += "[sensitivity]\nmetrics = [\"cycle_time_s\"]\n";
   if (kind == "optimize" || kind == "robust" || kind == "pareto") text += variable;
-  if (kind != "optimize" && kind != "pareto") text += random;
+  if (kind != "optimize" && kind != "pareto" && kind != "calibrate") text += random;
   if (kind == "compare") text += candidates;
+  if (kind == "calibrate") {
+    text +=
+        "[[parameter]]\nkey = \"product.youngs_modulus_Pa\"\nfrom = 1e5\nto = 2e6\n"
+        "[[specimen]]\nname = \"a\"\nclosure_m = [0.001, 0.002, 0.003]\ntime_s = [0.0, 0.5, 1.0]\n"
+        "force_N = [1.0, 2.0, 4.0]\n";
+  }
   return text;
 }
 

@@ -41,6 +41,7 @@ TEST(StudyKinds, HaveTheBlocksThatTheirScenariosComeFrom) {
   for (const StudyKindRow& row : study_kind_table()) {
     EXPECT_EQ(row.scenarios == ScenarioSource::questions, row.variable != Blocks::refused) << row.word;
     EXPECT_EQ(row.scenarios == ScenarioSource::questions, row.objectives != Objectives::none) << row.word;
+    EXPECT_EQ(row.scenarios == ScenarioSource::curves, row.parameter == Blocks::required) << row.word;
     EXPECT_EQ(row.scenarios == ScenarioSource::pairs, row.candidate == Blocks::required) << row.word;
     const bool is_drawn = row.scenarios == ScenarioSource::products || row.scenarios == ScenarioSource::design;
     EXPECT_TRUE(!is_drawn || row.random == Blocks::required) << row.word;

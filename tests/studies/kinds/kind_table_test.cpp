@@ -26,7 +26,8 @@ TEST(KindTable, HasAFullRowForEveryKindOfTheConfig) {
 
 TEST(KindTable, CountsScenariosBeforehandWhereNobodyAsksForThem) {
   for (const StudyKindRow& row : study_kind_table()) {
-    const bool asks = row.scenarios == ScenarioSource::forces || row.scenarios == ScenarioSource::questions;
+    const bool asks = row.scenarios == ScenarioSource::forces || row.scenarios == ScenarioSource::questions ||
+                      row.scenarios == ScenarioSource::curves;
     EXPECT_NE(has_fixed_scenarios(row.kind), asks) << row.word;
   }
 }
@@ -47,6 +48,7 @@ TEST(KindTable, WritesTheBlocksThatAKindRequires) {
     };
     expect_blocks("[[vary]]", known.vary);
     expect_blocks("[[variable]]", known.variable);
+    expect_blocks("[[parameter]]", known.parameter);
     expect_blocks("[[random]]", known.random);
     expect_blocks("[[candidate]]", known.candidate);
   }

@@ -106,6 +106,60 @@ ReportFixture without_effects() {
   return fixture;
 }
 
+/// Three specimens of five points, whose rupture is predicted but for one.
+ReportFixture calibrated() {
+  ReportFixture fixture = begin("kiwi_calibrate", "calibrate");
+  const std::string modulus = "product.youngs_modulus_Pa";
+  fixture.content.inputs = {{modulus, "Pa", "fitted key"}};
+  const std::vector<double> moduli_Pa = {2.4e5, 3.1e5, 4.2e5};
+  const std::vector<std::string> names = {"first", "second", "third"};
+  for (const double modulus_Pa : moduli_Pa) add_row(fixture, {.grip_force_N = 12.0}, {modulus_Pa});
+  ResultTable fits{
+      .name = "calibration", .row = "specimen_number", .columns = {texts("specimen", names)}, .attributes = {}};
+  fits.columns.push_back(numbers(modulus, "Pa", "fitted value", moduli_Pa));
+  fits.columns.push_back(numbers(modulus + "_low", "Pa", "", {2.2e5, 3.0e5, 3.9e5}));
+  fits.columns.push_back(numbers(modulus + "_high", "Pa", "", {2.7e5, 3.3e5, 4.6e5}));
+  fits.columns.push_back(numbers("rms_residual", "N", "", {0.01, 0.02, 0.03}));
+  fits.columns.push_back(numbers("outcome", "N", "rupture_force_N, measured", {3.0, 4.1, 5.5}));
+  fits.columns.push_back(numbers("predicted", "N", "", {3.2, 3.9, kAbsent}));
+  fits.columns.push_back(numbers("predicted_low", "N", "", {2.0, 2.8, kAbsent}));
+  fits.columns.push_back(numbers("predicted_high", "N", "", {5.1, 5.4, kAbsent}));
+  fits.columns.push_back(texts("note", {"", "youngs_modulus_Pa is at the end of its range", ""}));
+  fits.attributes = {{"measured", std::string("force_N")},
+                     {"over", std::string("closure_m")},
+                     {"confidence", 0.95},
+                     {"told", 3.0},
+                     {"outcome", std::string("rupture_force_N")},
+                     {"predicted", 2.0},
+                     {"predicted_covered", 2.0},
+                     {"mean_error_relative", 0.058}};
+  std::vector<std::string> of_point;
+  std::vector<double> closure_m, measured_N, simulated_N;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (int point = 1; point <= 5; ++point) {
+      of_point.push_back(names[i]);
+      closure_m.push_back(2e-4 * point);
+      simulated_N.push_back(moduli_Pa[i] * 1e-6 * std::pow(point, 1.5));
+      measured_N.push_back(simulated_N.back() + (point % 2 == 0 ? 0.02 : -0.02));
+    }
+  }
+  ResultTable curve{.name = "calibration_curve",
+                    .row = "curve_point",
+                    .columns = {texts("specimen", of_point)},
+                    .attributes = {}};
+  curve.columns.push_back(numbers("closure_m", "m", "", closure_m));
+  curve.columns.push_back(numbers("measured", "N", "", measured_N));
+  curve.columns.push_back(numbers("simulated", "N", "", simulated_N));
+  ResultTable population{.name = "population",
+                         .row = "fitted_key",
+                         .columns = {texts("key", {modulus})},
+                         .attributes = {{"specimens", 3.0}}};
+  population.columns.push_back(numbers("mean", "", "", {3.2e5}));
+  population.columns.push_back(numbers("standard_deviation", "", "", {0.8e5}));
+  fixture.content.tables = {fits, curve, population};
+  return fixture;
+}
+
 }  // namespace
 
 ReportFixture sample() {
@@ -123,6 +177,7 @@ std::vector<ReportFixture> product_fixtures() {
           sensitivity("kiwi_sobol", false),
           sensitivity("kiwi_morris", true),
           without_effects(),
+          calibrated(),
           sample()};
 }
 

@@ -190,6 +190,37 @@ std::vector<StudyArrival> random_arrivals() {
   };
 }
 
+std::vector<StudyArrival> calibrate_arrivals() {
+  return {
+      {"calibrate", "calibrate.test", "creep", [](K s) { return s.calibrate().test == CurveTest::creep; }},
+      {"calibrate", "calibrate.outcome", "rupture_N", [](K s) { return s.calibrate().outcome == "rupture_N"; }},
+      {"calibrate", "calibrate.tolerance", "0.0625", [](K s) { return s.calibrate().tolerance == 0.0625; }},
+      {"calibrate", "calibrate.budget", "321", [](K s) { return s.calibrate().budget == 321; }},
+      {"calibrate", "calibrate.confidence", "0.875", [](K s) { return s.calibrate().confidence == 0.875; }},
+      {"calibrate",
+       "parameter[0].key",
+       "\"product.friction\"",
+       [](K s) { return s.variables()[0].key == "product.friction"; },
+       {"parameter[0].from=0.25", "parameter[0].to=0.75"}},
+      {"calibrate", "parameter[0].from", "2e5", [](K s) { return s.variables()[0].from == 2e5; }},
+      {"calibrate", "parameter[0].to", "3e6", [](K s) { return s.variables()[0].to == 3e6; }},
+      {"calibrate", "parameter[0].scale", "\"log\"",
+       [](K s) { return s.variables()[0].scale == optimizer::Scale::log; }},
+      {"calibrate", "parameter[0].start", "3e5", [](K s) { return s.variables()[0].start == 3e5; }},
+      {"calibrate", "specimen[0].name", "b", [](K s) { return s.calibrate().curves[0].specimen == "b"; }},
+      {"calibrate", "specimen[0].closure_m", "[0.0, 0.5, 0.75]",
+       [](K s) { return s.calibrate().curves[0].x[2] == 0.75; }},
+      {"calibrate", "specimen[0].force_N", "[0.0, 0.5, 0.75]",
+       [](K s) { return s.calibrate().curves[0].y[2] == 0.75; }},
+      {"calibrate",
+       "specimen[0].time_s",
+       "[0.0, 0.5, 0.75]",
+       [](K s) { return s.calibrate().curves[0].x[2] == 0.75; },
+       {"calibrate.test=relaxation"}},
+      {"calibrate", "specimen[0].outcome", "7.5", [](K s) { return s.calibrate().curves[0].outcome == 7.5; }},
+  };
+}
+
 std::vector<StudyArrival> joint_arrivals() {
   const std::vector<std::string> drawn = {"random[0].from=none", "random[0].to=none",
                                           "random[0].distribution=data"};
@@ -227,8 +258,8 @@ std::vector<StudyArrival> joint_arrivals() {
 
 std::vector<StudyArrival> all_arrivals() {
   std::vector<StudyArrival> all;
-  for (const auto& part :
-       {search_arrivals(), design_arrivals(), block_arrivals(), random_arrivals(), joint_arrivals()}) {
+  for (const auto& part : {search_arrivals(), design_arrivals(), block_arrivals(), random_arrivals(),
+                           joint_arrivals(), calibrate_arrivals()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -252,6 +283,7 @@ TEST(StudyKeys, EveryKeyOfSearchesAndSamplesReachesTheFieldItNames) {
 TEST(StudyKeys, EveryKeyOfSearchesAndSamplesIsCoveredByTheTestAbove) {
   std::vector<std::string> covered;
   for (const StudyArrival& arrival : all_arrivals()) covered.push_back(pattern_of(arrival.key));
+  covered.emplace_back("calibrate.data");  // its curves stand in the resolved text: MeasuredCurves
   for (const KeySpec& spec : key_table()) {
     const bool of_study = spec.path.starts_with("study.") || spec.path.starts_with("window.");
     if ((spec.study_field == nullptr || of_study) && spec.block_field == nullptr) continue;

@@ -214,7 +214,7 @@ TEST(LaneMatrix, BlocksOfARowAreSummedOverTheListedColumns) {
   const LaneArray x = random_lanes(18, 6);
   const std::vector<int> columns = {0, 2, 5};
   std::array<Lane, 3> sum = {Lane(1.0), Lane(2.0), Lane(3.0)};
-  add_blocks(row.data(), columns, x, sum);
+  add_blocks(row.data(), columns, x, BusyPacks(Mask(true)), sum);
   for (int lane = 0; lane < kLanes; ++lane) {
     for (std::size_t i = 0; i < 3; ++i) {
       double expected = 1.0 + static_cast<double>(i);
@@ -225,6 +225,16 @@ TEST(LaneMatrix, BlocksOfARowAreSummedOverTheListedColumns) {
         }
       }
       EXPECT_NEAR(sum[i][lane], expected, 1e-13);
+    }
+  }
+  // Lanes that are asked for by themselves, or beside some, have the same bits.
+  for (const std::vector<int>& asked : {std::vector{3}, {0, 6}, {5, 9}, {1, 15}}) {
+    Mask busy(false);
+    for (const int lane : asked) busy.set(lane, true);
+    std::array<Lane, 3> some = {Lane(1.0), Lane(2.0), Lane(3.0)};
+    add_blocks(row.data(), columns, x, BusyPacks(busy), some);
+    for (const int lane : asked) {
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(some[i][lane], sum[i][lane]) << lane;
     }
   }
 }

@@ -20,7 +20,7 @@ TEST(KindTable, HasAFullRowForEveryKindOfTheConfig) {
     EXPECT_NE(row.scenarios->columns, nullptr) << known.word;
     EXPECT_NE(row.scenarios->scenario_of_row, nullptr) << known.word;
     EXPECT_NE(row.scenarios->known, nullptr) << known.word;
-    EXPECT_NE(row.scenarios->evaluations_each, nullptr) << known.word;
+    EXPECT_NE(row.scenarios->evaluations, nullptr) << known.word;
   }
 }
 

@@ -50,9 +50,10 @@ export async function open(name, { viewport = LAPTOP, colorScheme = "light", has
   return { page, close };
 }
 
-/** Number of different colours a chart is drawn with. */
-export const coloursOf = (page, section) =>
-  page.locator(`#${section} .chart canvas`).first().evaluate((canvas) => {
+/** Number of different colours a chart is drawn with, once it has been scrolled to. */
+export async function coloursOf(page, section) {
+  await page.locator(`#${section} .chart`).first().scrollIntoViewIfNeeded();
+  return page.locator(`#${section} .chart canvas`).first().evaluate((canvas) => {
     const copy = document.createElement("canvas");
     [copy.width, copy.height] = [400, 300];
     const context = copy.getContext("2d", { willReadFrequently: true });
@@ -62,6 +63,7 @@ export const coloursOf = (page, section) =>
     for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
     return seen.size;
   });
+}
 
 /** What a button of a section saves. */
 export async function saved(page, button) {

@@ -113,7 +113,7 @@ ReportFixture calibrated() {
   fixture.content.inputs = {{modulus, "Pa", "fitted key"}};
   const std::vector<double> moduli_Pa = {2.4e5, 3.1e5, 4.2e5};
   const std::vector<std::string> names = {"first", "second", "third"};
-  for (const double modulus_Pa : moduli_Pa) add_row(fixture, {.grip_force_N = 12.0}, {modulus_Pa});
+  for (const double modulus_Pa : moduli_Pa) add_row(fixture, {.grip_force_N = 5e-5 * modulus_Pa}, {modulus_Pa});
   ResultTable fits{
       .name = "calibration", .row = "specimen_number", .columns = {texts("specimen", names)}, .attributes = {}};
   fits.columns.push_back(numbers(modulus, "Pa", "fitted value", moduli_Pa));

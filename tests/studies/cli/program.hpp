@@ -39,6 +39,31 @@ time_step_s = 2e-3
 )";
 }
 
+/// Two masses between springs: milliseconds to run for each second.
+inline std::string two_masses(const std::string& duration_s) {
+  std::string text = R"([product]
+kind = "network"
+[[product.particle]]
+position_m = [0.0, 0.0, 0.0]
+fixed = ["x", "y", "z"]
+[[product.particle]]
+position_m = [1.0, 0.0, 0.0]
+mass_kg = 2.0
+fixed = ["y", "z"]
+initial_displacement_m = [0.01, 0.0, 0.0]
+[[product.spring]]
+between = [0, 1]
+stiffness_N_m = 50.0
+[simulation]
+time_step_s = 0.01
+duration_s = DURATION
+[cell]
+gravity_m_s2 = [0.0, 0.0, 0.0]
+support = false
+)";
+  return text.replace(text.find("DURATION"), std::string("DURATION").size(), duration_s);
+}
+
 /// A folder of its own for each test, removed at its end.
 class ProgramTest : public ::testing::Test {
  protected:

@@ -6,33 +6,11 @@
 namespace unbruised::studies {
 namespace {
 
-/// Two masses between springs: runs in milliseconds.
-constexpr const char* kNetwork = R"([product]
-kind = "network"
-[[product.particle]]
-position_m = [0.0, 0.0, 0.0]
-fixed = ["x", "y", "z"]
-[[product.particle]]
-position_m = [1.0, 0.0, 0.0]
-mass_kg = 2.0
-fixed = ["y", "z"]
-initial_displacement_m = [0.01, 0.0, 0.0]
-[[product.spring]]
-between = [0, 1]
-stiffness_N_m = 50.0
-[simulation]
-time_step_s = 0.01
-[cell]
-gravity_m_s2 = [0.0, 0.0, 0.0]
-support = false
-)";
-
 class RunProgram : public testing::ProgramTest {
  protected:
   void write_network(const std::string& kind, const std::string& vary, const std::string& duration_s) const {
-    std::string network = kNetwork;
-    network.insert(network.find("[cell]"), "duration_s = " + duration_s + "\n");
-    write("study.toml", "[study]\nname = \"masses\"\nkind = \"" + kind + "\"\n" + network + vary);
+    write("study.toml",
+          "[study]\nname = \"masses\"\nkind = \"" + kind + "\"\n" + testing::two_masses(duration_s) + vary);
   }
   /// Begins a shell line: a run beside it, its process id in $child.
   static std::string started(const std::string& words) {

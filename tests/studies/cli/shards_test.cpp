@@ -9,35 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSweep = R"([study]
-name = "masses"
-kind = "sweep"
-[product]
-kind = "network"
-[[product.particle]]
-position_m = [0.0, 0.0, 0.0]
-fixed = ["x", "y", "z"]
-[[product.particle]]
-position_m = [1.0, 0.0, 0.0]
-mass_kg = 2.0
-fixed = ["y", "z"]
-initial_displacement_m = [0.01, 0.0, 0.0]
-[[product.spring]]
-between = [0, 1]
-stiffness_N_m = 50.0
-[simulation]
-time_step_s = 0.01
-duration_s = DURATION
-[cell]
-gravity_m_s2 = [0.0, 0.0, 0.0]
-support = false
-[[vary]]
-key = "product.spring[0].stiffness_N_m"
-from = 40.0
-to = 60.0
-count = 40
-)";
-
 class Shards : public testing::ProgramTest {
  protected:
   void SetUp() override {
@@ -45,9 +16,9 @@ class Shards : public testing::ProgramTest {
     write_sweep("1.0");
   }
   void write_sweep(const std::string& duration_s) {
-    std::string text = kSweep;
-    text.replace(text.find("DURATION"), 8, duration_s);
-    write("study.toml", text);
+    write("study.toml",
+          "[study]\nname = \"masses\"\nkind = \"sweep\"\n" + testing::two_masses(duration_s) +
+              "[[vary]]\nkey = \"product.spring[0].stiffness_N_m\"\nfrom = 40.0\nto = 60.0\ncount = 40\n");
   }
   [[nodiscard]] std::string digest_of_one_process() const {
     const Answer whole = call("run study.toml -q --no-replay -o whole");
@@ -138,13 +109,16 @@ TEST_F(Shards, KilledOnesGoOn) {
 
 TEST_F(Shards, KeepOutAWholeRunAndItKeepsThemOut) {
   write_sweep("2000.0");
-  const std::string program = quoted(UNBRUISED_PROGRAM) + " run study.toml -q -j 1 -o run";
-  const std::string wait = " & child=$!; while [ ! -d run/journal ]; do sleep 0.05; done; ";
-  const std::string end = "; status=$?; kill -9 $child; wait $child; exit $status";
-  const Answer whole_beside_part = shell(program + " --shard 1/2" + wait + program + end);
-  EXPECT_EQ(whole_beside_part.status, 4) << whole_beside_part.err;
-  const Answer part_beside_whole = shell(program + wait + program + " --shard 2/2" + end);
-  EXPECT_EQ(part_beside_whole.status, 4) << part_beside_whole.err;
+  // The first has the directory, and its lock, before the second begins.
+  const auto status_of_second = [&](const std::string& directory, const std::string& first,
+                                    const std::string& second) {
+    const std::string program = quoted(UNBRUISED_PROGRAM) + " run study.toml -q -j 1 -o " + directory;
+    return shell(program + first + " & child=$!; while [ ! -d " + directory + "/journal ]; do sleep 0.05; done; " +
+                 program + second + "; status=$?; kill -9 $child; wait $child; exit $status")
+        .status;
+  };
+  EXPECT_EQ(status_of_second("parts", " --shard 1/2", ""), 4);
+  EXPECT_EQ(status_of_second("whole", "", " --shard 2/2"), 4);
 }
 
 TEST_F(Shards, RefuseWhatMakesNoSense) {

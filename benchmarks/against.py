@@ -45,11 +45,9 @@ def without_replay(program):
     return ["--no-replay"] if "--no-replay" in offered else []
 
 
-def processor_seconds(program, study, settings, folder):
+def processor_seconds(program, study, options, folder):
     """One run on one thread. Raises RuntimeError with what the program said where it fails."""
-    command = [program, "run", study, "--threads", "1", "--quiet", "--output", folder, *without_replay(program)]
-    for setting in settings:
-        command += ["--set", setting]
+    command = [program, "run", study, "--threads", "1", "--quiet", "--output", folder, *options]
     with tempfile.TemporaryFile() as said:
         child = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=said, stderr=said)
         _, status, usage = os.wait4(child.pid, 0)
@@ -61,11 +59,13 @@ def processor_seconds(program, study, settings, folder):
 
 def compare(study, settings, settings_here, here, there, turns):
     seconds = {here: [], there: []}
+    options = {}
+    for program, given in ((here, settings + settings_here), (there, settings)):
+        options[program] = [*without_replay(program), *(word for setting in given for word in ("--set", setting))]
     with tempfile.TemporaryDirectory(prefix="against-") as folder:
         for turn in range(turns + 1):  # the first pair warms up
             for program in (here, there):
-                given = settings + settings_here if program is here else settings
-                took = processor_seconds(program, study, given, Path(folder) / f"{turn}-{program is here}")
+                took = processor_seconds(program, study, options[program], Path(folder) / f"{turn}-{program is here}")
                 if turn > 0:
                     seconds[program].append(took)
     ratio = sorted(a / b for a, b in zip(seconds[here], seconds[there]))

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "studies/config/study.hpp"
+#include "studies/estimate/study_cost.hpp"
 #include "studies/kinds/shard_run.hpp"
 #include "studies/report/report_page.hpp"
 #include "studies/results/expected.hpp"
@@ -42,12 +44,18 @@ struct RunArguments {
   TraceRows trace_rows = TraceRows::chart;
   std::optional<Shard> shard;  ///< only this part
   bool fresh = false;
+  bool only_whole = false;  ///< end what was run in parts: nothing is run while scenarios are missing
   bool quiet = false;
   bool moving = true;                 ///< the page shows scenarios in motion
   std::string program = "unbruised";  ///< as it was called, for commands shown to the user
 };
 
 int run_command(const RunArguments& arguments);
+/// What stands against running a study on this machine; it is printed. @return false then
+bool may_run(const Study& study, const StudyCost& cost, int threads);
+/// After "interrupted" on stderr: the command that goes on, and the exit status.
+int ask_to_continue(const RunArguments& arguments);
+void write_to_stderr(std::string_view text);
 /// The command that continues, or with other words repeats, this run.
 std::string command_of(const RunArguments& arguments);
 /// `run --shard I/N`: a part of the study, into the run directory that all parts share.
@@ -60,6 +68,8 @@ struct MergeArguments {
 };
 /// Brings the parts of a study together and ends it. Exit status 3 where scenarios are missing.
 int merge_command(const MergeArguments& arguments);
+/// Says which scenarios of a study in parts no journal has. @return the exit status; nothing: none is missing
+std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study, const RunDirectory& run);
 /// `run --scenario ID`: that scenario alone with its trace, its file and its page.
 int run_one_command(const RunArguments& arguments);
 /// How a command answers: lines for people, or one JSON document (docs/json.md).

@@ -30,10 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_to_stderr(std::string_view text) {
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-}
-
 /// Ten minutes, or what tests ask for.
 std::chrono::milliseconds compaction_interval() {
   const char* text = std::getenv("UNBRUISED_COMPACTION_MS");
@@ -54,9 +50,7 @@ int report_failed(const RunArguments& arguments, const RunDirectory& run, const 
 int report_interrupted(const RunArguments& arguments, RunDirectory& run, const StudyReport& report) {
   print_note(joined({"interrupted: ", with_thousands(report.tables.rows.size()), " scenarios are safe in ",
                      run.directory().string(), "; continue with"}));
-  std::cerr << joined({"  ", command_of(arguments), "\n"});
-  const int status = interrupt_exit_status();
-  return status == 0 ? kExitInternal : status;
+  return ask_to_continue(arguments);
 }
 
 /// "lanes: 93 % busy; 12 of the questions had been asked before"
@@ -111,19 +105,29 @@ std::string command_of(const RunArguments& arguments) {
   return command;
 }
 
+void write_to_stderr(std::string_view text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+bool may_run(const Study& study, const StudyCost& cost, int threads) {
+  auto refusal = too_much_memory(study, threads);
+  if (!refusal) refusal = too_many_may_touch(study.name(), cost.most);
+  if (refusal) print_error(*refusal);
+  return !refusal;
+}
+
+int ask_to_continue(const RunArguments& arguments) {
+  std::cerr << joined({"  ", command_of(arguments), "\n"});
+  const int status = interrupt_exit_status();
+  return status == 0 ? kExitInternal : status;
+}
+
 int run_command(const RunArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
   const int threads = thread_count_of(arguments.threads);
-  if (const auto refusal = too_much_memory(*study, threads)) {
-    print_error(*refusal);
-    return kExitInput;
-  }
   const StudyCost cost = study_cost(*study, threads);
-  if (const auto refusal = too_many_may_touch(study->name(), cost.most)) {
-    print_error(*refusal);
-    return kExitInput;
-  }
+  if (!may_run(*study, cost, threads)) return kExitInput;
   auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
                                     .config_toml = study->resolved_toml(),
                                     .build = build_line(),
@@ -131,6 +135,9 @@ int run_command(const RunArguments& arguments) {
   if (!opened) return report_error(opened.error());
   RunDirectory& run = **opened;
   for (const std::string& note : run.notes()) print_note(note);
+  if (arguments.only_whole) {
+    if (const auto status = say_what_is_missing(arguments, *study, run)) return *status;
+  }
 
   const std::vector<std::string> warnings = study_warnings(*study);
   print_warnings(warnings);

@@ -9,7 +9,6 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
-#include "studies/estimate/memory_need.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/counted_simulator.hpp"
@@ -103,30 +102,19 @@ MaybeError bring_in(const fs::path& from, const fs::path& into, const std::strin
   return {};
 }
 
-/// The command that runs just what is missing.
-std::string run_line(const MergeArguments& arguments) {
-  const fs::path& directory = arguments.directories.front();
-  return joined({"  ", shell_word(arguments.program), " run ", shell_word((directory / "config.toml").string()),
-                 " --output ", shell_word(directory.string()), "\n"});
-}
+}  // namespace
 
-/// The exit status where the study cannot be ended, else nothing.
-std::optional<int> say_what_is_missing(const MergeArguments& arguments, const Study& study) {
-  auto opened = RunDirectory::open(
-      {.directory = arguments.directories.front(), .config_toml = study.resolved_toml(), .build = build_line()});
-  if (!opened) return report_error(opened.error());
-  const std::vector<std::uint64_t> missing = missing_ids(study, **opened);
+std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study,
+                                       const RunDirectory& run) {
+  const std::vector<std::uint64_t> missing = missing_ids(study, run);
   if (missing.empty()) return std::nullopt;
-  for (const std::string& note : (*opened)->notes()) print_note(note);
   print_note(
       joined({with_thousands(missing.size()), missing.size() == 1 ? " scenario is" : " scenarios are",
               " missing (", id_ranges(missing),
               "); run further parts and merge again, or end the study with what runs just the missing ones"}));
-  std::cerr << run_line(arguments);
+  std::cerr << joined({"  ", command_of(arguments), "\n"});
   return kExitMissing;
 }
-
-}  // namespace
 
 int run_shard_command(const RunArguments& arguments) {
   const std::optional<Study> study = read_or_explain(arguments.study);
@@ -136,10 +124,8 @@ int run_shard_command(const RunArguments& arguments) {
     return kExitInput;
   }
   const int threads = thread_count_of(arguments.threads);
-  if (const auto refusal = too_much_memory(*study, threads)) {
-    print_error(*refusal);
-    return kExitInput;
-  }
+  const StudyCost cost = study_cost(*study, threads);
+  if (!may_run(*study, cost, threads)) return kExitInput;
   auto opened = RunDirectory::open({.directory = run_directory_of(*study, arguments.output),
                                     .config_toml = study->resolved_toml(),
                                     .build = build_line(),
@@ -149,8 +135,8 @@ int run_shard_command(const RunArguments& arguments) {
   for (const std::string& note : run.notes()) print_note(note);
   listen_for_interrupts();
   Progress progress(progress_style(STDERR_FILENO, arguments.quiet ? Verbosity::quiet : Verbosity::usual),
-                    [](std::string_view text) { std::cerr << text; });
-  progress.plan(progress_plan(*study, study_cost(*study, threads)));
+                    write_to_stderr);
+  progress.plan(progress_plan(*study, cost));
   const CountedSimulator simulator(core_simulator(), progress);
   const auto report = run_shard(*study, run, LaneExecutor(simulator, threads), *arguments.shard,
                                 &interrupt_requested(), &progress);
@@ -161,9 +147,7 @@ int run_shard_command(const RunArguments& arguments) {
               " scenarios, ", with_thousands(report->run_now), " run now in ", duration_text(report->seconds)}));
   if (report->interrupted) {
     print_note(joined({"interrupted; what was run is safe in ", run.directory().string(), "; continue with"}));
-    std::cerr << joined({"  ", command_of(arguments), "\n"});
-    const int status = interrupt_exit_status();
-    return status == 0 ? kExitInternal : status;
+    return ask_to_continue(arguments);
   }
   print_note("when all parts are there, end the study with");
   std::cerr << merge_line(arguments, run);
@@ -184,11 +168,11 @@ int merge_command(const MergeArguments& arguments) {
   for (std::size_t i = 1; i < arguments.directories.size(); ++i) {
     if (auto error = bring_in(arguments.directories[i], directory, *config)) return report_error(*error);
   }
-  if (const auto status = say_what_is_missing(arguments, *study)) return *status;
   RunArguments whole;
   whole.study = recorded;
   whole.output = directory;
   whole.threads = arguments.threads;
+  whole.only_whole = true;
   whole.quiet = arguments.quiet;
   whole.program = arguments.program;
   return run_command(whole);

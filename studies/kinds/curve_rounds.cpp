@@ -1,5 +1,6 @@
 #include "studies/kinds/curve_rounds.hpp"
 
+#include <algorithm>
 #include <map>
 #include <thread>
 #include <utility>
@@ -95,9 +96,9 @@ void CurveRounds::simulate(const std::vector<const std::vector<double>*>& points
     batch.ids.push_back(id);
     if (!input_.journal.is_done(id)) continue;
     ++known;
-    for (const ScenarioRow& row : recorded_) {
-      if (row.id == id && row.inputs != inputs_of(id)) throw input_.journal.foreign_record(id);
-    }
+    const auto row = std::ranges::lower_bound(recorded_, id, {}, &ScenarioRow::id);
+    const bool is_recorded = row != recorded_.end() && row->id == id;
+    if (is_recorded && row->inputs != inputs_of(id)) throw input_.journal.foreign_record(id);
   }
   input_.journal.expect(points.size(), known);
   const BatchReport done = run_batch(input_.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {

@@ -64,6 +64,13 @@ support = false
   return text.replace(text.find("DURATION"), std::string("DURATION").size(), duration_s);
 }
 
+/// A sweep of the spring between them.
+inline std::string two_masses_sweep(const std::string& duration_s, int count) {
+  return "[study]\nname = \"masses\"\nkind = \"sweep\"\n" + two_masses(duration_s) +
+         "[[vary]]\nkey = \"product.spring[0].stiffness_N_m\"\nfrom = 40.0\nto = 60.0\ncount = " +
+         std::to_string(count) + "\n";
+}
+
 /// A folder of its own for each test, removed at its end.
 class ProgramTest : public ::testing::Test {
  protected:

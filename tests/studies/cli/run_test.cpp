@@ -20,10 +20,7 @@ class RunProgram : public testing::ProgramTest {
   static constexpr const char* kWaitForIt = "while [ ! -d run/journal ]; do sleep 0.05; done; sleep 0.3; ";
 
   void write_sweep(const std::string& duration_s, int count) const {
-    write_network("sweep",
-                  "[[vary]]\nkey = \"product.spring[0].stiffness_N_m\"\nfrom = 40.0\nto = 60.0\ncount = " +
-                      std::to_string(count) + "\n",
-                  duration_s);
+    write("study.toml", testing::two_masses_sweep(duration_s, count));
   }
 };
 

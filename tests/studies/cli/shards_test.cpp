@@ -16,9 +16,7 @@ class Shards : public testing::ProgramTest {
     write_sweep("1.0");
   }
   void write_sweep(const std::string& duration_s) {
-    write("study.toml",
-          "[study]\nname = \"masses\"\nkind = \"sweep\"\n" + testing::two_masses(duration_s) +
-              "[[vary]]\nkey = \"product.spring[0].stiffness_N_m\"\nfrom = 40.0\nto = 60.0\ncount = 40\n");
+    write("study.toml", testing::two_masses_sweep(duration_s, 40));
   }
   [[nodiscard]] std::string digest_of_one_process() const {
     const Answer whole = call("run study.toml -q --no-replay -o whole");

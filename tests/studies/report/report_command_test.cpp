@@ -5,47 +5,15 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr const char* kStudy = R"([study]
-name = "masses"
-kind = "sweep"
-[product]
-kind = "network"
-[[product.particle]]
-position_m = [0.0, 0.0, 0.0]
-fixed = ["x", "y", "z"]
-[[product.particle]]
-position_m = [1.0, 0.0, 0.0]
-mass_kg = 2.0
-fixed = ["y", "z"]
-initial_displacement_m = [0.01, 0.0, 0.0]
-[[product.spring]]
-between = [0, 1]
-stiffness_N_m = 50.0
-[simulation]
-time_step_s = 0.01
-duration_s = DURATION
-[cell]
-gravity_m_s2 = [0.0, 0.0, 0.0]
-support = false
-[[vary]]
-key = "product.spring[0].stiffness_N_m"
-from = 40.0
-to = 60.0
-count = COUNT
-)";
-
 class ReportProgram : public testing::ProgramTest {
  protected:
-  void write_study(const std::string& duration_s, const std::string& count) const {
-    std::string text = kStudy;
-    text.replace(text.find("DURATION"), 8, duration_s);
-    text.replace(text.find("COUNT"), 5, count);
-    write("study.toml", text);
+  void write_study(const std::string& duration_s, int count) const {
+    write("study.toml", testing::two_masses_sweep(duration_s, count));
   }
 };
 
 TEST_F(ReportProgram, IsWrittenAtTheEndOfARun) {
-  write_study("0.5", "5");
+  write_study("0.5", 5);
   const Answer run = call("run study.toml");
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(line_after(run.out, "report: "), "results/masses/report.html");
@@ -55,7 +23,7 @@ TEST_F(ReportProgram, IsWrittenAtTheEndOfARun) {
 }
 
 TEST_F(ReportProgram, IsMadeAgainOfARunDirectoryAResultsFileAndASingleScenario) {
-  write_study("0.5", "5");
+  write_study("0.5", 5);
   ASSERT_EQ(call("run study.toml --output run").status, 0);
   std::filesystem::remove(folder_ / "run/report.html");
   EXPECT_TRUE(line_after(call("report run").out, "report: ").starts_with("run/report.html ("));
@@ -68,7 +36,7 @@ TEST_F(ReportProgram, IsMadeAgainOfARunDirectoryAResultsFileAndASingleScenario) 
 }
 
 TEST_F(ReportProgram, TheCommandOnThePageReplaysItsScenario) {
-  write_study("0.5", "5");
+  write_study("0.5", 5);
   ASSERT_EQ(call("run study.toml --output run").status, 0);
   const Answer again = call("run run/config.toml --output run --scenario 3");
   EXPECT_EQ(again.status, 0) << again.err;
@@ -76,7 +44,7 @@ TEST_F(ReportProgram, TheCommandOnThePageReplaysItsScenario) {
 }
 
 TEST_F(ReportProgram, SaysThatAnInterruptedStudyIsNotComplete) {
-  write_study("200.0", "400");
+  write_study("200.0", 400);
   // The signal comes once the first scenarios are in the journal, however busy the machine.
   const Answer stopped = shell(quoted(UNBRUISED_PROGRAM) +
                                " run study.toml --threads 1 --output run & program=$!; "
@@ -89,7 +57,7 @@ TEST_F(ReportProgram, SaysThatAnInterruptedStudyIsNotComplete) {
 }
 
 TEST_F(ReportProgram, ARunThatCannotWriteItsPageIsStillDone) {
-  write_study("0.5", "2");
+  write_study("0.5", 2);
   std::filesystem::create_directories(folder_ / "run/report.html/in_the_way");
   const Answer run = call("run study.toml --output run");
   EXPECT_EQ(run.status, 0) << run.err;
@@ -98,7 +66,7 @@ TEST_F(ReportProgram, ARunThatCannotWriteItsPageIsStillDone) {
 }
 
 TEST_F(ReportProgram, RefusesWhatIsNoResultAndWhatIsNoReport) {
-  write_study("0.5", "2");
+  write_study("0.5", 2);
   ASSERT_EQ(call("run study.toml --output run").status, 0);
   EXPECT_EQ(call("report nowhere").status, 2);
   EXPECT_EQ(call("report study.toml").status, 2);

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "core/algebra/block_matrix.hpp"
-#include "core/algebra/lane_packs.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/lane_packs.hpp"
 
 namespace unbruised {
 

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/algebra/lane_packs.hpp"
 #include "core/algebra/supernodes.hpp"
+#include "core/lanes/lane_packs.hpp"
 
 namespace unbruised::kernels {
 

@@ -58,15 +58,18 @@ void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   running_ = running;
   if (frame_) {
     frame_->predict(motion(), viscous_, rate_, running);
-    const LaneVector gravity = frame_->to_frame({gravity_});
-    put_right_hand_side(
-        rate_, remembered, [&](std::size_t p) { return gravity + frame_->rigid_load_m_s2(p); }, running);
+    const LaneVector gravity = frame_->to_frame({gravity_}), turned = frame_->rigid_load_rad_s2();
+    const auto outer_m_s2 = [&](std::size_t p, int first) {
+      return narrow(gravity, first) + cross(narrow(turned, first), to_lanes<NarrowPack>(frame_->rest_place_m(p)));
+    };
+    put_right_hand_side(rate_, remembered, outer_m_s2, running);
   } else {
     for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
       viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
     }
+    const LaneVector gravity{gravity_};
     put_right_hand_side(
-        v_, remembered, [&](std::size_t) { return LaneVector{gravity_}; }, running);
+        v_, remembered, [&](std::size_t, int first) { return narrow(gravity, first); }, running);
   }
   for (std::size_t i = 0; i < body_.rest_force_N.size(); ++i) {
     if (body_.slot[i] < 0) continue;
@@ -88,19 +91,28 @@ template <class Acceleration>
     viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
   }
   multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
-  Lane power(0.0);
+  const NarrowPacks busy(running);
+  const NarrowPack pack_factor = narrow(factor, 0), pack_of_both = narrow(of_both, 0);
+  std::array<NarrowPack, kNarrowPacks> power_of;
+  power_of.fill(NarrowPack(0.0));
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
-    const Lane mass(body_.mass_kg[p]);
-    const LaneVector outer = outer_m_s2(p);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t i = 3 * p + axis;
-      const int slot = body_.slot[i];
-      if (slot < 0) continue;
-      power += factor * rate.get(i) * c_v_.get(i);
-      rhs_.put(static_cast<std::size_t>(slot),
-               mass * (w_.inertial(u_.get(i), v_.get(i), a_.get(i)) + outer[axis]) + of_both * c_viscous_.get(i));
-    }
+    const NarrowPack mass(body_.mass_kg[p]);
+    busy.each([&](int first) {
+      const PackVector outer = outer_m_s2(p, first);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t i = 3 * p + axis;
+        const int slot = body_.slot[i];
+        if (slot < 0) continue;
+        const auto get = [&](const LaneArray& rows) { return get_pack(rows, i, first); };
+        power_of[pack_at(first)] += pack_factor * get(rate) * get(c_v_);
+        put_pack(rhs_, static_cast<std::size_t>(slot),
+                 mass * (w_.inertial(get(u_), get(v_), get(a_)) + outer[axis]) + pack_of_both * get(c_viscous_),
+                 first);
+      }
+    });
   }
+  Lane power(0.0);
+  busy.each([&](int first) { widen(power, power_of[pack_at(first)], first); });
   // v'Cv by the trapezoid rule over time.
   damped_ += select(running, Lane(0.5) * (last_step_s_ + Lane(w_.dt)) * power, Lane(0.0));
   last_step_s_ = Lane(w_.dt);
@@ -131,12 +143,20 @@ void BodyLanes::start_solve(const LaneArray* load, LaneVector* moment) {
 /// Of x_ before it has gone through the factor.
 LaneVector BodyLanes::moment_of_load() const {
   require(frame_.has_value(), "BodyLanes: only a body in a floating frame is asked for moments");
-  LaneVector moment;
+  std::array<PackVector, kNarrowPacks> moment_of;
+  const NarrowPacks busy(running_);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
-    LaneVector force;
-    for (std::size_t i = 0; i < 3; ++i) force[i] = x_.get(static_cast<std::size_t>(body_.slot[3 * p + i]));
-    moment += cross(to_lanes(frame_->rest_place_m(p)), force);
+    const PackVector X = to_lanes<NarrowPack>(frame_->rest_place_m(p));
+    busy.each([&](int first) {
+      PackVector force;
+      for (std::size_t i = 0; i < 3; ++i) {
+        force[i] = get_pack(x_, static_cast<std::size_t>(body_.slot[3 * p + i]), first);
+      }
+      moment_of[pack_at(first)] += cross(X, force);
+    });
   }
+  LaneVector moment;
+  busy.each([&](int first) { widen(moment, moment_of[pack_at(first)], first); });
   return moment;
 }
 
@@ -181,13 +201,20 @@ void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> par
 
 void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
   solve_backward(body_.factor, x_.data(), running_);
-  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
-    const int slot = body_.slot[i];
-    if (slot >= 0) u_theta_.put(i, select(lanes, x_.get(static_cast<std::size_t>(slot)), u_theta_.get(i)));
-  }
-  for (std::size_t p = 0; turn_rad != nullptr && p < body_.particle_count; ++p) {
-    const LaneVector u = get_vector(u_theta_, p);
-    put_vector(u_theta_, p, select(lanes, u + cross(*turn_rad, to_lanes(frame_->rest_place_m(p))), u));
+  const NarrowPacks busy(lanes);
+  for (std::size_t p = 0; p < body_.particle_count; ++p) {
+    busy.each([&](int first) {
+      const PackVector before = get_vector(u_theta_, p, first);
+      PackVector u = before;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int slot = body_.slot[3 * p + i];
+        if (slot >= 0) u[i] = get_pack(x_, static_cast<std::size_t>(slot), first);
+      }
+      if (turn_rad != nullptr) {
+        u += cross(narrow(*turn_rad, first), to_lanes<NarrowPack>(frame_->rest_place_m(p)));
+      }
+      put_vector(u_theta_, p, select(narrow(lanes, first), u, before), first);
+    });
   }
 }
 
@@ -242,34 +269,47 @@ void BodyLanes::take_sums_of_frame() {
 }
 
 void BodyLanes::advance_upright(const Mask& running) {
-  for (std::size_t i = 0; i < 3; ++i) mass_u_[i] = mass_a_[i] = turn_[i] = Lane(0.0);
+  struct Sums {
+    PackVector mass_u, mass_a, turn;
+  };
+  std::array<Sums, kNarrowPacks> sums_of;
+  const NarrowPacks busy(running);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
-    const Lane mass(body_.mass_kg[p]);
-    Lane moved[3];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t i = 3 * p + axis;
-      Lane ui = u_.get(i), vi = v_.get(i), ai = a_.get(i);
-      const Lane old_u = ui, old_v = vi, old_a = ai;
-      w_.advance(u_theta_.get(i), ui, vi, ai);
-      ui = select(running, ui, old_u);
-      ai = select(running, ai, old_a);
-      if (body_.slot[i] < 0) {
-        ui = ai = Lane(0.0);
-        vi = Lane(0.0);
+    const NarrowPack mass(body_.mass_kg[p]);
+    std::array<double, 3> X = body_.position_m[p];
+    for (std::size_t i = 0; i < 3; ++i) X[i] -= body_.center_of_mass_m[i];
+    busy.each([&](int first) {
+      Sums& sums = sums_of[pack_at(first)];
+      const PackMask moves = narrow(running, first);
+      const PackVector old_u = get_vector(u_, p, first), old_v = get_vector(v_, p, first),
+                       old_a = get_vector(a_, p, first), u_theta = get_vector(u_theta_, p, first);
+      PackVector u = old_u, v = old_v, a = old_a;
+      for (std::size_t i = 0; i < 3; ++i) w_.advance(u_theta[i], u[i], v[i], a[i]);
+      u = select(moves, u, old_u);
+      v = select(moves, v, old_v);
+      a = select(moves, a, old_a);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (body_.slot[3 * p + i] < 0) u[i] = v[i] = a[i] = NarrowPack(0.0);
       }
-      u_.put(i, ui);
-      v_.put(i, select(running, vi, old_v));
-      a_.put(i, ai);
-      moved[axis] = mass * ui;
-      mass_u_[axis] += moved[axis];
-      mass_a_[axis] += mass * ai;
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
-      turn_[axis] += Lane(body_.position_m[p][j] - body_.center_of_mass_m[j]) * moved[k] -
-                     Lane(body_.position_m[p][k] - body_.center_of_mass_m[k]) * moved[j];
-    }
+      put_vector(u_, p, u, first);
+      put_vector(v_, p, v, first);
+      put_vector(a_, p, a, first);
+      const PackVector moved = mass * u;
+      sums.mass_u += moved;
+      sums.mass_a += mass * a;
+      sums.turn += cross(to_lanes<NarrowPack>(X), moved);
+    });
   }
+  LaneVector mass_u, mass_a, turn;
+  busy.each([&](int first) {
+    const Sums& sums = sums_of[pack_at(first)];
+    widen(mass_u, sums.mass_u, first);
+    widen(mass_a, sums.mass_a, first);
+    widen(turn, sums.turn, first);
+  });
+  mass_u_ = mass_u.at;
+  mass_a_ = mass_a.at;
+  turn_ = turn.at;
 }
 
 double BodyLanes::rotation_rad(int lane) const {

@@ -16,6 +16,21 @@ constexpr double kRelaxation = 0.5;
 /// flights, and grips that are not both hard and long of step.
 constexpr double kMostLeverage = 0.3;
 
+// Passes over all particles go pack by pack of lanes: what a particle needs then stays in registers.
+
+/// What the prediction of a particle is made with.
+struct Predicted {
+  PackVector v_c, a_c, way, omega, alpha;
+  PackMatrix back;
+};
+
+/// What takes a particle into the frame that fits.
+struct Fitted {
+  PackVector shift, spin;
+  PackMatrix back;
+  PackMask lanes{false};
+};
+
 /// The rotation Q of A = Q P with a symmetric P, by Newton's method from Q = 1.
 LaneRotation polar_rotation(const LaneMatrix& A) {
   LaneRotation Q;
@@ -102,43 +117,68 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   const LaneVector phi = select(running, h * omega_ + half_square * alpha_, LaneVector{});
   const LaneVector way = select(running, h * v_c + half_square * a_c, LaneVector{});
   const LaneRotation turn = rotation_by(phi);
-  const LaneMatrix back = back_ = transposed(turn.matrix());
+  back_ = transposed(turn.matrix());
   center_ += R_ * way;
   turn_frame(turn, running);
+  std::array<Predicted, kNarrowPacks> packs;
+  const NarrowPacks busy(running);
+  busy.each([&](int first) {
+    packs[pack_at(first)] = {narrow(v_c, first),    narrow(a_c, first),    narrow(way, first),
+                             narrow(omega_, first), narrow(alpha_, first), narrow(back_, first)};
+  });
   for (std::size_t p = 0; p < X_.size(); ++p) {
-    const LaneVector X = to_lanes(X_[p]), u = get_vector(motion.u, p), v = get_vector(motion.v, p),
-                     a = get_vector(motion.a, p), y = X + u;
-    const LaneVector spun = cross(omega_, y);
-    const LaneVector s = v - v_c - spun;
-    const LaneVector q = a - a_c - cross(alpha_, y) - cross(omega_, spun + Lane(2.0) * s);
-    for (std::size_t i = 0; i < 3; ++i) viscous.put(3 * p + i, w_.viscous(u[i], s[i], q[i]));
-    put_vector(rate, p, s);
-    put_vector(motion.u, p, back * (y - way) - X);
-    put_vector(motion.v, p, back * v);
-    put_vector(motion.a, p, back * a);
+    const PackVector X = to_lanes<NarrowPack>(X_[p]);
+    busy.each([&](int first) {
+      const Predicted& f = packs[pack_at(first)];
+      const PackVector u = get_vector(motion.u, p, first), v = get_vector(motion.v, p, first),
+                       a = get_vector(motion.a, p, first), y = X + u;
+      const PackVector spun = cross(f.omega, y);
+      const PackVector s = v - f.v_c - spun;
+      const PackVector q = a - f.a_c - cross(f.alpha, y) - cross(f.omega, spun + NarrowPack(2.0) * s);
+      PackVector damped;
+      for (std::size_t i = 0; i < 3; ++i) damped[i] = w_.viscous(u[i], s[i], q[i]);
+      put_vector(viscous, p, damped, first);
+      put_vector(rate, p, s, first);
+      put_vector(motion.u, p, f.back * (y - f.way) - X, first);
+      put_vector(motion.v, p, f.back * v, first);
+      put_vector(motion.a, p, f.back * a, first);
+    });
   }
 }
 
 void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer,
                          const Mask& running) {
+  std::array<StateSumsOf<NarrowPack>, kNarrowPacks> sums_of;
+  std::array<BalanceSumsOf<NarrowPack>, kNarrowPacks> balance_of;
+  const NarrowPacks busy(running);
+  for (std::size_t p = 0; p < X_.size(); ++p) {
+    const NarrowPack mass(mass_kg_[p]);
+    const PackVector X = to_lanes<NarrowPack>(X_[p]);
+    busy.each([&](int first) {
+      const PackVector u_then = get_vector(u_theta, p, first);
+      const PackVector old_u = get_vector(motion.u, p, first), old_v = get_vector(motion.v, p, first),
+                       old_a = get_vector(motion.a, p, first);
+      const PackVector a_then =
+          NarrowPack(w_.a0) * (u_then - old_u) - NarrowPack(w_.a2) * old_v - NarrowPack(2.0) * old_a;
+      balance_of[pack_at(first)].add(mass, X_[p], X + u_then, a_then);
+      PackVector u = old_u, v = old_v, a = old_a;
+      for (std::size_t i = 0; i < 3; ++i) w_.advance(u_then[i], u[i], v[i], a[i]);
+      const auto moves = narrow(running, first);
+      u = select(moves, u, old_u);
+      v = select(moves, v, old_v);
+      a = select(moves, a, old_a);
+      put_vector(motion.u, p, u, first);
+      put_vector(motion.v, p, v, first);
+      put_vector(motion.a, p, a, first);
+      sums_of[pack_at(first)].add(mass, X_[p], X + u, v, a);
+    });
+  }
   StateSums sums;
   BalanceSums balance;
-  for (std::size_t p = 0; p < X_.size(); ++p) {
-    const Lane mass(mass_kg_[p]);
-    const LaneVector X = to_lanes(X_[p]), u_then = get_vector(u_theta, p);
-    LaneVector u = get_vector(motion.u, p), v = get_vector(motion.v, p), a = get_vector(motion.a, p);
-    const LaneVector old_u = u, old_v = v, old_a = a;
-    const LaneVector a_then = Lane(w_.a0) * (u_then - u) - Lane(w_.a2) * v - Lane(2.0) * a;
-    balance.add(mass, X_[p], X + u_then, a_then);
-    for (std::size_t i = 0; i < 3; ++i) w_.advance(u_then[i], u[i], v[i], a[i]);
-    u = select(running, u, old_u);
-    v = select(running, v, old_v);
-    a = select(running, a, old_a);
-    put_vector(motion.u, p, u);
-    put_vector(motion.v, p, v);
-    put_vector(motion.a, p, a);
-    sums.add(mass, X_[p], X + u, v, a);
-  }
+  busy.each([&](int first) {
+    sums.widen(sums_of[pack_at(first)], first);
+    balance.widen(balance_of[pack_at(first)], first);
+  });
   const LaneVector y_c = Lane(1.0) / total_mass_ * balance.y;
   const LaneVector moment = outer.moment - cross(y_c, outer.force);
   balance_moments(balance, y_c, moment, running);
@@ -195,13 +235,23 @@ FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& may_correct, 
 
 void FrameLanes::apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const {
   const LaneMatrix back = transposed(correction.turn);
+  std::array<Fitted, kNarrowPacks> packs;
+  const NarrowPacks busy(lanes);
+  busy.each([&](int first) {
+    packs[pack_at(first)] = {narrow(correction.shift, first), narrow(correction.spin, first), narrow(back, first),
+                             narrow(lanes, first)};
+  });
   for (std::size_t p = 0; p < X_.size(); ++p) {
-    const LaneVector X = to_lanes(X_[p]), u = get_vector(motion.u, p), v = get_vector(motion.v, p),
-                     a = get_vector(motion.a, p);
-    const LaneVector y = back * (X + u - correction.shift);
-    put_vector(motion.u, p, select(lanes, y - X, u));
-    put_vector(motion.v, p, select(lanes, back * v + cross(correction.spin, y), v));
-    put_vector(motion.a, p, select(lanes, back * a, a));
+    const PackVector X = to_lanes<NarrowPack>(X_[p]);
+    busy.each([&](int first) {
+      const Fitted& f = packs[pack_at(first)];
+      const PackVector u = get_vector(motion.u, p, first), v = get_vector(motion.v, p, first),
+                       a = get_vector(motion.a, p, first);
+      const PackVector y = f.back * (X + u - f.shift);
+      put_vector(motion.u, p, select(f.lanes, y - X, u), first);
+      put_vector(motion.v, p, select(f.lanes, f.back * v + cross(f.spin, y), v), first);
+      put_vector(motion.a, p, select(f.lanes, f.back * a, a), first);
+    });
   }
 }
 

@@ -43,10 +43,8 @@ class FrameLanes {
   /// @param viscous, rate become a1 u + 2 s + a3 q and s, the velocity and acceleration with which the body
   /// deforms
   void predict(const LaneMotion& motion, LaneArray& viscous, LaneArray& rate, const Mask& running);
-  /// What acts on a particle as if on a rigid body, per mass and beside gravity, in the axes of the frame.
-  [[nodiscard]] LaneVector rigid_load_m_s2(std::size_t particle) const {
-    return cross(beta_, to_lanes(X_[particle]));
-  }
+  /// What acts on particles as if on a rigid body, per mass and beside gravity, is this times X.
+  [[nodiscard]] const LaneVector& rigid_load_rad_s2() const { return beta_; }
   /// Moves the state to t + dt, given u at t + theta dt and what led to it, and fits the frame to it.
   void advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer, const Mask& running);
 

@@ -10,36 +10,40 @@
 
 namespace unbruised {
 
-struct LaneVector {
-  std::array<Lane, 3> at{Lane(0.0), Lane(0.0), Lane(0.0)};
+/// @tparam L a lane value: of all scenarios of a batch, or of a pack of them
+template <class L>
+struct VectorOf {
+  std::array<L, 3> at{L(0.0), L(0.0), L(0.0)};
 
-  [[gnu::always_inline]] Lane& operator[](std::size_t i) { return at[i]; }
-  [[gnu::always_inline]] const Lane& operator[](std::size_t i) const { return at[i]; }
-  [[gnu::always_inline]] LaneVector& operator+=(const LaneVector& b) {
+  [[gnu::always_inline]] L& operator[](std::size_t i) { return at[i]; }
+  [[gnu::always_inline]] const L& operator[](std::size_t i) const { return at[i]; }
+  [[gnu::always_inline]] VectorOf& operator+=(const VectorOf& b) {
     for (std::size_t i = 0; i < 3; ++i) at[i] += b[i];
     return *this;
   }
-  [[gnu::always_inline]] friend LaneVector operator+(LaneVector a, const LaneVector& b) { return a += b; }
-  [[gnu::always_inline]] friend LaneVector operator-(LaneVector a, const LaneVector& b) {
+  [[gnu::always_inline]] friend VectorOf operator+(VectorOf a, const VectorOf& b) { return a += b; }
+  [[gnu::always_inline]] friend VectorOf operator-(VectorOf a, const VectorOf& b) {
     for (std::size_t i = 0; i < 3; ++i) a[i] -= b[i];
     return a;
   }
-  [[gnu::always_inline]] friend LaneVector operator*(const Lane& factor, LaneVector a) {
+  [[gnu::always_inline]] friend VectorOf operator*(const L& factor, VectorOf a) {
     for (std::size_t i = 0; i < 3; ++i) a[i] *= factor;
     return a;
   }
 };
+using LaneVector = VectorOf<Lane>;
 
 /// Row-major.
-struct LaneMatrix {
-  std::array<Lane, 9> at{Lane(0.0), Lane(0.0), Lane(0.0), Lane(0.0), Lane(0.0),
-                         Lane(0.0), Lane(0.0), Lane(0.0), Lane(0.0)};
+template <class L>
+struct MatrixOf {
+  std::array<L, 9> at{L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0), L(0.0)};
 
-  [[gnu::always_inline]] Lane& operator()(std::size_t row, std::size_t column) { return at[3 * row + column]; }
-  [[gnu::always_inline]] const Lane& operator()(std::size_t row, std::size_t column) const {
+  [[gnu::always_inline]] L& operator()(std::size_t row, std::size_t column) { return at[3 * row + column]; }
+  [[gnu::always_inline]] const L& operator()(std::size_t row, std::size_t column) const {
     return at[3 * row + column];
   }
 };
+using LaneMatrix = MatrixOf<Lane>;
 
 inline LaneMatrix identity_lanes() {
   LaneMatrix one;
@@ -55,28 +59,35 @@ inline LaneMatrix identity_lanes() {
   for (std::size_t i = 0; i < 3; ++i) rows.put(3 * particle + i, value[i]);
 }
 
-[[gnu::always_inline]] inline LaneVector to_lanes(const std::array<double, 3>& value) {
-  return {{Lane(value[0]), Lane(value[1]), Lane(value[2])}};
+template <class L = Lane>
+[[gnu::always_inline]] inline VectorOf<L> to_lanes(const std::array<double, 3>& value) {
+  return {{L(value[0]), L(value[1]), L(value[2])}};
 }
 inline std::array<double, 3> of_lane(const LaneVector& value, int lane) {
   return {value[0][lane], value[1][lane], value[2][lane]};
 }
 
-[[gnu::always_inline]] inline LaneVector select(const Mask& mask, const LaneVector& yes, const LaneVector& no) {
+template <int Width>
+[[gnu::always_inline]] inline VectorOf<LanePack<Width>> select(const MaskPack<Width>& mask,
+                                                               const VectorOf<LanePack<Width>>& yes,
+                                                               const VectorOf<LanePack<Width>>& no) {
   return {{select(mask, yes[0], no[0]), select(mask, yes[1], no[1]), select(mask, yes[2], no[2])}};
 }
 
-[[gnu::always_inline]] inline Lane dot(const LaneVector& a, const LaneVector& b) {
+template <class L>
+[[gnu::always_inline]] inline L dot(const VectorOf<L>& a, const VectorOf<L>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-[[gnu::always_inline]] inline LaneVector cross(const LaneVector& a, const LaneVector& b) {
+template <class L>
+[[gnu::always_inline]] inline VectorOf<L> cross(const VectorOf<L>& a, const VectorOf<L>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
 /// A x.
-[[gnu::always_inline]] inline LaneVector operator*(const LaneMatrix& A, const LaneVector& x) {
-  LaneVector y;
+template <class L>
+[[gnu::always_inline]] inline VectorOf<L> operator*(const MatrixOf<L>& A, const VectorOf<L>& x) {
+  VectorOf<L> y;
   for (std::size_t i = 0; i < 3; ++i) y[i] = A(i, 0) * x[0] + A(i, 1) * x[1] + A(i, 2) * x[2];
   return y;
 }

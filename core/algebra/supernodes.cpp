@@ -158,22 +158,22 @@ std::vector<int> elimination_positions(const SupernodalFactor& factor, const std
   return slot;
 }
 
-std::vector<int> reach(const SupernodalFactor& factor, const std::vector<int>& freedoms) {
-  for (int freedom : freedoms) {
-    require(freedom >= 0 && freedom < factor.size, "reach: the factor has no such freedom");
-  }
-  std::vector<int> position(static_cast<std::size_t>(factor.size));
-  for (int i = 0; i < factor.size; ++i) position[factor.permutation[i]] = i;
-  std::vector<int> owner(static_cast<std::size_t>(factor.size));
+Reach::Reach(const SupernodalFactor& factor) : factor_(&factor), owner_(static_cast<std::size_t>(factor.size)) {
   for (std::size_t s = 0; s < factor.supernode.size(); ++s) {
     for (int c = 0; c < factor.supernode[s].column_count; ++c) {
-      owner[factor.supernode[s].first_column + c] = static_cast<int>(s);
+      owner_[static_cast<std::size_t>(factor.supernode[s].first_column + c)] = static_cast<int>(s);
     }
   }
-  std::vector<bool> visited(factor.supernode.size(), false);
-  for (int freedom : freedoms) {
-    for (int s = owner[position[freedom]]; s >= 0 && !visited[s]; s = factor.supernode[s].parent)
-      visited[s] = true;
+}
+
+std::vector<int> Reach::of(const std::vector<int>& positions) const {
+  std::vector<bool> visited(factor_->supernode.size(), false);
+  for (const int position : positions) {
+    require(position >= 0 && position < factor_->size, "Reach: the factor has no such position");
+    for (int s = owner_[static_cast<std::size_t>(position)]; s >= 0 && !visited[static_cast<std::size_t>(s)];
+         s = factor_->supernode[static_cast<std::size_t>(s)].parent) {
+      visited[static_cast<std::size_t>(s)] = true;
+    }
   }
   std::vector<int> result;
   for (std::size_t s = 0; s < visited.size(); ++s) {

@@ -55,8 +55,17 @@ SupernodalFactor pack_supernodes(const CholeskyFactor& factor);
 /// @param freedom number of each freedom in the factored matrix, -1 where it is fixed
 std::vector<int> elimination_positions(const SupernodalFactor& factor, const std::vector<int>& freedom);
 
-/// Supernodes on the paths from the given freedoms (old numbering) to the root, in elimination order: all that a
+/// Supernodes on the paths from some elimination positions to the root, in elimination order: all that a
 /// right-hand side supported there touches, and all that its own solution entries depend on backwards.
-std::vector<int> reach(const SupernodalFactor& factor, const std::vector<int>& freedoms);
+class Reach {
+ public:
+  /// @param factor has to outlive this
+  explicit Reach(const SupernodalFactor& factor);
+  [[nodiscard]] std::vector<int> of(const std::vector<int>& positions) const;
+
+ private:
+  const SupernodalFactor* factor_;
+  std::vector<int> owner_;  ///< position -> supernode
+};
 
 }  // namespace unbruised

@@ -10,7 +10,7 @@
 namespace unbruised {
 
 BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame)
-    : body_(body), w_(wilson) {
+    : body_(body), w_(wilson), reach_(body.factor) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
   for (LaneArray* array : {&u_, &v_, &a_, &u_theta_, &viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
@@ -175,9 +175,10 @@ void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<cons
   }
 }
 
-void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> particles,
-                            std::span<const int> active, const LaneArray& force) {
+void BodyLanes::add_contact(std::span<const int> particles, const std::vector<int>& active,
+                            const LaneArray& force) {
   require(force.rows() == 3 * particles.size(), "BodyLanes::add_contact: a force for each freedom");
+  const std::vector<int>& reach = reach_of_active(particles, active);
   for (int s : reach) {
     const Supernode& node = body_.factor.supernode[s];
     std::fill_n(x_reach_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes, 0.0);
@@ -197,6 +198,23 @@ void BodyLanes::add_contact(std::span<const int> reach, std::span<const int> par
       x_.put(c, x_.get(c) + x_reach_.get(c));
     }
   }
+}
+
+/// The same nodes are active for many steps.
+const std::vector<int>& BodyLanes::reach_of_active(std::span<const int> particles,
+                                                   const std::vector<int>& active) {
+  if (active == active_) return active_reach_;
+  std::vector<int> positions;
+  for (const int index : active) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto particle = static_cast<std::size_t>(particles[static_cast<std::size_t>(index)]);
+      const int slot = body_.slot[3 * particle + axis];
+      if (slot >= 0) positions.push_back(slot);
+    }
+  }
+  active_ = active;
+  active_reach_ = reach_.of(positions);
+  return active_reach_;
 }
 
 void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {

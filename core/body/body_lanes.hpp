@@ -48,8 +48,7 @@ class BodyLanes {
   /// @param reach supernodes these particles touch
   void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base);
   /// Adds contact forces to the running solve. @param active indices into `particles` and blocks of `force`
-  void add_contact(std::span<const int> reach, std::span<const int> particles, std::span<const int> active,
-                   const LaneArray& force);
+  void add_contact(std::span<const int> particles, const std::vector<int>& active, const LaneArray& force);
   /// Backward through the factor: the displacement at t + theta dt in `lanes`.
   /// @param turn_rad where not null, by which contact forces turn a body in a floating frame beside their action
   /// on its particles
@@ -99,11 +98,16 @@ class BodyLanes {
   void advance_upright(const Mask& running);
   void take_sums_of_frame();
 
+  /// The supernodes that forces on the active ones touch.
+  const std::vector<int>& reach_of_active(std::span<const int> particles, const std::vector<int>& active);
+
   const BodyModel& body_;
   const WilsonTheta& w_;
-  LaneArray u_, v_, a_, u_theta_;        ///< [3n]
-  LaneArray viscous_, c_viscous_, c_v_;  ///< a1 u + 2 v + a3 a; C times it; C v
-  LaneArray rhs_, x_, x_reach_;          ///< elimination order
+  Reach reach_;
+  std::vector<int> active_, active_reach_;  ///< of the last `add_contact`
+  LaneArray u_, v_, a_, u_theta_;           ///< [3n]
+  LaneArray viscous_, c_viscous_, c_v_;     ///< a1 u + 2 v + a3 a; C times it; C v
+  LaneArray rhs_, x_, x_reach_;             ///< elimination order
   std::optional<FrameLanes> frame_;
   LaneArray rate_;  ///< velocity with which a body in a floating frame deforms, [3n]
   std::array<Lane, 3> gravity_{Lane(0.0), Lane(0.0), Lane(0.0)};

@@ -13,14 +13,14 @@ NodeCompliance node_compliance(const SupernodalFactor& factor, const std::vector
   require(m == 0 || 3 * static_cast<std::size_t>(node.back()) + 2 < slot.size(),
           "node_compliance: the body is not factored");
   NodeCompliance result;
-  std::vector<int> freedoms;
+  std::vector<int> positions;
   for (int particle : node) {
     for (int axis = 0; axis < 3; ++axis) {
       const int at = slot[3 * static_cast<std::size_t>(particle) + axis];
-      if (at >= 0) freedoms.push_back(factor.permutation[at]);
+      if (at >= 0) positions.push_back(at);
     }
   }
-  result.reach = reach(factor, freedoms);
+  result.reach = Reach(factor).of(positions);
   result.block.assign(9 * m * m, 0.0);
   LaneArray x(static_cast<std::size_t>(factor.size));
   const std::size_t columns = 3 * m;

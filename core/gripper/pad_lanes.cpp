@@ -67,7 +67,7 @@ void PadLanes::begin_step(const GripperLanes& gripper, const std::array<LaneVect
 void PadLanes::advance(int f, const LaneArray* face_force_N, const Lane& way_theta_m, const Mask& running) {
   BodyLanes& body = pad_[static_cast<std::size_t>(f)].body;
   if (face_force_N != nullptr) {
-    body.add_contact(pad_model_.compliance.reach, pad_model_.face, whole_face_, *face_force_N);
+    body.add_contact(pad_model_.face, whole_face_, *face_force_N);
   }
   body.finish_solve(running);
   body.add_motion(pad_model_.lag, Lane(-w_.a0) * way_theta_m, running);

@@ -155,7 +155,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
     }
     timer.lap(times.contact_s);
     if (!contact.idle()) {
-      body.add_contact(touch.reach, touch.node, contact.sweep().active_nodes(), contact.sweep().node_force());
+      body.add_contact(touch.node, contact.sweep().active_nodes(), contact.sweep().node_force());
     }
   }
   body.finish_solve(lanes, contact.turn_by_arms());

@@ -62,8 +62,8 @@ TEST(AlgebraDoors, ReachAndPositionsRefuseFreedomsThatTheFactorHasNot) {
   const SupernodalFactor factor = pack_supernodes(SparseCholesky::factor(diagonal(), error)->extract());
   EXPECT_NO_THROW(elimination_positions(factor, {0, -1, 1}));
   EXPECT_THROW(elimination_positions(factor, {2}), std::logic_error);
-  EXPECT_THROW(reach(factor, {2}), std::logic_error);
-  EXPECT_THROW(reach(factor, {-1}), std::logic_error);
+  EXPECT_THROW((void)Reach(factor).of({2}), std::logic_error);
+  EXPECT_THROW((void)Reach(factor).of({-1}), std::logic_error);
 }
 
 }  // namespace

@@ -63,6 +63,8 @@ void WorstPatches::raise(std::size_t surface, const PatchDamage& damage) {
   worst.plastic_strain = std::max(worst.plastic_strain, damage.plastic_strain);
   worst.set_m = std::max(worst.set_m, damage.set_m);
   worst.bruised_volume_m3 = std::max(worst.bruised_volume_m3, damage.bruised_volume_m3);
+  worst.bruised_area_m2 = std::max(worst.bruised_area_m2, damage.bruised_area_m2);
+  worst.bruised_depth_m = std::max(worst.bruised_depth_m, damage.bruised_depth_m);
   worst.absorbed_energy_J = std::max(worst.absorbed_energy_J, damage.absorbed_energy_J);
 }
 
@@ -72,6 +74,8 @@ PatchDamage WorstPatches::together() const {
     all.plastic_strain = std::max(all.plastic_strain, worst.plastic_strain);
     all.set_m = std::max(all.set_m, worst.set_m);
     all.bruised_volume_m3 += worst.bruised_volume_m3;
+    all.bruised_area_m2 += worst.bruised_area_m2;
+    all.bruised_depth_m = std::max(all.bruised_depth_m, worst.bruised_depth_m);
     all.absorbed_energy_J += worst.absorbed_energy_J;
   }
   return all;
@@ -96,8 +100,12 @@ PatchDamage patch_damage(const PatchLoad& load, const PatchForm& form, const Flo
   damage.set_m = kDeeperDent * root * flow.dent;
   damage.absorbed_energy_J = form.patches * kWiderVolume * cube * flow.work;
   const double bruised_part = law.ratio_at(bruised_strain) / ratio;
-  if (bruised_part < 1.0)
+  if (bruised_part < 1.0) {
+    const double wider = std::cbrt(kWiderVolume);  // along each direction
     damage.bruised_volume_m3 = form.patches * kWiderVolume * cube * form.field.volume_above(bruised_part);
+    damage.bruised_area_m2 = form.patches * wider * wider * load.area_m2 * form.field.area_above(bruised_part);
+    damage.bruised_depth_m = wider * root * form.field.depth_above(bruised_part);
+  }
   return damage;
 }
 

@@ -10,7 +10,8 @@
 /// The elastic field of a circular patch of Hertz, in units of sqrt(A) and its peak, gives what lies around: the
 /// volume in which the stress is above a part v of the peak, A^1.5 V(v), and its weight in the dent, sqrt(A) W(v),
 /// by the reciprocal theorem with the field of a unit force at the pole. Plastic flow and the finite body widen
-/// both; the three factors that say by how much are kFiniteBody, kWiderVolume and kDeeperDent.
+/// both; how wide and how deep bruised flesh is follows from that field as its volume does. The three factors that
+/// say by how much are kFiniteBody, kWiderVolume and kDeeperDent.
 
 #include <array>
 #include <cstddef>
@@ -47,13 +48,15 @@ struct PatchDamage {
   double set_m = 0.0;  ///< of the pole
   double bruised_volume_m3 = 0.0;
   double absorbed_energy_J = 0.0;
+  double bruised_area_m2 = 0.0;  ///< across the widest
+  double bruised_depth_m = 0.0;  ///< from the surface to the deepest
 };
 
 /// The worst that each surface's patch has come to.
 class WorstPatches {
  public:
   void raise(std::size_t surface, const PatchDamage& damage);
-  /// The largest of all in strain and set, all together in volume and energy.
+  /// The largest of all in strain, set and depth, all together in volume, area and energy.
   [[nodiscard]] PatchDamage together() const;
 
  private:

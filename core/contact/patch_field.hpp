@@ -9,7 +9,8 @@
 
 namespace unbruised {
 
-/// Volume and weight in the dent below a circular patch, by the part of the peak stress that is exceeded.
+/// Volume, weight in the dent, width and depth of what lies below a circular patch, by the part of the peak stress
+/// that is exceeded.
 class PatchField {
  public:
   /// @param poisson_ratio 0 to 0.5
@@ -18,13 +19,17 @@ class PatchField {
   [[nodiscard]] double volume_above(double part) const;
   /// W(v): dent at the pole / sqrt(A) per unit of plastic strain.
   [[nodiscard]] double dent_above(double part) const;
+  /// Area of the circle as wide as that volume at its widest / A.
+  [[nodiscard]] double area_above(double part) const;
+  /// How deep it reaches below the surface / sqrt(A): at the peak itself where that lies.
+  [[nodiscard]] double depth_above(double part) const;
 
   static constexpr std::size_t kParts = 15;
   static constexpr double kLeastPart = 0.3, kPartStep = 0.05;
 
  private:
   std::array<double, kParts> root_volume_{};  ///< V^(2/3): near the peak V falls as (1 - v)^1.5
-  std::array<double, kParts> dent_{};
+  std::array<double, kParts> dent_{}, area_{}, depth_{};
 };
 
 }  // namespace unbruised

@@ -48,8 +48,11 @@ bool is_switched_off(const ValueSource& value) {
                      [](const Value& item) { return item.number == 0.0; });
 }
 
-/// "assumed: a medium fruit" and the like.
-bool says_assumed(std::string_view source) { return source.starts_with("assumed"); }
+/// "assumed: a medium fruit" and the like: what nobody can look up.
+bool says_assumed(std::string_view source) {
+  constexpr std::array<std::string_view, 3> kWords = {"assumed", "from memory", "numerical choice"};
+  return std::ranges::any_of(kWords, [source](std::string_view word) { return source.starts_with(word); });
+}
 
 std::vector<ValueSource> values_of(const Document& document) {
   std::map<std::string, std::string> sources;

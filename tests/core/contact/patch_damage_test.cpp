@@ -127,6 +127,31 @@ TEST(PatchField, IsWhatTheStressOfThePatchSays) {
   }
 }
 
+TEST(PatchField, IsAsWideAndAsDeepAsTheStressOfThePatch) {
+  for (const double nu : {0.2, 0.3, 0.5}) {  // with less it is the surface that yields at the rim
+    const EllipticPatch circle{1.0, 1.0, nu};
+    const double peak = peak_stress_below(circle);
+    const auto part_at = [&](double r, double z) {
+      return von_mises(patch_stress({r, 0.0, z}, circle, {12, 20}).normal) / peak;
+    };
+    const auto largest_at = [&](double r) {
+      double largest = 0.0;
+      for (double z = 0.01; z < 1.5; z += 0.02) largest = std::max(largest, part_at(r, z));
+      return largest;
+    };
+    const PatchField field(nu);
+    for (const double part : {0.5, 0.7, 0.9}) {
+      const double depth = field.depth_above(part) * std::sqrt(std::numbers::pi);
+      EXPECT_GT(part_at(0.0, 0.99 * depth), part) << nu;
+      EXPECT_LT(part_at(0.0, 1.01 * depth), part) << nu;
+      // The table's steps and those of the search.
+      const double radius = std::sqrt(field.area_above(part));
+      EXPECT_GT(largest_at(0.98 * radius), part) << nu << ' ' << part;
+      EXPECT_LT(largest_at(1.02 * radius), part) << nu << ' ' << part;
+    }
+  }
+}
+
 TEST(PatchField, VanishesAtThePeakAndGrowsTowardsLessStress) {
   const PatchField field(0.35);
   EXPECT_NEAR(field.volume_above(1.0), 0.0, 1e-12);  // round-off of the last step of the table
@@ -134,6 +159,8 @@ TEST(PatchField, VanishesAtThePeakAndGrowsTowardsLessStress) {
   for (double v = 0.31; v < 1.0; v += 0.005) {
     EXPECT_GT(field.volume_above(v - 0.005), field.volume_above(v));
     EXPECT_GT(field.dent_above(v - 0.005), field.dent_above(v));
+    EXPECT_GT(field.area_above(v - 0.005), field.area_above(v));
+    EXPECT_GT(field.depth_above(v - 0.005), field.depth_above(v));
   }
 }
 
@@ -219,14 +246,16 @@ TEST(PatchDamage, GrowsWithTheForceWithoutAJump) {
 
 TEST(PatchDamage, AddsUpOverPadsWhereItIsAnAmount) {
   WorstPatches worst;
-  worst.raise(0, {0.02, 1e-4, 2e-6, 3e-3});
-  worst.raise(0, {0.01, 2e-4, 1e-6, 1e-3});
-  worst.raise(1, {0.03, 1e-5, 1e-6, 1e-3});
+  worst.raise(0, {0.02, 1e-4, 2e-6, 3e-3, 4e-5, 2e-3});
+  worst.raise(0, {0.01, 2e-4, 1e-6, 1e-3, 2e-5, 1e-3});
+  worst.raise(1, {0.03, 1e-5, 1e-6, 1e-3, 1e-5, 3e-3});
   const PatchDamage all = worst.together();
   EXPECT_EQ(all.plastic_strain, 0.03);
   EXPECT_EQ(all.set_m, 2e-4);
   EXPECT_EQ(all.bruised_volume_m3, 3e-6);
   EXPECT_EQ(all.absorbed_energy_J, 4e-3);
+  EXPECT_EQ(all.bruised_area_m2, 5e-5);
+  EXPECT_EQ(all.bruised_depth_m, 3e-3);
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ class Replay {
     this.instruments = panel(study, now);
     this.beside.replaceChildren(this.instruments.element);
     this.instruments.set(clock.time);
+    clock.restart();
     if (!study.clock) {
       const charts = timeCharts({ ...study, trace: now[0].trace, row: now[0].row, stripsMost: 4 }, clock);
       this.charts.replaceChildren(...[now.length > 1 ? differenceOfForces(now, clock) : null, charts, contactEvents({ trace: now[0].trace, name: now[0].title }, clock)].filter(Boolean));
@@ -93,16 +94,10 @@ class Replay {
     this.refresh();
   }
 
-  /** Digits that change more often than anybody reads them cost time. */
   followClock() {
-    let told = 0;
-    this.clock.on((clock, from) => {
-      this.readout.textContent = `${clock.time.toFixed(3)} s  ${this.line.phaseNow(clock.time)}`;
-      const now = performance.now();
-      if (from !== null && clock.playing && now - told < 100) return;
-      told = now;
-      this.instruments.set(clock.time);
-    });
+    const { clock, line } = this;
+    clock.on(() => { this.readout.textContent = `${clock.time.toFixed(3)} s  ${line.phaseNow(clock.time)}`; });
+    clock.onSeldom(() => this.instruments.set(clock.time));
   }
 
   choice() {

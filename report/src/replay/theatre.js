@@ -12,7 +12,7 @@ const SHOWN_EXTENTS = 3.2;
 /** Of the product's rise the camera follows so much: what is lifted is seen to rise. */
 const FOLLOW_UP = 0.62;
 /** Pictures further apart than this are coarser while they move; the still one is sharp again. */
-const SLOW_FRAME_MS = 36;
+const SLOW_FRAME_MS = 34;
 const [COARSEST, COARSER] = [0.6, 0.8];
 const REST_MS = 220;
 
@@ -104,15 +104,23 @@ export class Theatre {
     this.renderer.autoClear = false;
   }
 
+  /** A drawing buffer is made anew only for another size: that costs more than the picture. */
+  fit(width, height, ratio) {
+    const { renderer } = this;
+    if (this.size?.width === width && this.size.height === height && this.size.ratio === ratio) return;
+    this.size = { width, height, ratio };
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(width, height, false);
+    renderer.setScissorTest(true);
+  }
+
   draw(ratio = this.ratio) {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     if (!this.stages.length || !width) return;
     if (!this.renderer) this.start();
     const { renderer } = this;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
-    renderer.setScissorTest(true);
+    this.fit(width, height, ratio);
     const upright = height > width;
     const count = this.stages.length;
     this.stages.forEach((stage, i) => {
@@ -153,8 +161,8 @@ export class Theatre {
     this.drawnAt = now;
     if (!this.clock.playing || passed > 1000) return;
     this.intervals.push(passed);
-    if (this.intervals.length < 12) return;
-    const middle = [...this.intervals].sort((a, b) => a - b)[6];
+    if (this.intervals.length < 8) return;
+    const middle = [...this.intervals].sort((a, b) => a - b)[4];
     this.intervals = [];
     if (middle > SLOW_FRAME_MS) this.ratio = Math.max(COARSEST, COARSER * this.ratio);
   }

@@ -23,6 +23,8 @@ function notices() {
     part("zrender: BSD 3-Clause", "zrender/LICENSE"),
     part("tslib: 0BSD", "tslib/LICENSE.txt"),
     part("three.js: MIT", "three/LICENSE"),
+    part("delaunator: ISC", "delaunator/LICENSE"),
+    part("robust-predicates: Unlicense", "robust-predicates/LICENSE"),
   ].join("\n\n");
 }
 

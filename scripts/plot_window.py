@@ -5,8 +5,8 @@
 
 A sweep over the grip force becomes a map of outcomes: grip force across, approach speed (or the first other varied
 key) upwards, one panel per combination of the remaining keys. A window study becomes one bar from F_hold to F_damage
-per value of its varied key. Both ends, their brackets and the set-points are read from /window and /set_points; nothing
-is worked out here. Other kinds have no such picture: their report.html shows what they found.
+per value of its varied key. The answer, both ends, their brackets, the set-points and the colours of the outcomes are read
+from the results, as the report reads them; nothing is worked out here. Other kinds have no such picture: their report.html shows what they found.
 Exit status: 0 drawn, 2 the file does not hold what is needed.
 """
 import argparse
@@ -18,15 +18,11 @@ import textwrap
 
 import numpy as np
 
-from window_tables import Unsuitable, answer, axis_label, read_results, remarks, value_label
+from window_tables import Unsuitable, axis_label, read_results, remarks, value_label
 
 GRIP = "strategy.grip_force_N"
 SPEED = "strategy.approach_speed_m_s"
 MAX_PANELS = 8
-OUTCOMES = ["held", "slipped", "dropped", "damaged", "not_grasped", "diverged", "out_of_range", "misplaced"]
-# After Okabe and Ito: tells the outcomes apart for the common kinds of colour blindness and in grey.
-COLOURS = {"held": "#1b9e77", "slipped": "#9fd0ee", "dropped": "#4a7fb0", "damaged": "#e0702d",
-           "not_grasped": "#c9ccd1", "diverged": "#222222", "out_of_range": "#c583b0", "misplaced": "#c9a227", "not_run": "#ffffff"}
 INK = "#20242a"
 SOFT_INK = "#6a717b"
 DASHES = (0, (3.2, 1.1))
@@ -126,13 +122,13 @@ def rows_where(columns, keys, combination, count):
 
 def draw_cells(axes, data, mask, y_key, x_values, y_values, scales):
     from matplotlib.colors import ListedColormap
-    grid = np.full((len(y_values), len(x_values)), -1)
+    not_run = min(data["words"])
+    grid = np.full((len(y_values), len(x_values)), not_run)
     forces = data["inputs"][GRIP]["values"]
     heights = data["inputs"][y_key]["values"] if y_key else np.zeros(len(forces))
     grid[np.searchsorted(y_values, heights[mask]), np.searchsorted(x_values, forces[mask])] = data["outcome"][mask]
-    colours = [COLOURS["not_run"]] + [COLOURS[word] for word in OUTCOMES]
-    axes.pcolormesh(edges(x_values, scales[0]), edges(y_values, scales[1]), grid, cmap=ListedColormap(colours),
-                    vmin=-1.5, vmax=6.5, edgecolors="white", linewidth=0.35 if grid.size < 4000 else 0.0)
+    axes.pcolormesh(edges(x_values, scales[0]), edges(y_values, scales[1]), grid, cmap=ListedColormap(list(data["colours"].values())),
+                    vmin=not_run - 0.5, vmax=max(data["words"]) + 0.5, edgecolors="white", linewidth=0.35 if grid.size < 4000 else 0.0)
 
 
 def draw_edge(axes, window, rows, name, borders, style):
@@ -178,8 +174,8 @@ def draw_map_panel(axes, data, panel_keys, combination, y_key):
         plain_ticks(axis, values, log)
     if not y_key:
         axes.set_yticks([])
-    axes.set_xlabel(axis_label(GRIP, "N"))
-    axes.set_ylabel(axis_label(y_key, data["inputs"][y_key]["units"]) if y_key else "")
+    axes.set_xlabel(axis_label(data["inputs"][GRIP]))
+    axes.set_ylabel(axis_label(data["inputs"][y_key]) if y_key else "")
 
 
 def draw_bar(axes, data, row, at, half, ceiling):
@@ -190,7 +186,7 @@ def draw_bar(axes, data, row, at, half, ceiling):
         axes.text(at, ceiling, "no\nwindow", ha="center", va="top", fontsize=8, color=SOFT_INK)
     else:
         axes.fill_between(span, low if np.isfinite(low) else 0.0, high if np.isfinite(high) else ceiling,
-                          color=COLOURS["held"], lw=0, alpha=0.9)
+                          color=colour_of(data, "held"), lw=0, alpha=0.9)
     for force, style in ((low, "-"), (high if data["judged"] else np.nan, DASHES)):
         if np.isfinite(force):
             axes.plot(span, [force, force], color=INK, lw=2, ls=style)
@@ -216,7 +212,7 @@ def draw_window_panel(axes, data, panel_keys, combination, x_key):
     axes.set_ylim(0.0, ceiling)
     if x_key:
         plain_ticks(axes.xaxis, values, log)
-        axes.set_xlabel(axis_label(x_key, window["inputs"][x_key]["units"]))
+        axes.set_xlabel(axis_label(window["inputs"][x_key]))
     else:
         axes.set_xticks([])
     axes.set_ylabel("grip force  (N)")
@@ -226,11 +222,19 @@ def draw_window_panel(axes, data, panel_keys, combination, x_key):
 
 # --- the picture ---
 
+def colour_of(data, word):
+    return next(colour for code, colour in data["colours"].items() if data["words"][code] == word)
+
+
+def sentence(text):
+    return text[:1].upper() + text[1:]
+
+
 def headline(figure, data, more):
     """Title, answer below it, remarks; returns the height of the block in inches."""
     height = figure.get_figheight()
     figure.text(0.015, 1 - 0.14 / height, data["name"].replace("_", " "), fontsize=16, fontweight="bold", va="top")
-    lines = textwrap.wrap(answer(data), int(11.5 * figure.get_figwidth()))
+    lines = textwrap.wrap(sentence(data["answer"]), int(11.5 * figure.get_figwidth()))
     answer_lines = len(lines)
     lines += remarks(data) + more
     for k, line in enumerate(lines):
@@ -241,10 +245,10 @@ def headline(figure, data, more):
 
 def outcome_handles(data):
     from matplotlib.patches import Patch
-    counts = {word: int((data["outcome"] == code).sum()) for code, word in enumerate(OUTCOMES)}
-    counts["not_run"] = int((data["outcome"] == -1).sum())
-    return [Patch(facecolor=COLOURS[word], edgecolor="#9aa0a8" if word == "not_run" else "none",
-                  label=f"{word.replace('_', ' ')}  {count}") for word, count in counts.items() if count]
+    counts = {code: int((data["outcome"] == code).sum()) for code in data["words"]}
+    return [Patch(facecolor=data["colours"][code], edgecolor="#9aa0a8" if data["words"][code] == "not_run" else "none",
+                  label=f"{data['words'][code].replace('_', ' ')}  {counts[code]}")
+            for code in sorted(counts, key=lambda code: (code < 0, code)) if counts[code]]
 
 
 def draw(data, plt):
@@ -263,13 +267,13 @@ def draw(data, plt):
             axes.set_visible(False)
             continue
         (draw_map_panel if is_map else draw_window_panel)(axes, data, panel_keys, combination, free_key)
-        axes.set_title(("\n" if across > 1 else ",  ").join(value_label(key, value, columns[key]["units"])
+        axes.set_title(("\n" if across > 1 else ",  ").join(value_label(columns[key], value)
                                                              for key, value in zip(panel_keys, combination)), loc="left")
         axes.label_outer()
     top, height = headline(figure, data, more), figure.get_figheight()
     figure.tight_layout(rect=(0.005, 0.46 / height, 0.995, 1 - top / height), h_pad=1.2, w_pad=1.2)
     from matplotlib.patches import Patch
-    first = outcome_handles(data) if is_map else [Patch(color=COLOURS["held"], label="window")]
+    first = outcome_handles(data) if is_map else [Patch(color=colour_of(data, "held"), label="window")]
     place_legend(figure, first + window_handles(data))
     return figure
 

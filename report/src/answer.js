@@ -92,6 +92,11 @@ function headlineElements({ kicker, headline, unit, size }) {
   return [h("h1", { id: "answer-title", class: kind }, headline, unit ? h("small", {}, ` ${unit}`) : null)];
 }
 
+/** The answer's first words, and what they speak of beside them where there is something to see. */
+function beside(study, words) {
+  return study.preview ? h("div", { class: "answer-top" }, h("div", {}, words), study.preview) : words;
+}
+
 export function answer(study) {
   const found = chooseAnswer(study);
   const facts = (found.facts ?? []).filter(Boolean);
@@ -100,10 +105,12 @@ export function answer(study) {
     { class: "answer", id: "answer", "aria-labelledby": "answer-title" },
     incomplete(study),
     warnings(study),
-    h("p", { class: "kicker" }, found.kicker),
-    headlineElements(found),
-    verdictElement(soberly(study, found.verdict)),
-    found.sentence ? h("p", { class: "sentence" }, found.sentence) : null,
+    beside(study, [
+      h("p", { class: "kicker" }, found.kicker),
+      headlineElements(found),
+      verdictElement(soberly(study, found.verdict)),
+      found.sentence ? h("p", { class: "sentence" }, found.sentence) : null,
+    ]),
     found.extra ?? [],
     facts.length ? h("dl", { class: "facts" }, facts) : null,
     outcomeBar(study),

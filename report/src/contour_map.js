@@ -2,19 +2,12 @@
 
 import { figure } from "./chart.js";
 import { contour } from "./contour.js";
+import { boundWords, frame, HEIGHT, layoutOf, levelText, rgb, surfaceLegend } from "./contour_picture.js";
 import { h, select } from "./dom.js";
-import { colourAt, gradient } from "./replay/colour_map.js";
-import { boundsOf, roundValues, scaleOf } from "./scale.js";
+import { boundsOf, scaleOf } from "./scale.js";
 import { scenarioTip, tipLine } from "./scenario.js";
 import { extent } from "./statistics.js";
-import { label, number, quantity, scaleFor } from "./words.js";
-
-const LINES = 6;
-const MARGIN = { left: 62, right: 16, top: 30, bottom: 46 };
-
-function rgb(part) {
-  return `rgb(${colourAt(part).map((each) => Math.round(255 * each)).join(",")})`;
-}
+import { label, quantity, scaleFor } from "./words.js";
 
 /** The grid of a metric over x and y, the other inputs as in the best: { rows, values } by [j][i]. */
 function gridOf(study, { inputs, best }, metric, x, y) {
@@ -25,11 +18,6 @@ function gridOf(study, { inputs, best }, metric, x, y) {
     if (others.every((each) => each.at(row) === each.at(best))) rows[yIndex.get(y.at(row))][xIndex.get(x.at(row))] = row;
   }
   return { rows, values: rows.map((line) => line.map((row) => (row === null ? null : metric.column.at(row)))) };
-}
-
-function layoutOf(width, height) {
-  const [w, t] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
-  return { x: (part) => MARGIN.left + part * w, y: (part) => MARGIN.top + (1 - part) * t };
 }
 
 /** Half way to the neighbours, or to the end of the axis. */
@@ -52,72 +40,16 @@ function cellSeries(study, { xs, ys, grid, range }, layout) {
   };
 }
 
-function lineChildren(pieces, layout, style) {
-  return pieces.map(([[x1, y1], [x2, y2]]) => ({ type: "line", shape: { x1: layout.x(x1), y1: layout.y(y1), x2: layout.x(x2), y2: layout.y(y2) }, style }));
-}
-
-/** Lines of equal value, each with its number once. */
-function isolines(theme, { xs, ys, grid, range, scale }, layout) {
-  return roundValues(range[0], range[1], LINES).flatMap((level) => {
-    const pieces = contour(xs, ys, grid.values, level);
-    if (!pieces.length) return [];
-    const [[x, y]] = pieces[Math.floor(pieces.length / 2)];
-    const text = { type: "text", style: { text: number(level / scale.factor, 3), x: layout.x(x), y: layout.y(y), align: "center", verticalAlign: "middle", fill: "#20242a", stroke: "#ffffff", lineWidth: 3, font: `11px ${theme.font}` } };
-    return [...lineChildren(pieces, layout, { stroke: "#ffffff", lineWidth: 2.2, opacity: 0.7 }), ...lineChildren(pieces, layout, { stroke: "#20242a", lineWidth: 0.8 }), text];
-  });
-}
-
-function edges(theme, { xs, ys, grid, bounds }, layout) {
-  return bounds.flatMap(({ bound }) => {
-    const pieces = contour(xs, ys, grid.values, bound);
-    return [...lineChildren(pieces, layout, { stroke: "#ffffff", lineWidth: 6 }), ...lineChildren(pieces, layout, { stroke: "#b3401a", lineWidth: 3, lineDash: [7, 3] })];
-  });
-}
-
-function tickTexts(theme, scale, place) {
-  let last = -Infinity;
-  return scale.ticks.flatMap(([part, text]) => {
-    const style = { text, fill: theme.soft, font: `12px ${theme.font}`, ...place(part) };
-    const at = style.align === "right" ? -style.y : style.x;
-    if (at - last < (style.align === "right" ? 16 : 8 * text.length + 8)) return [];
-    last = at;
-    return [{ type: "text", style }];
-  });
-}
-
-function frame(theme, state, layout, best) {
-  const { xScale, yScale } = state;
-  const titleOf = (scale) => `${label(scale.column.name)}${scale.unit ? ` (${scale.unit})` : ""}`;
-  const title = (text, style) => ({ type: "text", style: { text, fill: theme.ink, font: `13px ${theme.font}`, ...style } });
-  return {
-    type: "custom", coordinateSystem: "none", silent: true, z: 5, data: [[0]],
-    renderItem: () => ({
-      type: "group",
-      children: [
-        ...isolines(theme, state, layout), ...edges(theme, state, layout),
-        ...(best ? [{ type: "circle", shape: { cx: layout.x(best[0]), cy: layout.y(best[1]), r: 7 }, style: { fill: "none", stroke: "#ffffff", lineWidth: 5 } }, { type: "circle", shape: { cx: layout.x(best[0]), cy: layout.y(best[1]), r: 7 }, style: { fill: "none", stroke: "#20242a", lineWidth: 2.4 } }] : []),
-        ...tickTexts(theme, xScale, (part) => ({ x: layout.x(part), y: layout.y(0) + 7, align: "center", verticalAlign: "top" })),
-        ...tickTexts(theme, yScale, (part) => ({ x: layout.x(0) - 7, y: layout.y(part), align: "right", verticalAlign: "middle" })),
-        title(titleOf(xScale), { x: layout.x(0.5), y: layout.y(0) + 26, align: "center", verticalAlign: "top" }),
-        title(titleOf(yScale), { x: 0, y: 4, align: "left", verticalAlign: "top" }),
-      ],
-    }),
-  };
-}
-
 /** Everything one picture is made of. */
 function stateOf(study, source, metric, x, y) {
   const [xScale, yScale] = [scaleOf(x, { ticks: 6 }), scaleOf(y, { ticks: 5 })];
   const grid = gridOf(study, source, metric, x, y);
-  const values = grid.values.flat().filter((value) => value !== null);
-  const range = extent(values) ?? [0, 1];
-  return { xScale, yScale, xs: x.distinct.map(xScale.at), ys: y.distinct.map(yScale.at), grid, range, bounds: boundsOf(study, metric.column), scale: scaleFor(metric.units, Math.max(...range.map(Math.abs))) };
-}
-
-function legendOf({ range, scale, bounds }, metric) {
-  const text = (value) => `${number(value / scale.factor, 3)}${scale.unit ? ` ${scale.unit}` : ""}`;
-  const edge = bounds.length ? h("span", { class: "edge-entry" }, h("i", { class: "stroke dashed", style: "color:var(--bad)" }), `edge of a constraint: ${bounds.map(({ bound, least }) => `${least ? "at least" : "at most"} ${text(bound)}`).join(", ")}`) : null;
-  return h("div", { class: "field-legend" }, h("span", {}, metric.label), h("span", { class: "legend-end" }, text(range[0])), h("i", { class: "gradient", style: `background:${gradient()}` }), h("span", { class: "legend-end" }, text(range[1])), edge);
+  const range = extent(grid.values.flat().filter((value) => value !== null)) ?? [0, 1];
+  const bounds = boundsOf(study, metric.column);
+  const scale = scaleFor(metric.units, Math.max(...range.map(Math.abs)));
+  const [xs, ys] = [x.distinct.map(xScale.at), y.distinct.map(yScale.at)];
+  const pieces = (level) => contour(xs, ys, grid.values, level);
+  return { xScale, yScale, xs, ys, grid, range, bounds, scale, text: levelText(metric, scale), pieces, edges: bounds.flatMap(({ bound }) => pieces(bound)) };
 }
 
 export function contourMap(study, source) {
@@ -126,30 +58,45 @@ export function contourMap(study, source) {
   if (axes.length < 2 || metrics.length === 0) return null;
   let [x, y, metric] = [axes[0], axes[1], metrics.find(({ bounds }) => bounds?.length) ?? metrics[0]];
   let state = stateOf(study, source, metric, x, y);
-  const change = () => { state = stateOf(study, source, metric, x, y); chart.redraw(); };
-  const options = axes.map((column) => ({ value: column.name, label: label(column.name) }));
-  const named = (name) => axes.find((column) => column.name === name);
+  const change = (chosen) => {
+    [x, y, metric] = [chosen.x, chosen.y, chosen.metric];
+    state = stateOf(study, source, metric, x, y);
+    chart.redraw();
+  };
   const best = () => (source.hasBest ? [state.xScale.at(x.at(source.best)), state.yScale.at(y.at(source.best))] : null);
-  const controls = [select("Metric", metrics.map((each) => ({ value: each.name, label: each.label })), metric.name, (name) => { metric = metrics.find((each) => each.name === name); change(); })];
-  if (axes.length > 2) {
-    controls.push(select("Across", options, x.name, (name) => { x = named(name); if (x === y) y = axes.find((column) => column !== x); change(); }));
-    controls.push(select("Upwards", options, y.name, (name) => { y = named(name); if (x === y) x = axes.find((column) => column !== y); change(); }));
-  }
+  const at = (row, layout) => [layout.x(state.xScale.at(x.at(row))), layout.y(state.yScale.at(y.at(row)))];
   const chart = figure({
-    height: 380,
-    controls,
+    height: HEIGHT,
+    controls: surfaceControls({ axes, metrics }, { x, y, metric }, change),
     name: `${study.name} contours`,
     selection: study.selection,
     rowOf: ({ data }) => data?.[2] ?? null,
-    litAt: (row, shown) => (state.grid.rows.flat().includes(row) ? [{ at: [layoutOf(shown.getWidth(), 380).x(state.xScale.at(x.at(row))), layoutOf(shown.getWidth(), 380).y(state.yScale.at(y.at(row)))] }] : []),
+    litAt: (row, shown) => (state.grid.rows.flat().includes(row) ? [{ at: at(row, layoutOf(shown.getWidth())) }] : []),
     csv: () => [[x.name, y.name, metric.name], ...state.grid.rows.flat().filter((row) => row !== null).map((row) => [x.at(row), y.at(row), metric.column.at(row)])],
-    legend: () => legendOf(state, metric),
+    legend: () => surfaceLegend(metric, state, state.bounds.length ? boundWords(state.bounds, state) : null),
     option: (theme, width) => ({
       tooltip: { trigger: "item", formatter: ({ data }) => scenarioTip(study, data[2], [tipLine(metric.label, quantity(metric.column.at(data[2]), metric.units))]) },
-      series: [cellSeries(study, state, layoutOf(width, 380)), frame(theme, state, layoutOf(width, 380), best())],
+      series: [cellSeries(study, state, layoutOf(width)), frame(theme, state, layoutOf(width), best())],
     }),
     describe: () => `${metric.label} over ${label(x.name)} and ${label(y.name)}, from ${quantity(state.range[0], metric.units)} to ${quantity(state.range[1], metric.units)}. The table of scenarios holds the same values.`,
     note: source.hasBest ? "Ring: the best. The other inputs are as in it." : "The other inputs are those in the middle of the study.",
   });
   return h("div", {}, h("h3", {}, "Over two inputs"), chart.element);
+}
+
+/** Which metric, and over which two inputs where there are more. @param changed ({ x, y, metric }) */
+export function surfaceControls({ axes, metrics }, chosen, changed) {
+  const now = { ...chosen };
+  const choose = (more) => { Object.assign(now, more); changed(now); };
+  const named = (name) => axes.find((column) => column.name === name);
+  const other = (column, taken) => (column === taken ? axes.find((each) => each !== taken) : column);
+  const controls = [select("Metric", metrics.map((each) => ({ value: each.name, label: each.label })), now.metric.name, (name) => choose({ metric: metrics.find((each) => each.name === name) }))];
+  if (axes.length < 3) return controls;
+  const options = axes.map((column) => ({ value: column.name, label: label(column.name) }));
+  const [across, upwards] = [
+    select("Across", options, now.x.name, (name) => { choose({ x: named(name), y: other(now.y, named(name)) }); show(); }),
+    select("Upwards", options, now.y.name, (name) => { choose({ y: named(name), x: other(now.x, named(name)) }); show(); }),
+  ];
+  const show = () => { across.querySelector("select").value = now.x.name; upwards.querySelector("select").value = now.y.name; };
+  return [...controls, across, upwards];
 }

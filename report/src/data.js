@@ -172,6 +172,7 @@ export function readStudy(document) {
   }
   return {
     ...page.study,
+    outcomeColours: new Map([...page.outcome_words.map((word, i) => [word, page.outcome_colours[i]]), ["not_run", page.not_run_colour]]),
     scenarios: readScenarios(page.scenarios, buffer, page.outcome_words),
     window: page.window ? readWindow(page.window, buffer) : null,
     bestRow: page.best_row ?? null,

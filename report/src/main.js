@@ -78,8 +78,8 @@ function footer() {
 }
 
 function start() {
-  startTheme();
   const study = readStudy(document);
+  startTheme(study.outcomeColours);
   study.selection = new Selection(study.scenarios);
   const built = SECTIONS.map((each) => [each[0], each[4] ?? each[1], sectionOf(study, each)]).filter((each) => each[2]);
   const page = document.getElementById("page");

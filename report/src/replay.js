@@ -10,15 +10,28 @@ import { panel } from "./replay/panel.js";
 import { soundButton } from "./replay/sound.js";
 import { hasWebGL, Theatre } from "./replay/theatre.js";
 import { differenceOfForces, timeCharts } from "./trace.js";
-import { number, outcomeLabel, quantity } from "./words.js";
+import { phasesOf } from "./trace_strips.js";
+import { number, outcomeLabel, quantity, valuesText } from "./words.js";
+
+const MOST_TOLD = 2;
 
 function modelsOf(study) {
   return study.replays.map((data) => {
     const model = new ReplayModel(data, study.buffer, study.column);
     model.trace = data.trace;
     model.title = study.scenarios.rows > 1 ? `${outcomeLabel(model.outcome)}, scenario ${model.id}` : outcomeLabel(model.outcome);
+    model.phases = phasesOf({ ...study, trace: data.trace });
+    model.caption = "";
     return model;
   });
+}
+
+/** What two scenarios were given differently, where that is little. */
+function tellApart({ scenarios }, models) {
+  const rows = models.map(({ row }) => row);
+  const known = models.length === 2 && rows.every((row) => row !== null && row !== undefined);
+  const differing = known ? scenarios.inputs.filter((column) => column.at(rows[0]) !== column.at(rows[1])) : [];
+  for (const model of models) model.caption = differing.length > 0 && differing.length <= MOST_TOLD ? valuesText(differing, model.row) : "";
 }
 
 /** What is shown at the beginning: what held best, and beside it what was damaged, or else what was lost. */
@@ -58,6 +71,7 @@ class Replay {
     this.look = { scale: Math.min(...this.models.map((model) => model.niceScale)), field: "", most: 0, arrows: true, ghost: false };
     this.field = chooseField(this.models);
     this.theatre = hasWebGL() ? new Theatre(this.clock, this.look) : null;
+    this.small = this.theatre ? new Theatre(this.clock, this.look, "preview") : null;
     this.line = timeLine(this.clock);
     this.legend = h("div", { class: "field-legend" });
     this.note = h("p", { class: "note" });
@@ -73,6 +87,7 @@ class Replay {
     const now = this.shown();
     this.legend.replaceChildren(...legendOf(look, field, now).filter(Boolean));
     this.note.textContent = remarks(now, look);
+    this.small?.ask();
     theatre?.ask();
     theatre?.describe(`${now.map((model) => `${model.title}: ${model.why}`).join(", beside ")}, in motion over ${number(this.clock.end, 3)} s, coloured by ${field.label}. ${KEYS_TEXT}`);
   }
@@ -81,11 +96,14 @@ class Replay {
   rebuild() {
     const { study, clock } = this;
     const now = this.shown();
+    tellApart(study, now);
     this.theatre?.show(now);
+    this.small?.show(now);
     this.line.show(now, study);
     this.instruments = panel(study, now);
     this.beside.replaceChildren(this.instruments.element);
     this.instruments.set(clock.time);
+    clock.restart();
     if (!study.clock) {
       const charts = timeCharts({ ...study, trace: now[0].trace, row: now[0].row, stripsMost: 4 }, clock);
       this.charts.replaceChildren(...[now.length > 1 ? differenceOfForces(now, clock) : null, charts, contactEvents({ trace: now[0].trace, name: now[0].title }, clock)].filter(Boolean));
@@ -93,16 +111,10 @@ class Replay {
     this.refresh();
   }
 
-  /** Digits that change more often than anybody reads them cost time. */
   followClock() {
-    let told = 0;
-    this.clock.on((clock, from) => {
-      this.readout.textContent = `${clock.time.toFixed(3)} s  ${this.line.phaseNow(clock.time)}`;
-      const now = performance.now();
-      if (from !== null && clock.playing && now - told < 100) return;
-      told = now;
-      this.instruments.set(clock.time);
-    });
+    const { clock, line } = this;
+    clock.on(() => { this.readout.textContent = `${clock.time.toFixed(3)} s  ${line.phaseNow(clock.time)}`; });
+    clock.onSeldom(() => this.instruments.set(clock.time));
   }
 
   choice() {
@@ -122,6 +134,15 @@ class Replay {
       check("forces", look.arrows, (on) => { look.arrows = on; this.refresh(); }), check("undeformed shape", look.ghost, (on) => { look.ghost = on; this.refresh(); }), soundButton(this.study, this.clock, this.shown));
   }
 
+  /** The same, small: it stands beside the answer, so that nobody has to look for it. */
+  preview() {
+    const { small, clock } = this;
+    if (!small) return null;
+    small.describe("What is shown in motion below, small.");
+    playWhenSeen(small.element, clock);
+    return h("a", { class: "preview-link", href: "#replay", "aria-label": "In motion: to the scenes with their instruments" }, small.element);
+  }
+
   element() {
     const { theatre, clock } = this;
     const screen = theatre ? theatre.element : h("p", { class: "banner" }, "This browser shows no WebGL, so the scene in three dimensions is missing here; instruments, time line and signals are all there.");
@@ -136,6 +157,11 @@ class Replay {
   }
 }
 
+/** Leaves its preview with the study, for the answer. */
 export function replay(study) {
-  return study.replays.length ? new Replay(study).element() : null;
+  if (!study.replays.length) return null;
+  const made = new Replay(study);
+  const element = made.element();
+  study.preview = made.preview();
+  return element;
 }

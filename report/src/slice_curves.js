@@ -1,7 +1,9 @@
 // Which points a slice shows: those of a grid through its best scenario, those a search tried, or groups of random scenarios.
 
-import { scenarioRow } from "./convergence.js";
 import { heldWords } from "./claims.js";
+import { scenarioRow } from "./convergence.js";
+import { readGoal } from "./goals.js";
+import { boundsOf } from "./scale.js";
 import { quantile, wilson } from "./statistics.js";
 import { keyColumns, objectiveColumns, objectiveLabel, objectiveUnits, rowsOf, inWords, unitsOfGoal } from "./tables.js";
 import { label, quantity, shortText } from "./words.js";
@@ -10,7 +12,7 @@ const TELLING = ["friction_margin_min", "contact_yield_ratio_max", "permanent_se
 const GROUPS = 8;
 const CURVES_MOST = 6;
 /** Of a variable's range: so far from the best a tried strategy is faint. */
-const NEAR = 0.3;
+export const NEAR = 0.3;
 
 function metricOf(column) {
   return { name: column.name, label: label(column.name), units: column.units, column };
@@ -58,17 +60,39 @@ function marginMetric({ window }) {
   return [{ name: "margin", label: "margin of the window", units: "", ofWindow: true, bounds: [{ bound: 0, least: true }] }];
 }
 
+/** What is asked of the probability that the evaluations tell: [{ bound, least }]. */
+function chanceBounds(study, event) {
+  const constraints = study.tables.get("constraints");
+  return rowsOf(constraints).map((row) => readGoal(study, constraints.at("text", row))).filter((goal) => goal && goal.chance === event && goal.bound !== null).map(({ bound, sign }) => ({ bound, least: sign.startsWith(">") }));
+}
+
 function searchSource(study, table) {
   const best = study.tables.get("best");
   const keys = keyColumns(table).filter((column) => !column.isText && column.varies).slice(0, CURVES_MOST);
   const objective = table.column("objective");
   const text = best.attributes?.objective ?? objective?.longName ?? "";
-  const objectives = objective ? [{ name: "objective", label: inWords(text || "objective"), units: objective.units || unitsOfGoal(study, text), from: objective, bounds: [] }] : objectiveColumns(table).map((column) => ({ name: column.name, label: objectiveLabel(column), units: objectiveUnits(study, column), from: column, bounds: [] }));
+  const objectiveBounds = study.scenarios.column(text) && study.kind !== "robust" ? boundsOf(study, study.scenarios.column(text)) : [];
+  const objectives = objective ? [{ name: "objective", label: inWords(text || "objective"), units: objective.units || unitsOfGoal(study, text), from: objective, bounds: objectiveBounds }] : objectiveColumns(table).map((column) => ({ name: column.name, label: objectiveLabel(column), units: objectiveUnits(study, column), from: column, bounds: [] }));
   const probability = table.column("probability");
-  const chance = probability && probability.numbers().length ? [{ name: "probability", label: /P\(.*\)/.exec(probability.longName)?.[0] ?? "P(held)", units: "", isShare: true, from: probability, bounds: [] }] : [];
+  const event = /P\((.*)\)/.exec(probability?.longName ?? "")?.[1] ?? "held";
+  const chance = probability && probability.numbers().length ? [{ name: "probability", label: `P(${event})`, units: "", isShare: true, from: probability, bounds: chanceBounds(study, event) }] : [];
   // Of a robust study an evaluation is many products, so no metric of one of them speaks for it.
   const metrics = study.kind === "robust" ? [] : metricsOf(study);
   return { kind: "search", table, keys, best, metrics: [...objectives, ...chance, ...metrics] };
+}
+
+/** How far a tried strategy is from the best in all variables but `shown`, in parts of what was tried of each. */
+export function distanceToBest({ keys, best }, shown) {
+  const others = keys.filter((each) => !shown.includes(each));
+  const span = (each) => each.distinct[each.distinct.length - 1] - each.distinct[0] || 1;
+  return (row) => Math.hypot(...others.map((each) => (each.at(row) - best.at(each.name, 0)) / span(each)));
+}
+
+/** What an evaluation gave of a metric; null where it has none. */
+export function triedValue(study, { table }, metric, row) {
+  if (metric.from) return metric.from.at(row);
+  const scenario = scenarioRow(study, table, row);
+  return scenario === null ? null : metric.column.at(scenario);
 }
 
 /** @returns curves [{ column, points: [{ x, y, row, weight, low, high, count, words }], best, joined }] */
@@ -103,15 +127,12 @@ function marginCurves({ window, scenarios }, { best }) {
 }
 
 /** What was tried, the fainter the further it is from the best in the other variables. */
-function triedNear(study, { table, keys, best }, metric, column) {
-  const others = keys.filter((each) => each !== column);
-  const span = (each) => { const values = each.distinct; return values[values.length - 1] - values[0] || 1; };
-  const distance = (row) => Math.hypot(...others.map((each) => (each.at(row) - best.at(each.name, 0)) / span(each)));
-  const points = rowsOf(table).map((row) => {
-    const scenario = scenarioRow(study, table, row);
-    const y = metric.from ? metric.from.at(row) : scenario === null ? null : metric.column.at(scenario);
-    return { x: column.at(row), y, row: scenario, weight: Math.max(0.08, Math.exp(-((distance(row) / NEAR) ** 2))) };
-  }).filter(({ x, y }) => x !== null && y !== null);
+function triedNear(study, source, metric, column) {
+  const { table, best } = source;
+  const distance = distanceToBest(source, [column]);
+  const points = rowsOf(table)
+    .map((row) => ({ x: column.at(row), y: triedValue(study, source, metric, row), row: scenarioRow(study, table, row), weight: Math.max(0.08, Math.exp(-((distance(row) / NEAR) ** 2))) }))
+    .filter(({ x, y }) => x !== null && y !== null);
   return { column, points: points.sort((a, b) => a.weight - b.weight), best: best.at(column.name, 0), joined: false };
 }
 

@@ -1,8 +1,9 @@
 // How a metric moves with one input at a time: through the best scenario of a grid, near the best strategy of a search, or over
-// random products. One small chart per input; of a grid also contours over two.
+// random products. One small chart per input; of a grid or a search also contours over two.
 
 import { figure } from "./chart.js";
 import { contourMap } from "./contour_map.js";
+import { triedMap } from "./contour_tried.js";
 import { h, select } from "./dom.js";
 import { legend, outcomeList } from "./legend.js";
 import { boundsOf, logValues } from "./scale.js";
@@ -169,5 +170,5 @@ export function slices(study) {
     describe: () => `${metric.label} over ${listed(curves.map(({ column }) => label(column.name)))}, ${plural(curves.length, "small chart")}.`,
     note: () => noteOf(source, metric, curves),
   });
-  return h("div", { class: "parts" }, chart.element, source.kind === "grid" ? contourMap(study, source) : null);
+  return h("div", { class: "parts" }, chart.element, source.kind === "grid" ? contourMap(study, source) : source.kind === "search" ? triedMap(study, source) : null);
 }

@@ -1,18 +1,10 @@
-// Light and dark, and the colours charts are drawn with. The outcomes have the colours of scripts/plot_window.py.
+// Light and dark, and the colours charts are drawn with.
 
 import { h } from "./dom.js";
 
-const OUTCOME_COLOURS = {
-  held: "#1b9e77",
-  slipped: "#9fd0ee",
-  dropped: "#4a7fb0",
-  damaged: "#e0702d",
-  not_grasped: "#c9ccd1",
-  diverged: "#222222",
-  out_of_range: "#c583b0",
-  misplaced: "#c9a227",
-  not_run: "#ffffff",
-};
+/** By the outcomes' words, from the program's own table (studies/results/outcome_colours.hpp). */
+let outcomeColours = new Map();
+
 /** Where the paper is dark, near-black and near-white change places. */
 const DARK_OUTCOMES = { not_grasped: "#6d747d", diverged: "#f2efe9", not_run: "#1b1f23", slipped: "#8cc3e6", dropped: "#4f86b9" };
 
@@ -66,7 +58,7 @@ export function colours() {
 }
 
 export function outcomeColour(word) {
-  return (isDark() && DARK_OUTCOMES[word]) || OUTCOME_COLOURS[word] || "#888888";
+  return (isDark() && DARK_OUTCOMES[word]) || outcomeColours.get(word) || "#888888";
 }
 
 /** Calls back after every change of the theme. */
@@ -76,7 +68,7 @@ export function onTheme(listener) {
 
 function changed() {
   const root = document.documentElement;
-  for (const word of Object.keys(OUTCOME_COLOURS)) root.style.setProperty(`--${word.replaceAll("_", "-")}`, outcomeColour(word));
+  for (const word of outcomeColours.keys()) root.style.setProperty(`--${word.replaceAll("_", "-")}`, outcomeColour(word));
   for (const listener of listeners) listener();
 }
 
@@ -102,7 +94,9 @@ export function themeButton() {
   return button;
 }
 
-export function startTheme() {
+/** @param known the outcomes' words and colours */
+export function startTheme(known) {
+  outcomeColours = known;
   const chosen = stored();
   if (chosen === "dark" || chosen === "light") document.documentElement.dataset.theme = chosen;
   system.addEventListener("change", changed);

@@ -8,14 +8,23 @@ export function followClock({ element, chart }, clock) {
   const cursor = h("div", { class: "time-cursor", "aria-hidden": "true" });
   element.classList.add("timed");
   element.append(cursor);
-  clock.on(() => {
+  let seen = false;
+  const move = () => {
+    if (!seen) return;
     const at = chart()?.convertToPixel({ xAxisIndex: 0 }, clock.time);
-    cursor.hidden = !(at >= 0) || at > canvas.clientWidth;
-    if (cursor.hidden) return;
-    cursor.style.transform = `translateX(${at}px)`;
+    cursor.hidden = !(at >= 0);
+    if (!cursor.hidden) cursor.style.transform = `translateX(${at}px)`;
+  };
+  // Where the chart stands is asked when that changes: asked at every picture it would lay out the page each time.
+  const fit = () => {
     cursor.style.top = `${canvas.offsetTop}px`;
     cursor.style.height = `${canvas.clientHeight}px`;
-  });
+    move();
+  };
+  new ResizeObserver(fit).observe(element);
+  new ResizeObserver(fit).observe(canvas);
+  new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; fit(); }).observe(canvas);
+  clock.on(move);
   const set = (event) => {
     const box = canvas.getBoundingClientRect();
     const time = chart()?.convertFromPixel({ xAxisIndex: 0 }, event.clientX - box.left);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "studies/findings/key_roles.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/key_names.hpp"
+#include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -193,6 +195,60 @@ WindowAnswer window_answer(const WindowTable& window, const SettingOfRow& settin
   return answer;
 }
 
+const StrategyWindow* fastest_best(const WindowAnswer& answer) {
+  const StrategyWindow* best = nullptr;
+  for (const StrategyWindow& strategy : answer.strategies) {
+    if (strategy.is_best && (best == nullptr || is_faster(strategy, *best))) best = &strategy;
+  }
+  return best;
+}
+
+namespace {
+
+/// nullptr: there is no strategy at all.
+const StrategyWindow* told_strategy(const WindowAnswer& answer) {
+  if (const StrategyWindow* best = fastest_best(answer)) return best;
+  const auto exists = std::find_if(answer.strategies.begin(), answer.strategies.end(),
+                                   [](const StrategyWindow& strategy) { return strategy.exists; });
+  if (exists != answer.strategies.end()) return &*exists;
+  return answer.strategies.empty() ? nullptr : &answer.strategies.front();
+}
+
+/// "approach speed 0.2 m/s"; of a file its name.
+std::string value_words(const ColumnInfo& key, const InputValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return joined({key_words(key.key), " ", std::filesystem::path(*text).stem().string()});
+  }
+  const Unit* unit = unit_of(key.key);
+  return joined({key_words(key.key), " ", short_number(std::get<double>(value)),
+                 unit == nullptr ? std::string() : joined({" ", unit->display})});
+}
+
+std::string end_words(const char* name, double force_N) {
+  return std::isnan(force_N) ? std::string() : joined({name, " ", short_number(force_N), " N"});
+}
+
+/// "set 2 N, may be off by 1 N either way (F_hold 1 N, F_damage 4 N; approach speed 0.2 m/s)"
+std::string answer_sentence(const StrategyWindow& told, const WindowAnswer& answer) {
+  std::vector<std::string> ends;
+  if (told.exists) {
+    for (const std::string& end :
+         {end_words("F_hold", told.hold_force_N), end_words("F_damage", told.damage_force_N)}) {
+      if (!end.empty()) ends.push_back(end);
+    }
+  }
+  std::vector<std::string> at;
+  for (std::size_t k = 0; k < answer.keys.size(); ++k) at.push_back(value_words(answer.keys[k], told.values[k]));
+  const std::string head = told.set_point.exists || blames_gripper(told.set_point.sentence) || !told.exists
+                               ? told.set_point.sentence
+                               : joined({"no set-point: ", told.set_point.sentence});
+  const bool both = !ends.empty() && !at.empty();
+  if (ends.empty() && at.empty()) return head;
+  return joined({head, " (", comma_list(ends), both ? "; " : "", comma_list(at), ")"});
+}
+
+}  // namespace
+
 ResultTable set_points_table(const WindowAnswer& answer) {
   const std::vector<StrategyWindow>& all = answer.strategies;
   ResultTable table{.name = "set_points", .row = "strategy_number", .columns = {}, .attributes = {}};
@@ -229,6 +285,10 @@ ResultTable set_points_table(const WindowAnswer& answer) {
   for (const StrategyWindow& strategy : all) notes.push_back(strategy.set_point.sentence);
   table.columns.push_back({"note", "", "the set-point, or why there is none", std::move(notes)});
   table.attributes.emplace_back("over", leaves_text(answer.over));
+  if (const StrategyWindow* told = told_strategy(answer)) {
+    table.attributes.emplace_back("told", static_cast<double>(told - all.data()));
+    table.attributes.emplace_back("answer", answer_sentence(*told, answer));
+  }
   return table;
 }
 

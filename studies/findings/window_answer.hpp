@@ -48,7 +48,11 @@ void add_set_points(WindowTable& window, const SettingOfRow& setting);
 WindowAnswer window_answer(const WindowTable& window, const SettingOfRow& setting,
                            const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows);
 
-/// Table `set_points`: a row per strategy (docs/results.md); its attribute `answer` is the sentence to read.
+/// The fastest of the best strategies; nullptr: none has a set-point.
+const StrategyWindow* fastest_best(const WindowAnswer& answer);
+
+/// Table `set_points`: a row per strategy (docs/results.md); its attribute `answer` is the sentence to read,
+/// `told` the row that it tells of: the fastest with a set-point, else the first with a window, else the first.
 ResultTable set_points_table(const WindowAnswer& answer);
 
 }  // namespace unbruised::studies

@@ -15,15 +15,6 @@
 namespace unbruised::studies {
 namespace {
 
-const StrategyWindow* fastest(const WindowAnswer& answer) {
-  const StrategyWindow* best = nullptr;
-  for (const StrategyWindow& strategy : answer.strategies) {
-    if (!strategy.is_best) continue;
-    if (best == nullptr || strategy.cycle_time_s < best->cycle_time_s) best = &strategy;
-  }
-  return best;
-}
-
 /// "for all youngs_modulus_Pa"; "" where nothing but the strategy was varied.
 std::string over_sentence(const std::vector<ColumnInfo>& over) {
   return over.empty() ? std::string() : joined({"for all ", leaves_text(over), " of the study"});
@@ -41,7 +32,7 @@ std::string with_text(const std::vector<ColumnInfo>& keys, const std::vector<Inp
 
 std::optional<AnsweredStrategy> window_strategy(const Study& study, const StudyWindow& window,
                                                 const WindowAnswer& answer) {
-  const StrategyWindow* best = fastest(answer);
+  const StrategyWindow* best = fastest_best(answer);
   if (best == nullptr) return std::nullopt;
   const double force_N = best->set_point.force_N;
   AnsweredStrategy strategy;

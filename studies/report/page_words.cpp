@@ -1,8 +1,6 @@
 #include "studies/report/page_words.hpp"
 
-#include <array>
 #include <string_view>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -15,14 +13,6 @@ namespace unbruised::studies {
 namespace {
 
 using nlohmann::json;
-
-/// Keys that would read wrongly with the underscores taken out.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kKeyWords = {{
-    {"youngs_modulus_Pa", "Young's modulus"},
-    {"poisson_ratio", "Poisson's ratio"},
-    {"permanent_set_m", "permanent set"},
-    {"outcome_time_s", "time of outcome"},
-}};
 
 json json_of(const Value& value) {
   if (value.kind != Value::Kind::array) return value.number;
@@ -47,7 +37,7 @@ json limits_json(const Limits& limits) {
 json page_words() {
   json names = json::object();
   for (const MetricInfo& info : kMetricTable) names[std::string(info.name)] = info.words;
-  for (const auto& [key, words] : kKeyWords) names[std::string(key)] = words;
+  for (const auto& [key, words] : odd_key_words()) names[std::string(key)] = words;
   json suffixes = json::array();
   for (const Unit& unit : all_units()) suffixes.push_back({joined({unit.after, unit.suffix}), unit.udunits});
   return {{"names", std::move(names)}, {"unit_suffixes", std::move(suffixes)}};

@@ -14,6 +14,7 @@
 #include "studies/report/page_words.hpp"
 #include "studies/report/report_trace.hpp"
 #include "studies/report/sound.hpp"
+#include "studies/results/outcome_colours.hpp"
 #include "studies/results/window_columns.hpp"
 
 namespace unbruised::studies {
@@ -220,6 +221,8 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   PackedColumns packed;
   json page = {{"format", 1}, {"study", study_json(content, context)}};
   page["outcome_words"] = kOutcomeWords;
+  page["outcome_colours"] = kOutcomeColours;
+  page["not_run_colour"] = outcome_colour(Outcome::not_run);
   page["warnings"] = content.meta.warnings;
   page["words"] = page_words();
   page["slip_limits"] = page_slip_limits();

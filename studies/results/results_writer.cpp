@@ -6,6 +6,7 @@
 #include "studies/results/digest.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/hdf5_columns.hpp"
+#include "studies/results/outcome_colours.hpp"
 #include "studies/results/place_columns.hpp"
 #include "studies/results/results_file.hpp"
 #include "studies/results/root_texts.hpp"
@@ -13,6 +14,7 @@
 #include "studies/results/trace_columns.hpp"
 #include "studies/results/window_columns.hpp"
 #include "studies/text/joined.hpp"
+#include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 
@@ -27,6 +29,13 @@ Flags outcome_flags() {
   std::vector<std::string_view> words = {outcome_word(Outcome::not_run)};
   words.insert(words.end(), kOutcomeWords.begin(), kOutcomeWords.end());
   return flags_of(words, kNotRunCode);
+}
+
+/// The colours of the same codes, a blank between them.
+std::string outcome_colour_list() {
+  std::string colours(outcome_colour(Outcome::not_run));
+  for (const std::string_view colour : kOutcomeColours) colours += joined({" ", colour});
+  return colours;
 }
 
 double number_of(const InputValue& value) {
@@ -46,15 +55,16 @@ void write_inputs(Hdf5File& file, const std::string& group, const Dimension& dim
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const ColumnInfo& column = columns[k];
     const std::string name = joined({group, "/", column.key});
+    const std::string long_name = column.long_name.empty() ? key_words(column.key) : column.long_name;
     const auto values = column_of(rows, [k](const Row& row) -> InputValue {
       return k < row.inputs.size() ? row.inputs[k] : InputValue(kAbsent);
     });
     const bool is_text =
         std::any_of(values.begin(), values.end(), [](const InputValue& v) { return v.index() == 1; });
     if (is_text) {
-      write_text_column(file, name, dimension, column_of(values, text_of), column.long_name);
+      write_text_column(file, name, dimension, column_of(values, text_of), long_name);
     } else {
-      write_column(file, name, dimension, column_of(values, number_of), column.units, column.long_name);
+      write_column(file, name, dimension, column_of(values, number_of), column.units, long_name);
     }
     file.set_attribute(name, "position", static_cast<std::int32_t>(k));
   }
@@ -76,6 +86,7 @@ void write_outcomes(Hdf5File& file, const Dimension& scenarios, const std::vecto
       column_of(rows, [](const ScenarioRow& row) { return static_cast<std::int8_t>(row.result.outcome); });
   file.write("/scenarios/outcome", outcomes, {rows.size()}, kNotRunCode);
   describe_flags(file, "/scenarios/outcome", outcome_flags(), kOutcomeColumn.long_name);
+  file.set_attribute("/scenarios/outcome", "flag_colors", outcome_colour_list());
   file.attach_scale("/scenarios/outcome", scenarios.scale, 0);
   write_text_column(file, "/scenarios/cause", scenarios,
                     column_of(rows, [](const ScenarioRow& row) { return row.result.cause; }),

@@ -181,6 +181,8 @@ void write_steps(const Replay& replay, const Grid& grid, Hdf5File& file) {
   for (const char* name : {"displacement_m", "plastic_strain", "von_mises_Pa", "pressure_Pa", "force_N"}) {
     file.write(at + "/PointDataOffsets/" + name, std::span(firsts), {steps});
   }
+  // What is left behind at the end is the same in every step.
+  file.write(at + "/PointDataOffsets/permanent_set_m", std::span(zeros), {steps});
   file.write(at + "/CellDataOffsets/part", std::span(zeros), {steps});
 }
 
@@ -205,6 +207,9 @@ void write_point_data(const Replay& replay, const Grid& grid, Hdf5File& file) {
     }
   }
   file.write(at + "force_N", std::span<const double>(forces), {rows, 3});
+  std::vector<double> permanent(replay.permanent_m.begin(), replay.permanent_m.end());
+  permanent.resize(3 * grid.point_count(), kNothing);
+  file.write(at + "permanent_set_m", std::span<const double>(permanent), {grid.point_count(), 3});
 }
 
 std::string vtkhdf_image(const std::filesystem::path& path, const Replay& replay) {

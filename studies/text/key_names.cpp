@@ -30,6 +30,13 @@ constexpr std::array<Unit, 19> kUnits = {{
     {"_m", "m", "m"},  // last: others end in it
 }};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kOddWords = {{
+    {"youngs_modulus_Pa", "Young's modulus"},
+    {"poisson_ratio", "Poisson's ratio"},
+    {"permanent_set_m", "permanent set"},
+    {"outcome_time_s", "time of outcome"},
+}};
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view leaf_of(std::string_view path) { return path.substr(path.rfind('.') + 1); }
@@ -68,6 +75,20 @@ const Unit* unit_of(std::string_view path) {
     if (path.substr(0, path.size() - unit.suffix.size()).ends_with(unit.after)) return &unit;
   }
   return nullptr;
+}
+
+std::span<const std::pair<std::string_view, std::string_view>> odd_key_words() { return kOddWords; }
+
+std::string key_words(std::string_view path) {
+  // "product.use" and "gripper.use" differ in what stands before.
+  const std::string_view leaf = path.ends_with(".use") ? path : leaf_of(path);
+  for (const auto& [name, words] : kOddWords) {
+    if (name == leaf) return std::string(words);
+  }
+  const std::size_t index = std::min(leaf.find('['), leaf.size());
+  std::string words(without_unit(leaf.substr(0, index)));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words.append(leaf.substr(index));
 }
 
 std::string pattern_of(std::string_view path) {

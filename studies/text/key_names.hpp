@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace unbruised::studies {
@@ -25,6 +26,11 @@ struct Unit {
 std::span<const Unit> all_units();
 /// The unit a key's name ends in; nullptr when it has none.
 const Unit* unit_of(std::string_view path);
+
+/// "strategy.lift_acceleration_m_s2" -> "lift acceleration", "product.size_m[0]" -> "size[0]"
+std::string key_words(std::string_view path);
+/// Names that would read wrongly with the underscores taken out, and their words.
+std::span<const std::pair<std::string_view, std::string_view>> odd_key_words();
 
 /// The path with every index emptied: "product.particle[].position_m[]".
 std::string pattern_of(std::string_view path);

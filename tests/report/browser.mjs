@@ -28,10 +28,14 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Opens a page; whatever it says on the console, throws or asks the network for fails the test. */
-export async function open(name, { viewport = LAPTOP, colorScheme = "light", hash = "" } = {}) {
+/**
+ * Opens a page; whatever it says on the console, throws or asks the network for fails the test.
+ * @param before (page) => what has to be done before the page's own script runs
+ */
+export async function open(name, { viewport = LAPTOP, colorScheme = "light", hash = "", before = null } = {}) {
   const context = await browser.newContext({ viewport, colorScheme, offline: true, acceptDownloads: true });
   const page = await context.newPage();
+  await before?.(page);
   const complaints = [];
   page.setDefaultTimeout(120_000); // busy machines take their time
   page.on("console", (message) => {

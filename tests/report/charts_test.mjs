@@ -77,6 +77,37 @@ test("a slice through the best holds the scenarios that share its other inputs",
   await close();
 });
 
+test("contours of a search go through what it tried near the best, and show all of it", async () => {
+  const { page, close } = await open("kiwi_optimize");
+  const save = async (kind, section, nth) => (await saved(page, page.locator(`#${section} .savers`).getByRole("button", { name: new RegExp(`^${kind}`) }).nth(nth))).text;
+  const read = (text) => text.trimEnd().split("\r\n").slice(1).map((line) => line.split(",").map((cell) => (cell === "" ? null : Number(cell))));
+  const tried = read(await save("CSV", "convergence", 1));
+  const shown = read(await save("CSV", "slices", 1));
+  // Evaluation, feasible, grip force, approach speed, lift acceleration; the last of them is not shown, so it decides who is near.
+  const lift = tried.map((row) => row[4]);
+  assert.ok(shown.length > 100 && shown.length <= tried.length);
+  const span = Math.max(...lift) - Math.min(...lift);
+  const bestLift = Number(/lift acceleration\s*([\d.]+)/.exec(await page.locator("#answer").innerText())[1]);
+  for (const [row, force, speed, value, feasible, , counts] of shown) {
+    assert.deepEqual([force, speed, feasible], [tried[row][2], tried[row][3], tried[row][1]]);
+    const far = Math.abs(tried[row][4] - bestLift) / span;
+    if (Math.abs(far - 0.3) > 0.01) assert.equal(counts, far < 0.3 && value !== null ? 1 : 0, `evaluation ${row} is ${far} of the range off`);
+  }
+  const svg = await save("SVG", "slices", 1);
+  const seen = await page.evaluate((text) => {
+    const drawing = new DOMParser().parseFromString(text, "image/svg+xml");
+    return [...drawing.querySelectorAll("path")].filter((each) => each.getAttribute("stroke") === "#b3401a" && each.getAttribute("stroke-dasharray")).length;
+  }, svg);
+  assert.ok(seen > 0, "no edge of a constraint");
+  assert.match(await page.locator("#slices .field-legend").innerText(), /where the first constraint is broken/);
+  // Another pair of variables, never one over itself.
+  await page.locator("#slices").getByLabel("Across").selectOption("strategy.approach_speed_m_s");
+  assert.equal(await page.locator("#slices").getByLabel("Upwards").inputValue(), "strategy.grip_force_N");
+  await settled(page);
+  assert.match(await page.locator("#slices .chart").nth(1).getAttribute("aria-label"), /over approach speed and grip force: \d+ evaluations/);
+  await close();
+});
+
 test("the probability of being held over an input has an interval, and that of a search is there", async () => {
   const { page, close } = await open("kiwi_sample");
   const { text } = await saved(page, page.locator("#slices .savers").getByRole("button", { name: /^CSV/ }).first());

@@ -51,12 +51,10 @@ function setPointOf(study, chosen) {
   return { exists: table.at("set_point_exists", row) === 1, force_N: table.at("set_point_N", row), tolerance_N: table.at("set_point_tolerance_N", row), note };
 }
 
-/** The strategy the answer speaks of: the fastest with a set-point, else the first with a window. */
+/** The strategy the answer speaks of, as the program chose it; of results of older versions the best. */
 function chosenStrategy(study) {
   const table = study.tables.get("set_points");
-  const rows = rowsOf(table);
-  if (rows.length === 0) return null;
-  return rows.find((row) => table.at("best", row) === 1) ?? rows.find((row) => table.at("exists", row) === 1) ?? rows[0];
+  return table?.rows ? table.attributes.told ?? rowsOf(table).find((row) => table.at("best", row) === 1) ?? 0 : null;
 }
 
 /** "approach speed 0.1 m/s; over all 12 combinations of friction and mass" */

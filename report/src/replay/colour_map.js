@@ -14,3 +14,7 @@ export function colourAt(part, out = [0, 0, 0]) {
 export function gradient() {
   return `linear-gradient(90deg, ${STOPS.map((stop) => `rgb(${stop.join(" ")})`).join(", ")})`;
 }
+
+export const COLOUR_STEPS = 256;
+/** The same in steps, as bytes: red, green, blue. */
+export const colourTable = Uint8Array.from({ length: 3 * COLOUR_STEPS }, (_, i) => Math.round(255 * colourAt(Math.floor(i / 3) / (COLOUR_STEPS - 1))[i % 3]));

@@ -28,10 +28,8 @@ export function timeLine(clock) {
     phases.replaceChildren(...found.map((phase) => h("span", { style: `left:${(100 * phase.from) / clock.end}%;width:${(100 * (phase.to - phase.from)) / clock.end}%` }, h("em", {}, phase.name))));
     phaseNow = (time) => found.find((phase) => time >= phase.from && time <= phase.to)?.name ?? "";
   };
-  clock.on(() => {
-    slider.value = String(Math.round((1000 * clock.time) / clock.end));
-    slider.setAttribute("aria-valuetext", `${number(clock.time, 3)} s, ${phaseNow(clock.time)}`);
-  });
+  clock.on(() => { slider.value = String(Math.round((1000 * clock.time) / clock.end)); });
+  clock.onSeldom(() => slider.setAttribute("aria-valuetext", `${number(clock.time, 3)} s, ${phaseNow(clock.time)}`));
   return { element, show, phaseNow: (time) => phaseNow(time) };
 }
 
@@ -41,10 +39,13 @@ function button(text, name, act, more = {}) {
 
 export function playControls(clock, readout) {
   const play = button("", "Play", () => clock.toggle(), { class: "quiet play" });
+  let shown = null;
   clock.on(() => {
-    play.textContent = clock.playing ? "❚❚" : "▶";
-    play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
-    play.title = clock.playing ? "Pause" : "Play";
+    if (shown === clock.playing) return;
+    shown = clock.playing;
+    play.textContent = shown ? "❚❚" : "▶";
+    play.setAttribute("aria-label", shown ? "Pause" : "Play");
+    play.title = shown ? "Pause" : "Play";
   });
   const speed = select("Speed", SPEEDS.map((each) => ({ value: String(each), label: `${number(each)}×` })), String(clock.speed), (value) => clock.setSpeed(Number(value)));
   return h("div", { class: "play-controls" }, play, readout, speed);

@@ -1,13 +1,18 @@
 // A camera that turns around what is looked at: by dragging, by wheel or two fingers, by keys.
 
-export const VIEWS = { angled: [-1.16, 0.3], front: [-Math.PI / 2, 0.02], side: [0, 0.02], top: [-Math.PI / 2, 1.55] };
+export const VIEWS = { angled: [-0.98, 0.27], front: [-Math.PI / 2, 0.02], side: [0, 0.02], top: [-Math.PI / 2, 1.55] };
 const MOST_UP = 1.55;
 const TURN = 0.0075;
 
 export class Orbit {
+  /** @param element which is dragged; null: none is */
   constructor(element, changed) {
     this.changed = changed;
     this.reset();
+    if (element) this.follow(element);
+  }
+
+  follow(element) {
     const pointers = new Map();
     let spread = 0;
     element.addEventListener("pointerdown", (event) => {

@@ -39,22 +39,30 @@ function mostOf(column) {
   return most;
 }
 
-/** The force with which each finger presses: [(t) => N], and their largest. */
+/** The force with which each finger presses: of each { row (row of the trace) => N, at (t) => N }, and their largest. */
 export function fingerForces(model) {
   const force = signal(model, "finger_force_N");
-  if (!force) return { at: [], most: 0 };
-  const at = [];
-  let most = 0;
-  model.pads.forEach((pad, f) => {
+  if (!force) return { each: [], at: [], most: 0 };
+  const each = model.pads.flatMap((pad, f) => {
     const parts = force.curves.slice(3 * f, 3 * f + 3);
-    if (parts.length < 3) return;
-    const readers = parts.map((curve) => reader(model, curve));
+    if (parts.length < 3) return [];
     // How hard it presses: along the normal of its pad where the palm stands upright, else all of it.
     const normal = model.turns ? null : pad.axes[2];
-    at.push((t) => (normal ? Math.abs(readers.reduce((sum, read, i) => sum + normal[i] * (read(t) ?? 0), 0)) : Math.hypot(...readers.map((read) => read(t) ?? 0))));
-    for (let row = 0; row < parts[0].rows; row += 1) most = Math.max(most, normal ? Math.abs(parts.reduce((sum, curve, i) => sum + normal[i] * (curve.at(row) ?? 0), 0)) : Math.hypot(...parts.map((curve) => curve.at(row) ?? 0)));
+    const pressing = (values) => (normal ? Math.abs(values.reduce((sum, value, i) => sum + normal[i] * (value ?? 0), 0)) : Math.hypot(...values.map((value) => value ?? 0)));
+    const readers = parts.map((curve) => reader(model, curve));
+    return [{ row: (row) => pressing(parts.map((curve) => curve.at(row))), at: (t) => pressing(readers.map((read) => read(t))) }];
   });
-  return { at, most };
+  let most = 0;
+  for (const { row } of each) for (let i = 0; i < force.curves[0].rows; i += 1) most = Math.max(most, row(i));
+  return { each, at: each.map(({ at }) => at), most };
+}
+
+/** The force of the finger that presses most, row by row of the trace: what is heard (studies/report/sound.hpp). */
+export function pressingForces(model) {
+  const { each } = fingerForces(model);
+  const { time } = model.trace;
+  const rows = each.length ? Array.from({ length: time.rows }, (_, row) => row) : [];
+  return { times: rows.map((row) => time.at(row)), forces: rows.map((row) => Math.max(...each.map((finger) => finger.row(row)))) };
 }
 
 function wrenchOf(model) {

@@ -1,6 +1,7 @@
 // What stands around the product: pads with their fingers, the palm, floor, belt, listed surfaces, arrows.
 
-import { BoxGeometry, BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Vector3 } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, CylinderGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, Vector3 } from "three";
+import { flatMaterial } from "./materials.js";
 
 const FACE_SIDE = 17;
 
@@ -53,7 +54,7 @@ function padGeometry({ size, thickness, heights, axes }) {
 export function makePad(surface, extent, materials) {
   const group = new Group();
   const { geometry, back } = padGeometry(surface);
-  const layer = new Mesh(geometry, materials.pad);
+  const layer = new Mesh(geometry, surface.heights.length ? materials.face : materials.pad);
   if (!surface.heights.length) layer.add(edges(geometry, materials.line));
   group.add(layer);
   const [width, height] = surface.size;
@@ -137,7 +138,7 @@ export function makeListed(surface, extent, materials) {
 }
 
 export function makeShadow(extent) {
-  return new Mesh(new CircleGeometry(0.5 * extent, 40), new MeshBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.25, depthWrite: false }));
+  return new Mesh(new CircleGeometry(0.5 * extent, 40), flatMaterial(0x000000, 0.25));
 }
 
 const UP = new Vector3(0, 1, 0);
@@ -165,20 +166,4 @@ export class Arrow {
     this.shaft.position.y = -0.12 * this.extent;
     this.shaft.scale.y = Math.max(1e-6, length - 0.12 * this.extent);
   }
-}
-
-export function makeMaterials(theme) {
-  const lambert = (color, more = {}) => new MeshLambertMaterial({ color, ...more });
-  return {
-    // Seen through, so that what happens below a pad shows.
-    pad: lambert(theme.dark ? 0x6f9cc0 : 0x6d93b5, { side: DoubleSide, transparent: true, opacity: 0.38, depthWrite: false }),
-    plate: lambert(theme.dark ? 0x8a929b : 0x9aa0a8, { transparent: true, opacity: 0.4, depthWrite: false }),
-    finger: lambert(theme.dark ? 0x6b7077 : 0x9aa0a8),
-    palm: lambert(theme.dark ? 0x565b62 : 0x858b93),
-    floor: new MeshBasicMaterial({ color: theme.dark ? 0x1f2429 : 0xece9e3 }),
-    grid: new LineBasicMaterial({ color: theme.dark ? 0x343b42 : 0xd5d0c7 }),
-    listed: lambert(theme.dark ? 0x4a4f55 : 0xcfc9bd, { side: DoubleSide, transparent: true, opacity: 0.75 }),
-    ghost: lambert(theme.dark ? 0x9fd0ee : 0x4a7fb0, { transparent: true, opacity: 0.16, depthWrite: false }),
-    line: new LineBasicMaterial({ color: theme.dark ? 0xa0a7af : 0x626972 }),
-  };
 }

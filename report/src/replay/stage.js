@@ -1,8 +1,10 @@
 // One scene: the product as it deforms, what touches it, the forces between them.
 
-import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, InstancedMesh, LineSegments, Matrix4, Mesh, MeshLambertMaterial, Quaternion, Scene, SphereGeometry, Vector3 } from "three";
-import { colourAt } from "./colour_map.js";
-import { Arrow, makeFloor, makeListed, makeMaterials, makePad, makePalm, makeShadow, makeTarget } from "./parts.js";
+import { BufferAttribute, BufferGeometry, Color, Group, InstancedMesh, LineSegments, Matrix4, Mesh, Quaternion, Scene, SphereGeometry, Vector3 } from "three";
+import { COLOUR_STEPS, colourTable } from "./colour_map.js";
+import { litMaterial, makeMaterials } from "./materials.js";
+import { Arrow, makeFloor, makeListed, makePad, makePalm, makeShadow, makeTarget } from "./parts.js";
+import { addNormals } from "./normals.js";
 
 /** Within so much of the product's extent a face goes with the scaled deformation. */
 const NEAR_PART = 0.15;
@@ -17,10 +19,7 @@ export class Stage {
     this.scene = new Scene();
     this.materials = makeMaterials(theme);
     this.scene.background = new Color(theme.paper);
-    const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(-1.2, -1.6, 3);
-    this.scene.add(sun, new HemisphereLight(0xffffff, theme.dark ? 0x555c66 : 0xb9b2a6, 1.5), new AmbientLight(0xffffff, 0.35));
-    this.addProduct();
+    this.addProduct(theme);
     this.addSurroundings();
     this.arrows = model.surfaces.map((surface, s) => {
       const colour = surface.kind === "pad" ? theme.series[surface.finger % theme.series.length] : theme.ink;
@@ -28,30 +27,32 @@ export class Stage {
       this.scene.add(arrow.group);
       return { arrow, s };
     });
+    // All of it is near what is looked at: asking whether each part is seen costs more than drawing it.
+    this.scene.traverse((object) => { object.frustumCulled = false; });
     this.strongest = 0;
     for (let i = 0; i < model.force_N.length; i += 3) this.strongest = Math.max(this.strongest, Math.hypot(model.force_N[i], model.force_N[i + 1], model.force_N[i + 2]));
   }
 
-  addProduct() {
+  addProduct(theme) {
     const { model } = this;
     this.deformed = new Float64Array(3 * model.vertices);
     this.values = new Float64Array(model.vertices);
     this.product = new Group();
     this.scene.add(this.product);
-    const colours = new BufferAttribute(new Float32Array(3 * model.vertices), 3);
+    const colours = new BufferAttribute(new Uint8Array(3 * model.vertices), 3, true);
     const places = new BufferAttribute(new Float32Array(model.vertex_m), 3);
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute("position", places);
     if (model.triangle.length === 0) {
-      this.beads = new InstancedMesh(new SphereGeometry(0.03 * model.extent, 14, 10), new MeshLambertMaterial({ color: 0xffffff }), model.vertices);
+      this.beads = new InstancedMesh(new SphereGeometry(0.03 * model.extent, 14, 10), litMaterial(theme, 0xffffff), model.vertices);
       this.geometry.setIndex(Array.from(model.line));
       this.product.add(this.beads, new LineSegments(this.geometry, this.materials.line));
       return;
     }
     this.geometry.setAttribute("color", colours);
     this.geometry.setIndex(Array.from(model.triangle));
-    this.geometry.computeVertexNormals();
-    this.product.add(new Mesh(this.geometry, new MeshLambertMaterial({ vertexColors: true })));
+    this.geometry.setAttribute("normal", new BufferAttribute(new Float32Array(3 * model.vertices), 3));
+    this.product.add(new Mesh(this.geometry, litMaterial(theme, 0xffffff, { vertexColors: true })));
     const rest = new BufferGeometry();
     rest.setAttribute("position", new BufferAttribute(new Float32Array(model.vertex_m), 3));
     rest.setIndex(Array.from(model.triangle));
@@ -116,14 +117,15 @@ export class Stage {
       this.beads.instanceMatrix.needsUpdate = true;
       return;
     }
-    geometry.computeVertexNormals();
+    const normals = geometry.getAttribute("normal");
+    addNormals(geometry.getAttribute("position").array, model.triangle, normals.array);
+    normals.needsUpdate = true;
     model.field(look.field, this.place, this.deformed, this.values);
     const colours = geometry.getAttribute("color");
-    const rgb = [0, 0, 0];
+    const factor = look.most > 0 ? COLOUR_STEPS / look.most : 0;
     for (let v = 0; v < model.vertices; v += 1) {
-      colourAt(look.most > 0 ? this.values[v] / look.most : 0, rgb);
-      // Light is added up in linear light, not as it is shown.
-      for (let i = 0; i < 3; i += 1) colours.array[3 * v + i] = rgb[i] ** 2.2;
+      const at = 3 * Math.min(COLOUR_STEPS - 1, Math.max(0, Math.floor(this.values[v] * factor)));
+      for (let i = 0; i < 3; i += 1) colours.array[3 * v + i] = colourTable[at + i];
     }
     colours.needsUpdate = true;
   }
@@ -173,7 +175,7 @@ export class Stage {
     grid.position.y = along(centre.y, model.belt ? y : 0);
     const above = Math.max(0, centre.z + model.lowest - height);
     this.shadow.position.set(centre.x, centre.y, height + 0.004 * model.extent);
-    this.shadow.material.opacity = 0.3 / (1 + (2.2 * above) / model.extent);
+    this.shadow.material.uniforms.opacity.value = 0.3 / (1 + (2.2 * above) / model.extent);
     this.shadow.scale.setScalar(0.9 + (0.5 * above) / model.extent);
   }
 

@@ -3,6 +3,7 @@
 import { PerspectiveCamera, Vector3, WebGLRenderer } from "three";
 import { h } from "../dom.js";
 import { colours, isDark, onTheme } from "../theme.js";
+import { outcomeLabel } from "../words.js";
 import { Orbit } from "./orbit.js";
 import { Stage } from "./stage.js";
 
@@ -12,7 +13,7 @@ const SHOWN_EXTENTS = 3.2;
 /** Of the product's rise the camera follows so much: what is lifted is seen to rise. */
 const FOLLOW_UP = 0.62;
 /** Pictures further apart than this are coarser while they move; the still one is sharp again. */
-const SLOW_FRAME_MS = 36;
+const SLOW_FRAME_MS = 34;
 const [COARSEST, COARSER] = [0.6, 0.8];
 const REST_MS = 220;
 
@@ -36,23 +37,37 @@ export function hasWebGL() {
   return drawing !== null;
 }
 
+/** The phases of the cycle, as one sees them. */
+const SEEN = { approach: "the gripper comes", grip: "gripped", lift: "lifted", hold: "held up", transfer: "carried", lower: "put down", release: "let go", recover: "placed", stop: "stopped", turn: "turned" };
+
+/** What happens in a scene now, in a word or two. */
+function statusOf(model, time) {
+  const decided = model.events.find(({ kind }) => kind === "decided");
+  if (decided && time >= decided.time_s) return `▲ ${outcomeLabel(model.outcome)}`;
+  const phase = model.phases.find(({ from, to }) => time >= from && time <= to)?.name ?? "";
+  return SEEN[phase] ?? phase;
+}
+
 export class Theatre {
-  constructor(clock, look) {
+  /** @param kind "scene", or "preview": smaller, and not to be turned */
+  constructor(clock, look, kind = "scene") {
     this.clock = clock;
     this.look = look;
     this.stages = [];
-    this.canvas = h("canvas", { class: "scene", tabindex: "0", role: "img" });
+    this.canvas = h("canvas", { class: kind, tabindex: kind === "scene" ? "0" : null, role: "img" });
     this.names = h("div", { class: "scene-names", "aria-hidden": "true" });
     this.element = h("div", { class: "theatre" }, this.canvas, this.names);
-    this.orbit = new Orbit(this.canvas, () => this.ask());
+    this.orbit = new Orbit(kind === "scene" ? this.canvas : null, () => this.ask());
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 10);
     this.camera.up.set(0, 0, 1);
     this.seen = true;
     // A processor that draws smooths no edges; its still pictures have twice the points instead.
+    this.coarsest = kind === "scene" ? COARSEST : COARSER;
     this.sharp = drawing === "yes" ? Math.min(2, window.devicePixelRatio || 1) : 2;
     this.ratio = Math.min(this.sharp, drawing === "yes" ? 2 : 1);
     this.intervals = [];
     clock.on(() => this.ask());
+    clock.onSeldom(() => this.tellStatus());
     onTheme(() => this.rebuild());
     new ResizeObserver(() => this.ask()).observe(this.element);
     new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; this.ask(); }).observe(this.element);
@@ -61,9 +76,21 @@ export class Theatre {
 
   show(models) {
     this.models = models;
-    this.names.replaceChildren(...models.map((model) => h("span", {}, h("i", { class: "swatch", style: `background:var(--${model.outcome.replaceAll("_", "-")})` }), model.title)));
+    this.names.replaceChildren(...models.map((model) => h("span", { style: `--told:var(--${model.outcome.replaceAll("_", "-")})` }, h("b", {}, h("i", { class: "swatch", style: "background:var(--told)" }), model.title), model.caption ? h("small", {}, model.caption) : null, h("em", {}))));
+    this.tellStatus();
     this.element.classList.toggle("two", models.length > 1);
     this.rebuild();
+  }
+
+  /** At the foot of each scene what happens in it; what is lost or damaged has a frame from then on. */
+  tellStatus() {
+    (this.models ?? []).forEach((model, i) => {
+      const name = this.names.children[i];
+      const text = statusOf(model, this.clock.time);
+      if (name.lastChild.textContent === text) return;
+      name.lastChild.textContent = text;
+      name.classList.toggle("lost", text.startsWith("▲"));
+    });
   }
 
   rebuild() {
@@ -104,15 +131,23 @@ export class Theatre {
     this.renderer.autoClear = false;
   }
 
+  /** A drawing buffer is made anew only for another size: that costs more than the picture. */
+  fit(width, height, ratio) {
+    const { renderer } = this;
+    if (this.size?.width === width && this.size.height === height && this.size.ratio === ratio) return;
+    this.size = { width, height, ratio };
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(width, height, false);
+    renderer.setScissorTest(true);
+  }
+
   draw(ratio = this.ratio) {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     if (!this.stages.length || !width) return;
     if (!this.renderer) this.start();
     const { renderer } = this;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
-    renderer.setScissorTest(true);
+    this.fit(width, height, ratio);
     const upright = height > width;
     const count = this.stages.length;
     this.stages.forEach((stage, i) => {
@@ -153,10 +188,10 @@ export class Theatre {
     this.drawnAt = now;
     if (!this.clock.playing || passed > 1000) return;
     this.intervals.push(passed);
-    if (this.intervals.length < 12) return;
-    const middle = [...this.intervals].sort((a, b) => a - b)[6];
+    if (this.intervals.length < 8) return;
+    const middle = [...this.intervals].sort((a, b) => a - b)[4];
     this.intervals = [];
-    if (middle > SLOW_FRAME_MS) this.ratio = Math.max(COARSEST, COARSER * this.ratio);
+    if (middle > SLOW_FRAME_MS) this.ratio = Math.max(this.coarsest, COARSER * this.ratio);
   }
 
   describe(text) {

@@ -22,6 +22,14 @@ TEST(Schema, EveryDimensionalKeyEndsInItsUnit) {
   EXPECT_EQ(unit_of("simulation.theta"), nullptr);
 }
 
+TEST(Schema, SaysKeysInWords) {
+  EXPECT_EQ(key_words("strategy.lift_acceleration_m_s2"), "lift acceleration");
+  EXPECT_EQ(key_words("product.youngs_modulus_Pa"), "Young's modulus");
+  EXPECT_EQ(key_words("product.size_m[0]"), "size[0]");
+  EXPECT_EQ(key_words("gripper.use"), "gripper.use");
+  EXPECT_EQ(key_words("friction"), "friction");
+}
+
 TEST(Schema, OneDeletedOrSwappedLetterIsRecognised) {
   std::size_t typos = 0;
   std::size_t right = 0;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/findings/summary.hpp"
+#include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
 
 namespace unbruised::studies {
@@ -91,6 +92,29 @@ TEST(WindowAnswer, IsSaidWithWhatItHoldsOver) {
       lines[8],
       "best: set 3 N, may be off by 1 N either way with approach_speed_m_s = 0.1: the shortest cycle, 3.1 s, "
       "of 1 strategy with a set-point");
+}
+
+TEST(WindowAnswer, TellsOfTheFastestWithASetPointInOneSentence) {
+  const std::vector<ScenarioRow> rows = {held_row({2.0, 1e5, 0.1}, 3.0), held_row({3.0, 2e5, 0.1}, 3.1)};
+  const ResultTable table = set_points_table(window_answer(two_speeds(), any_force, kInputs, rows));
+  EXPECT_EQ(number_attribute(table, "told"), 0.0);
+  EXPECT_EQ(text_attribute(table, "answer"),
+            "set 3 N, may be off by 1 N either way (F_hold 2 N, F_damage 4 N; approach speed 0.1 m/s)");
+}
+
+TEST(WindowAnswer, TellsOfAWindowWithoutASetPointAndOfNone) {
+  WindowTable window;
+  window.inputs = {kInputs[2]};
+  window.rows = {row_of({0.1}, 4.0, 3.0), row_of({0.2}, 1.0, 2.0)};
+  const SettingOfRow strong = [](std::size_t) { return ForceSetting{.min_N = 3.0, .max_N = 40.0}; };
+  const ResultTable table = set_points_table(window_answer(window, strong, kInputs, {}));
+  EXPECT_EQ(number_attribute(table, "told"), 1.0);  // the one with a window
+  EXPECT_EQ(text_attribute(table, "answer"),
+            "not for this gripper: it cannot hold less than 3 N, and the product is marked from 2 N on (F_hold 1 "
+            "N, F_damage 2 N; approach speed 0.2 m/s)");
+  window.rows.pop_back();
+  EXPECT_EQ(text_attribute(set_points_table(window_answer(window, any_force, kInputs, {})), "answer"),
+            "no window (approach speed 0.1 m/s)");
 }
 
 TEST(WindowAnswer, ClaimsNothingOfForcesThatWereNotTried) {

@@ -34,12 +34,15 @@ def check_scenarios(path, rows):
     check(np.array_equal(metric["permanent_set_max_m"], np.arange(rows, dtype=float)), "wrong values")
     given = xarray.open_dataset(path, group="scenarios/input", engine="h5netcdf")
     check(np.array_equal(given["strategy.grip_force_N"], 0.5 + np.arange(rows)), "wrong grip forces")
+    check(given["strategy.grip_force_N"].attrs["long_name"] == "drive force limit", "another long name")
+    check(given["product.use"].attrs["long_name"] == "product.use", "a key without its words")
     check(given["product.use"].values[1] == "grüne Pflaume.toml", "wrong text input")
     table = xarray.open_dataset(path, group="scenarios", engine="h5netcdf")
     check(list(table.coords) == ["id"], f"scenarios has the coordinates {list(table.coords)}")
     check(table["outcome"].dtype == np.int8, "the outcome is not int8")
     check(table["outcome"].attrs["flag_meanings"].split()[0] == "not_run", "wrong flag_meanings")
     check(list(table["outcome"].attrs["flag_values"]) == list(range(-1, 8)), "wrong flag_values")
+    check(len(set(table["outcome"].attrs["flag_colors"].split())) == 9, "outcomes share a colour")
     check(table["digest"].dtype == np.uint64, "the digest is not 64 bits")
 
 

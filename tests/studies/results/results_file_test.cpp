@@ -185,6 +185,10 @@ TEST(PlotWindow, DrawsSweepsAndWindowsOverTheGripForceAndRefusesAnythingElse) {
   ResultsContent content = sample_content(23);
   const WindowTable window = sample_window();
   content.window = &window;
+  content.tables.push_back({.name = "set_points",
+                            .row = "strategy_number",
+                            .columns = {{"exists", "1", "", std::vector<double>{1.0}}},
+                            .attributes = {{"answer", std::string("set 2 N, may be off by 1 N either way")}}});
   content.inputs[1].key = "product.label";  // texts alternate: two panels
   const auto plotted = [&](const std::string& kind) {
     content.meta.study_kind = kind;

@@ -85,7 +85,9 @@ void ContactLanes::meet_group(PlaceGroup& group, bool all_far, const ContactStar
     const bool far = all_far || is_far(c, start);
     if (far && asleep_[c] != 0) continue;
     meet_place(c, start, running);
-    const bool sleeps = far && none((register_.normal.get(c) > Lane(0.0)) | register_.near.get(c));
+    // One that has just opened may still be pressed: its layer's energy counts until the next step sees it gone.
+    const Mask pressed = running & (register_.penetration.get(c) > register_.least_relief(c));
+    const bool sleeps = far && none((register_.normal.get(c) > Lane(0.0)) | register_.near.get(c) | pressed);
     group.awake += (asleep_[c] != 0 ? 1 : 0) - (sleeps ? 1 : 0);
     asleep_[c] = sleeps ? 1 : 0;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/frame/rolling_scenes.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -181,6 +182,30 @@ TEST_F(LaneDeterminism, RecordingATraceChangesNothing) {
 
 TEST_F(LaneDeterminism, TheSameModelBuiltTwiceGivesTheSameBits) {
   expect_same_bits(simulate(build(scenario), scenario, nullptr), alone, "second model");
+}
+
+/// Places of a whole surface sleep and wake as any lane asks for it.
+TEST(LaneDeterminismOfPlaces, NoNeighbourChangesABitOfWhatTumbles) {
+  const Scenario scenario = thrown_box(1e-3, 0.3);
+  const auto model = build(scenario);
+  const ScenarioResult alone = simulate(model, scenario, nullptr);
+  ASSERT_GT(alone.metrics[Metric::contact_iterations], 10.0);
+  for (const double height_m : {0.001, 0.012, 0.03}) {
+    Scenario other = scenario;
+    lattice_of(other).initial_height_m = height_m;
+    ASSERT_EQ(factor_key(other), factor_key(scenario));
+    LaneSimulation simulation(model);
+    for (int lane = 0; lane < lane_count(); ++lane) simulation.load(lane, lane == 5 ? scenario : other);
+    bool done = false;
+    while (!done) {
+      simulation.step();
+      for (const auto& finished : simulation.finished()) {
+        if (finished.lane != 5) continue;
+        expect_same_bits(finished.result, alone, "beside one from " + std::to_string(height_m));
+        done = true;
+      }
+    }
+  }
 }
 
 }  // namespace

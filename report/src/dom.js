@@ -64,9 +64,20 @@ export function showsItsOverflow(box) {
   return box;
 }
 
+/** So wide is a sheet of A4 between its margins (style.css), in px. */
+const SHEET_PX = 680;
+const PRINT_LEAST = 0.4;
+
+/** Paper does not scroll: what is wider than a sheet is printed smaller. */
+function fitsOnPaper(box) {
+  window.addEventListener("beforeprint", () => { for (const child of box.children) child.style.zoom = String(Math.max(PRINT_LEAST, Math.min(1, SHEET_PX / Math.max(1, child.scrollWidth)))); });
+  window.addEventListener("afterprint", () => { for (const child of box.children) child.style.zoom = ""; });
+}
+
 /** A table or picture that may be wider than the page: it scrolls inside its own box, and says so. */
 export function scrollBox(name, ...children) {
   const box = showsItsOverflow(h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": name }, children));
+  fitsOnPaper(box);
   return h("div", { class: "scroll-frame" }, box, h("p", { class: "scroll-hint", "aria-hidden": "true" }, "Scrolls sideways →"));
 }
 

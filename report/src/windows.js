@@ -87,7 +87,7 @@ function barItem(study, theme, row, index, api, top) {
   }
   if (at("hold_force_N") !== null) children.push(rule(at("hold_force_N"), outcomeColour("dropped")));
   if (at("damage_force_N") !== null && judged) children.push(rule(at("damage_force_N"), outcomeColour("damaged")));
-  if (at("set_point_exists") === 1 && judged) children.push({ type: "path", shape: { pathData: "M0 -6L6 0L0 6L-6 0Z", x: px + width / 2 - 6, y: y(at("set_point_N")) - 6, width: 12, height: 12 }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
+  if (at("set_point_exists") === 1 && judged) children.push({ type: "polygon", shape: { points: [[0, -6], [6, 0], [0, 6], [-6, 0]].map(([right, down]) => [px + width / 2 + right, y(at("set_point_N")) + down]) }, style: { fill: theme.ink, stroke: theme.paper, lineWidth: 1.5 } });
   if (isFaded(study, row)) for (const child of children) child.style.opacity = 0.15 * (child.style.opacity ?? 1);
   return { type: "group", children };
 }

@@ -157,8 +157,8 @@ def node(trial):
     return f"the node down under {running} tasks"
 
 
-TRIALS = {"killed": (killed, 3000, 240, ()), "requeued": (requeued, 3000, 240, ()), "node": (node, 3000, 240, ()),
-          "limit": (limit, 20000, 400, ("--time", "2"))}
+TRIALS = {"killed": (killed, 200, 240, ()), "requeued": (requeued, 200, 240, ()), "node": (node, 200, 240, ()),
+          "limit": (limit, 1000, 400, ("--time", "2"))}
 
 
 def main():

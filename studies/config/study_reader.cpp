@@ -32,7 +32,7 @@ enum class StudyPart { whole, scenario };
 bool is_of_scenario(std::string_view path) {
   constexpr std::array<std::string_view, 7> kTables = {"product",  "gripper", "cell",      "sensor",
                                                        "strategy", "limits",  "simulation"};
-  if (path == "study" || path == "study.name" || path == "study.description") return true;
+  if (path == "study" || path == "study.kind" || path == "study.name" || path == "study.description") return true;
   return std::ranges::find(kTables, path.substr(0, path.find_first_of(".["))) != kTables.end();
 }
 
@@ -40,6 +40,9 @@ void keep_scenario(Document& document) {
   const auto is_other = [](const Entry& entry) { return !is_of_scenario(entry.path); };
   std::erase_if(document.entries, is_other);
   std::erase_if(document.tables, is_other);
+  for (Entry& entry : document.entries) {
+    if (entry.path == "study.kind") entry.value = text_value("simulate");
+  }
 }
 
 /// Reads one study; the steps of `run` are the steps of reading.

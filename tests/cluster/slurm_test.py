@@ -157,7 +157,7 @@ def node(trial):
     return f"the node down under {running} tasks"
 
 
-TRIALS = {"killed": (killed, 200, 240, ()), "requeued": (requeued, 200, 240, ()), "node": (node, 200, 240, ()),
+TRIALS = {"killed": (killed, 60, 240, ()), "requeued": (requeued, 60, 240, ()), "node": (node, 60, 240, ()),
           "limit": (limit, 1000, 400, ("--time", "2"))}
 
 

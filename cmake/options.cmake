@@ -45,3 +45,13 @@ endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
+
+# The libraries are part of the program and of Python's module alike. Hidden, their functions are called and inlined as in a
+# program: the same bits, as fast.
+function(unbruised_goes_into_modules target)
+  if(NOT UNBRUISED_PYTHON_MODULE)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+endfunction()

@@ -42,7 +42,7 @@ class Material {
   /// What a lattice remembers, as the displacement whose stiffness is that force at t + theta dt; null: nothing.
   [[nodiscard]] virtual const LaneArray* remembered() const { return nullptr; }
   /// Books the power of what fades, after the body has begun the step.
-  /// @param rate, stiffness_rate velocity of the deformation, and K times it
+  /// Takes the velocity of the deformation, K times it, and the lanes that run.
   virtual void book_power(const LaneArray& /*rate*/, const LaneArray& /*stiffness_rate*/,
                           const Mask& /*running*/) {}
   /// Follows the displacement at t + theta dt in the lanes of `active`.

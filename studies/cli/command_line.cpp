@@ -12,9 +12,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "studies/cli/command_options.hpp"
 #include "studies/cli/commands.hpp"
-#include "studies/cli/locations.hpp"
 #include "studies/cli/shelf.hpp"
+#include "studies/cli/words.hpp"
+#include "studies/config/locations.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/text/joined.hpp"
@@ -27,20 +29,6 @@ struct UsageError {
   std::string message;
   std::string command;  ///< empty: the program's own help
 };
-
-bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
-
-bool is_file(const std::string& word) {
-  std::error_code error;
-  return std::filesystem::exists(word, error);
-}
-
-/// A word that says what a key is, where it stands free or after --set. A study may have such a name, if it
-/// exists.
-bool is_set_word(const std::string& word) { return word.find('=') != std::string::npos && !is_file(word); }
-
-/// --set takes all words that follow it; a study may be among them.
-bool is_study_word(const std::string& word) { return word.ends_with(".toml") || is_file(word); }
 
 /// The known word spelt most like this one.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
@@ -65,6 +53,7 @@ class CommandLine {
     add_run();
     add_check();
     add_merge();
+    add_submit();
     add_readers();
     add_export();
     add_new();
@@ -138,6 +127,18 @@ class CommandLine {
     merge.add_flag("--quiet,-q", run_.quiet, "no progress");
   }
 
+  void add_submit() {
+    CLI::App& submit = command("submit", "write the jobs of a study for a batch system", [this] {
+      take_study("submit");
+      submit_.study = run_.study;
+      if (!output_.empty()) submit_.output = output_;
+      return submit_command(submit_);
+    });
+    add_study_words(submit);
+    submit.add_option("--output,-o", output_, "run directory (default: results/<study name>)")->type_name("DIR");
+    add_options(submit, submit_);
+  }
+
   void add_readers() {
     CLI::App& info = command("info", "what a run directory or results file holds", [this] { return call_info(); });
     info.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
@@ -194,11 +195,7 @@ class CommandLine {
     out.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
     out.add_option("--scenario", scenario_, "the trace of this scenario instead (run --scenario records it)")
         ->type_name("ID");
-    out.add_option("--format", export_.format, "csv (default), or vtkhdf: one scenario in motion, for ParaView")
-        ->type_name("FORMAT");
-    out.add_option("--table", export_.table,
-                   "scenarios (default), window, best, pareto, ... as `info --json` lists them")
-        ->type_name("NAME");
+    add_options(out, export_);
     out.add_option("--output,-o", output_, "the file (default: TABLE.csv beside the results; -: stdout)")
         ->type_name("FILE");
   }
@@ -210,11 +207,7 @@ class CommandLine {
       return new_command(new_);
     });
     fresh.add_option("NAME", words_, "the study's name")->expected(0, -1);
-    fresh.add_option("--kind", new_.kind, "window, sweep, optimize, robust, ...")->type_name("KIND")->required();
-    fresh.add_option("--product", new_.product, "as `use` takes it: unbruised list")
-        ->type_name("FILE")
-        ->required();
-    fresh.add_option("--gripper", new_.gripper, "as `use` takes it")->type_name("FILE")->required();
+    add_options(fresh, new_);
     fresh.add_option("--output,-o", output_, "the study (default: NAME.toml)")->type_name("FILE.toml");
   }
 
@@ -356,6 +349,7 @@ class CommandLine {
   RunArguments run_;
   NewArguments new_;
   ExportArguments export_;
+  SubmitArguments submit_;
   bool json_ = false;
   bool full_trace_ = false;
 };

@@ -2,8 +2,9 @@
 
 #include <iostream>
 
-#include "studies/cli/locations.hpp"
+#include "studies/config/locations.hpp"
 #include "studies/execution/machine.hpp"
+#include "studies/ranks/join_ranks.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/text/joined.hpp"
 
@@ -48,7 +49,9 @@ std::filesystem::path run_directory_of(const Study& study, const std::optional<s
   return output ? *output : std::filesystem::path("results") / study.name();
 }
 
-int thread_count_of(const std::optional<int>& threads) { return threads ? *threads : usable_cores(); }
+int thread_count_of(const std::optional<int>& threads) {
+  return threads ? *threads : usable_cores_of_each(ranks_on_this_machine());
+}
 
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";

@@ -1,7 +1,7 @@
 #include <system_error>
 
 #include "studies/cli/commands.hpp"
-#include "studies/cli/locations.hpp"
+#include "studies/config/locations.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/kinds/study_template.hpp"
 #include "studies/results/durable_files.hpp"

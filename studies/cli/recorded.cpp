@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "studies/cli/commands.hpp"
-#include "studies/cli/locations.hpp"
+#include "studies/config/locations.hpp"
 #include "studies/estimate/warnings.hpp"
 #include "studies/findings/claims.hpp"
 #include "studies/kinds/kind_table.hpp"

@@ -18,6 +18,8 @@
 #include "studies/execution/progress.hpp"
 #include "studies/findings/rests_on.hpp"
 #include "studies/kinds/study_runner.hpp"
+#include "studies/ranks/join_ranks.hpp"
+#include "studies/ranks/rank_executor.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/results/results_file.hpp"
 #include "studies/results/run_directory.hpp"
@@ -122,7 +124,22 @@ int ask_to_continue(const RunArguments& arguments) {
   return status == 0 ? kExitInternal : status;
 }
 
-int run_command(const RunArguments& arguments) {
+/// Where its scenarios are run: on the threads of this process, or where mpirun has started several, on theirs.
+struct Places {
+  std::unique_ptr<Executor> executor;
+  std::optional<std::string> refusal;
+};
+
+Places places_of_run(FirstRank* first, const Simulator& simulator, int threads, Progress& progress) {
+  if (first == nullptr) return {std::make_unique<LaneExecutor>(simulator, threads), std::nullopt};
+  auto ranks = std::make_unique<RankExecutor>(*first, simulator, threads,
+                                              [&progress](std::size_t steps) { progress.count_steps(steps); });
+  const std::optional<std::string> refusal = ranks->refusal();
+  return {std::move(ranks), refusal};
+}
+
+/// @param first of several ranks; nullptr: this process is the only one
+int run_here(const RunArguments& arguments, FirstRank* first) {
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
   const int threads = thread_count_of(arguments.threads);
@@ -146,7 +163,13 @@ int run_command(const RunArguments& arguments) {
                     write_to_stderr);
   progress.plan(progress_plan(*study, cost));
   const CountedSimulator simulator(core_simulator(), progress);
-  const auto report = run_study(*study, run, LaneExecutor(simulator, threads),
+  const Places places = places_of_run(first, simulator, threads, progress);
+  if (places.refusal) {
+    print_error(*places.refusal);
+    return kExitInput;
+  }
+  if (first != nullptr) print_note(joined({std::to_string(first->link().size()), " ranks"}));
+  const auto report = run_study(*study, run, *places.executor,
                                 {.stop = &interrupt_requested(),
                                  .progress = &progress,
                                  .compaction_interval = compaction_interval(),
@@ -158,6 +181,21 @@ int run_command(const RunArguments& arguments) {
       write_report_of_run(run.directory(), arguments.program, arguments.moving && !report->interrupted);
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads, page);
+}
+
+int run_command(const RunArguments& arguments) {
+  if (rank_count() == 1) return run_here(arguments, nullptr);
+  auto link = join_ranks();
+  if (!link) {
+    print_error(link.error());
+    return kExitInput;
+  }
+  if ((*link)->rank() > 0) {
+    serve_first_rank(**link, core_simulator(), thread_count_of(arguments.threads));
+    return kExitDone;
+  }
+  FirstRank first(**link);
+  return run_here(arguments, &first);
 }
 
 }  // namespace unbruised::studies

@@ -8,6 +8,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
 #include "studies/cli/recorded.hpp"
+#include "studies/cli/refusals.hpp"
 #include "studies/cli/replays.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/warnings.hpp"
@@ -125,6 +126,7 @@ void write_page(const fs::path& file, const ResultsContent& content, const RunAr
 }  // namespace
 
 int run_one_command(const RunArguments& arguments) {
+  if (refuse_ranks("--scenario")) return kExitInput;
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
   const fs::path directory = run_directory_of(*study, arguments.output);

@@ -9,12 +9,12 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
+#include "studies/cli/refusals.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/execution/build_info.hpp"
 #include "studies/execution/counted_simulator.hpp"
 #include "studies/execution/lane_executor.hpp"
 #include "studies/execution/progress.hpp"
-#include "studies/kinds/kind_table.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/journal.hpp"
@@ -27,13 +27,6 @@ namespace unbruised::studies {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Of a kind whose scenarios ask for one another; nothing where it has parts.
-std::optional<std::string> has_no_parts(const Study& study) {
-  if (has_fixed_scenarios(study.kind())) return std::nullopt;
-  return joined({study.name(), ": a ", study_kind_word(study.kind()),
-                 " study asks for one scenario after the answer of another and has no parts; run it as a whole"});
-}
 
 std::string merge_line(const RunArguments& arguments, const RunDirectory& run) {
   return joined({"  ", shell_word(arguments.program), " merge ", shell_word(run.directory().string()), "\n"});
@@ -117,6 +110,7 @@ std::optional<int> say_what_is_missing(const RunArguments& arguments, const Stud
 }
 
 int run_shard_command(const RunArguments& arguments) {
+  if (refuse_ranks("--shard")) return kExitInput;
   const std::optional<Study> study = read_or_explain(arguments.study);
   if (!study) return kExitInput;
   if (const auto refusal = has_no_parts(*study)) {
@@ -155,6 +149,7 @@ int run_shard_command(const RunArguments& arguments) {
 }
 
 int merge_command(const MergeArguments& arguments) {
+  if (refuse_ranks("merge")) return kExitInput;
   const fs::path& directory = arguments.directories.front();
   const auto config = read_text_file(directory / "config.toml");
   if (!config) return report_error(config.error());

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -19,10 +20,30 @@
 #include "studies/config/study_check.hpp"
 #include "studies/config/study_data.hpp"
 #include "studies/config/study_names.hpp"
+#include "studies/config/study_part.hpp"
 #include "studies/text/key_names.hpp"
 
 namespace unbruised::studies {
 namespace {
+
+enum class StudyPart { whole, scenario };
+
+/// Is the path one of a scenario's, or what a study is called?
+bool is_of_scenario(std::string_view path) {
+  constexpr std::array<std::string_view, 7> kTables = {"product",  "gripper", "cell",      "sensor",
+                                                       "strategy", "limits",  "simulation"};
+  if (path == "study" || path == "study.kind" || path == "study.name" || path == "study.description") return true;
+  return std::ranges::find(kTables, path.substr(0, path.find_first_of(".["))) != kTables.end();
+}
+
+void keep_scenario(Document& document) {
+  const auto is_other = [](const Entry& entry) { return !is_of_scenario(entry.path); };
+  std::erase_if(document.entries, is_other);
+  std::erase_if(document.tables, is_other);
+  for (Entry& entry : document.entries) {
+    if (entry.path == "study.kind") entry.value = text_value("simulate");
+  }
+}
 
 /// Reads one study; the steps of `run` are the steps of reading.
 class Reader {
@@ -31,8 +52,9 @@ class Reader {
          const std::filesystem::path& config_root)
       : file_(std::move(file)), library_(folder, config_root) {}
 
-  StudyOrError run(std::string_view text, const std::vector<std::string>& sets) {
-    const Document document = parse_document(text, file_, 0);
+  StudyOrError run(std::string_view text, const std::vector<std::string>& sets, StudyPart part) {
+    Document document = parse_document(text, file_, 0);
+    if (part == StudyPart::scenario) keep_scenario(document);
     for (const Problem& problem : document.problems) problems_.add(problem);
     if (!problems_.empty()) return error();
     text_ = sort_text(document, sets, problems_);
@@ -302,21 +324,42 @@ class Reader {
   StudyData data_;
 };
 
-}  // namespace
+using std::filesystem::path;
 
-StudyOrError read_study_text(std::string_view text, const std::string& display_name,
-                             const std::vector<std::string>& sets, const std::filesystem::path& folder,
-                             const std::filesystem::path& config_root) {
-  return Reader(std::make_shared<const std::string>(display_name), folder, config_root).run(text, sets);
+StudyOrError read_text(std::string_view text, const std::string& name, const std::vector<std::string>& sets,
+                       const path& folder, const path& config_root, StudyPart part) {
+  return Reader(std::make_shared<const std::string>(name), folder, config_root).run(text, sets, part);
 }
 
-StudyOrError read_study(const std::filesystem::path& file, const std::vector<std::string>& sets,
-                        const std::filesystem::path& config_root) {
+StudyOrError read_file(const path& file, const std::vector<std::string>& sets, const path& config_root,
+                       StudyPart part) {
   std::string why;
   const auto text = read_text_file(file, why);
   if (!text) return ConfigError{{file.string() + ": " + why}};
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  return read_study_text(*text, file.string(), sets, folder, config_root);
+  const path folder = file.has_parent_path() ? file.parent_path() : path(".");
+  return read_text(*text, file.string(), sets, folder, config_root, part);
+}
+
+}  // namespace
+
+StudyOrError read_study_text(std::string_view text, const std::string& display_name,
+                             const std::vector<std::string>& sets, const path& folder, const path& config_root) {
+  return read_text(text, display_name, sets, folder, config_root, StudyPart::whole);
+}
+
+StudyOrError read_study(const path& file, const std::vector<std::string>& sets, const path& config_root) {
+  return read_file(file, sets, config_root, StudyPart::whole);
+}
+
+StudyOrError read_single_scenario_text(std::string_view text, const std::string& display_name,
+                                       const std::vector<std::string>& sets, const path& folder,
+                                       const path& config_root) {
+  return read_text(text, display_name, sets, folder, config_root, StudyPart::scenario);
+}
+
+StudyOrError read_single_scenario(const path& file, const std::vector<std::string>& sets,
+                                  const path& config_root) {
+  return read_file(file, sets, config_root, StudyPart::scenario);
 }
 
 }  // namespace unbruised::studies

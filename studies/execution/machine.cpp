@@ -111,4 +111,11 @@ int usable_cores(const std::string& root) {
   return left < mine ? std::max(1, static_cast<int>(left)) : mine;
 }
 
+int usable_cores_of_each(int processes) {
+  const double all = static_cast<double>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+  const double bound_to = cores_of_affinity();
+  const int usable = usable_cores();
+  return std::clamp(static_cast<int>(usable * (all / bound_to) / processes), 1, usable);
+}
+
 }  // namespace unbruised::studies

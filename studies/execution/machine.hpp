@@ -32,5 +32,8 @@ double group_cores(const std::string& root);
 /// Threads that have a core each, at least 1: those of the affinity mask, or fewer where a control group says so;
 /// of a broken core the whole one, as a thread more than cores costs less than a core that nobody uses.
 int usable_cores(const std::string& root = "");
+/// The part of them that each of several processes on this machine has, at least 1: those that are bound to cores
+/// have these, the others share what there is.
+int usable_cores_of_each(int processes);
 
 }  // namespace unbruised::studies

@@ -124,7 +124,7 @@ void Progress::close() {
   if (style_ == ProgressStyle::bar) write_("\r\x1b[K");
 }
 
-ProgressState Progress::snapshot() const {
+ProgressState Progress::state() const {
   const std::lock_guard lock(mutex_);
   ProgressState state = state_;
   state.steps = static_cast<double>(steps_.load(std::memory_order_relaxed));
@@ -145,11 +145,11 @@ void Progress::print_until_closed(const std::stop_token& stop) {
 }
 
 void Progress::print() {
-  const ProgressState state = snapshot();
+  const ProgressState now = state();
   if (style_ == ProgressStyle::bar) {
-    write_(joined({"\r\x1b[K", progress_bar(state)}));
+    write_(joined({"\r\x1b[K", progress_bar(now)}));
   } else {
-    write_(joined({progress_text(state), "\n"}));
+    write_(joined({progress_text(now), "\n"}));
   }
 }
 

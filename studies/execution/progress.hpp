@@ -82,11 +82,12 @@ class Progress {
   void count_steps(std::size_t steps) { steps_.fetch_add(steps, std::memory_order_relaxed); }
   /// Steps counted so far.
   [[nodiscard]] std::uint64_t steps() const { return steps_.load(std::memory_order_relaxed); }
+  /// How far the study is now.
+  [[nodiscard]] ProgressState state() const;
   /// Removes the bar; prints nothing more.
   void close();
 
  private:
-  [[nodiscard]] ProgressState snapshot() const;
   void print_until_closed(const std::stop_token& stop);
   void print();
 

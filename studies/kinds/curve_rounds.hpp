@@ -25,7 +25,7 @@ class CurveRounds {
   /// @param input must outlive it
   explicit CurveRounds(const KindInput& input);
 
-  /// Runs fits, each on a thread of its own, until all have returned. @param fit asks through `ask` with its own
+  /// Runs fits, each on a thread of its own, until all have returned. Each asks through `ask` with its own
   /// number. Rethrows what the journal or a fit threw.
   void run(std::size_t fits, const std::function<void(std::size_t fit)>& work);
 

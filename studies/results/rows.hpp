@@ -98,7 +98,7 @@ struct ResultColumn {
   std::variant<std::vector<double>, std::vector<std::string>> values;
 };
 
-/// What a study kind found beside its scenarios, e.g. its best strategy or its Pareto front: /<name>/<column>.
+/// What a study kind found beside its scenarios, e.g. its best strategy or its Pareto front: `/<name>/<column>`.
 struct ResultTable {
   std::string name;                   ///< "best", "searches", "evaluations", "pareto", ... (docs/results.md)
   std::string row;                    ///< what a row is: the name of the dimension, e.g. "search"

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// results/<study name>/: config.toml, lock, journal/, results.h5, log.txt, and who may write there.
+/// `results/<study name>/`: config.toml, lock, journal/, results.h5, log.txt, and who may write there.
 
 #include <cstdint>
 #include <filesystem>
@@ -32,7 +32,7 @@ class RunDirectory {
     std::filesystem::path directory;
     std::string config_toml;  ///< resolved config; its SHA-256 decides "the same study"
     std::string build;        ///< version and numeric build, one line; another one does not continue a study
-    bool fresh = false;       ///< move what is there aside to <name>.old-<n> and start anew
+    bool fresh = false;       ///< move what is there aside to `<name>.old-<n>` and start anew
     bool part = false;        ///< others may run other parts of the study in it meanwhile; goes without `fresh`
   };
 

@@ -15,13 +15,16 @@
 namespace unbruised {
 namespace {
 
-const std::vector<std::string> kHouses = {"core", "optimizer", "studies", "benchmarks", "tests"};
+const std::vector<std::string> kHouses = {"core",       "optimizer", "studies", "python",
+                                          "benchmarks", "examples",  "tests"};
 
 /// Whom each house may include.
 const std::map<std::string, std::vector<std::string>> kArrows = {
     {"core", {"core"}},
     {"optimizer", {"optimizer"}},
     {"studies", {"studies", "core", "optimizer"}},
+    {"python", {"python", "studies", "core", "optimizer"}},
+    {"examples", {"core"}},
     {"benchmarks", {"benchmarks", "studies", "core", "optimizer"}},
     {"tests", {"tests", "benchmarks", "studies", "core", "optimizer"}},
 };
@@ -32,9 +35,9 @@ const std::vector<SourceFile>& sources() {
 }
 
 /// The floors of studies, from the ground up: a folder sees itself and what stands below it.
-const std::vector<std::string> kStudiesFloors = {"text",    "statistics", "goals",     "config",
-                                                 "results", "scenarios",  "execution", "findings",
-                                                 "kinds",   "estimate",   "report",    "cli"};
+const std::vector<std::string> kStudiesFloors = {"text",      "statistics", "goals", "config",   "results",
+                                                 "scenarios", "execution",  "ranks", "findings", "kinds",
+                                                 "estimate",  "report",     "cli"};
 
 /// Whom each folder of core may include, besides itself.
 const std::map<std::string, std::vector<std::string>> kCoreArrows = {
@@ -289,6 +292,11 @@ TEST(Architecture, BoostAndRandom123StayInSources) {
 }
 
 TEST(Architecture, TheCommandLineLibraryStaysInCli) { expect_included_only_below("^CLI/", {"studies/cli/"}); }
+
+TEST(Architecture, PythonAndMpiStayBehindTheirDoors) {
+  expect_included_only_below("^(pybind11/|Python\\.h)", {"python/"});
+  expect_included_only_below("^mpi\\.h", {"studies/ranks/mpi_link.cpp"});
+}
 
 TEST(Architecture, CoreAndOptimizerKnowNoThreadsLibrary) {
   expect_included_only_below("^(tbb|oneapi/tbb)/", {"studies/", "benchmarks/"});

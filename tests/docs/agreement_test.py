@@ -14,7 +14,7 @@ from pages import pages
 
 SOURCE = known.SOURCE
 FOLDERS_OF_A_RUN = ("build/", "results/")
-OTHER_PROGRAMS = {"npm", "sha256sum", "cmake", "ctest", "git", "pip", "apt"}
+OTHER_PROGRAMS = {"npm", "sha256sum", "cmake", "ctest", "git", "pip", "apt", "mpirun", "docker"}
 
 
 def every_quoted(pattern):

@@ -45,7 +45,8 @@ def as_tested(command, options, place):
 
 def run(command, place):
     """Exit status and what came on stdout and stderr together."""
-    environment = dict(os.environ, NO_COLOR="1", MPLBACKEND="Agg", PATH=f"{place}/build/release:{os.environ['PATH']}")
+    package = (place / "build/release/unbruised").resolve().parent / "python"
+    environment = dict(os.environ, NO_COLOR="1", MPLBACKEND="Agg", PYTHONPATH=str(package), PATH=f"{place}/build/release:{os.environ['PATH']}")
     done = subprocess.run(["bash", "-c", command], cwd=place, env=environment, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout

@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 PROGRAM, SOURCE = Path(sys.argv.pop(1)), Path(sys.argv.pop(1)).resolve()
-CODE = ("core", "optimizer", "studies", "report", "configs", "scripts", "tests", "benchmarks", "cmake")
+CODE = ("core", "optimizer", "studies", "python", "examples", "packaging", "report", "configs", "scripts", "tests", "benchmarks", "cmake")
 
 
 def say(*words):

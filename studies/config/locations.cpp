@@ -1,4 +1,4 @@
-#include "studies/cli/locations.hpp"
+#include "studies/config/locations.hpp"
 
 #include <cstdlib>
 #include <string>
@@ -27,7 +27,7 @@ fs::path folder_of(const char* variable) {
 }
 
 /// Folders that belong to no study, in the order in which they are looked into.
-std::vector<fs::path> common_roots() {
+std::vector<fs::path> common_roots(const fs::path& prefix) {
   std::vector<fs::path> roots = {folder_of("UNBRUISED_CONFIGS")};
   std::error_code error;
   roots.push_back(fs::current_path(error) / "configs");
@@ -36,8 +36,7 @@ std::vector<fs::path> common_roots() {
   } else if (const fs::path home = folder_of("HOME"); !home.empty()) {
     roots.push_back(home / ".local" / "share" / "unbruised" / "configs");
   }
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  roots.push_back(program.parent_path().parent_path() / "share" / "unbruised" / "configs");
+  roots.push_back(prefix / "share" / "unbruised" / "configs");
   roots.emplace_back(UNBRUISED_CONFIG_ROOT);
   std::erase_if(roots, [](const fs::path& root) { return !holds_library(root); });
   return roots;
@@ -45,7 +44,12 @@ std::vector<fs::path> common_roots() {
 
 }  // namespace
 
-fs::path config_root_for(const fs::path& study) {
+fs::path program_prefix() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+}
+
+fs::path config_root_for(const fs::path& study, const fs::path& prefix) {
   std::vector<fs::path> candidates;
   std::error_code error;
   if (!study.empty()) {
@@ -58,15 +62,15 @@ fs::path config_root_for(const fs::path& study) {
   for (const fs::path& candidate : candidates) {
     if (holds_library(candidate)) return candidate;
   }
-  const std::vector<fs::path> common = common_roots();
+  const std::vector<fs::path> common = common_roots(prefix);
   return common.empty() ? UNBRUISED_CONFIG_ROOT : common.front();
 }
 
-fs::path study_file(const fs::path& named) {
+fs::path study_file(const fs::path& named, const fs::path& prefix) {
   if (is_file(named) || named.is_absolute()) return named;
   fs::path below = named;  // as `unbruised list` and the documentation name it
   if (below.begin() != below.end() && *below.begin() == "configs") below = named.lexically_relative("configs");
-  for (const fs::path& root : common_roots()) {
+  for (const fs::path& root : common_roots(prefix)) {
     if (is_file(root / below)) return root / below;
   }
   return named;

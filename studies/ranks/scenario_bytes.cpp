@@ -1,0 +1,145 @@
+#include "studies/ranks/scenario_bytes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "core/scenario/fields.hpp"
+#include "studies/results/bytes.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+/// No list of a scenario is longer (config/library.hpp).
+constexpr std::uint64_t kLongestList = 1'000'000;
+
+template <class T>
+concept Word = std::is_enum_v<T>;
+
+class FieldWriter {
+ public:
+  template <class T>
+  void operator()(const Field&, const T& value) {
+    put(value);
+  }
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  void put(T value) { out_.put(value); }
+  template <Word T>
+  void put(T value) {
+    out_.put(static_cast<std::int64_t>(value));
+  }
+  template <class T>
+  void put(const std::optional<T>& value) {
+    out_.put(static_cast<std::uint8_t>(value.has_value()));
+    if (value) put(*value);
+  }
+  template <class T, std::size_t N>
+  void put(const std::array<T, N>& values) {
+    for (const T& value : values) put(value);
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put_size(values.size());
+    for (const T& value : values) put(value);
+  }
+  void put_size(std::size_t size) { out_.put(static_cast<std::uint64_t>(size)); }
+  [[nodiscard]] const std::string& text() const { return out_.text(); }
+
+ private:
+  ByteWriter out_;
+};
+
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view bytes) : in_(bytes) {}
+  template <class T>
+  void operator()(const Field&, T& value) {
+    get(value);
+  }
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  void get(T& value) { value = in_.get<T>(); }
+  template <Word T>
+  void get(T& value) {
+    value = static_cast<T>(in_.get<std::int64_t>());
+  }
+  template <class T>
+  void get(std::optional<T>& value) {
+    value.reset();
+    if (in_.get<std::uint8_t>() != 0) get(value.emplace());
+  }
+  template <class T, std::size_t N>
+  void get(std::array<T, N>& values) {
+    for (T& value : values) get(value);
+  }
+  template <class T>
+  void get(std::vector<T>& values) {
+    get_size(values);
+    for (T& value : values) get(value);
+  }
+  template <class T>
+  void get_size(std::vector<T>& values) {
+    const auto size = in_.get<std::uint64_t>();
+    values.assign(size <= kLongestList ? size : 0, T{});
+    sizes_sound_ = sizes_sound_ && size <= kLongestList;
+  }
+  std::uint64_t get_index() { return in_.get<std::uint64_t>(); }
+  [[nodiscard]] bool at_end() const { return sizes_sound_ && in_.at_end(); }
+
+ private:
+  ByteReader in_;
+  bool sizes_sound_ = true;
+};
+
+/// Calls visit(list) for each list of structs, whose lengths have to be known before their fields are read.
+template <class S, class Visit>
+void visit_lists(S& scenario, Visit&& visit) {
+  if (auto* network = std::get_if<NetworkParameters>(&scenario.product)) {
+    visit(network->particle);
+    visit(network->spring);
+    visit(network->load);
+  }
+  if (auto* jaw = std::get_if<ParallelJawParameters>(&scenario.gripper)) visit(jaw->finger);
+  visit(scenario.cell.surface);
+  visit(scenario.strategy.waypoint);
+}
+
+/// The alternative of a number; false where there is none.
+template <class Variant, std::size_t I = 0>
+bool choose(Variant& variant, std::uint64_t index) {
+  if constexpr (I < std::variant_size_v<Variant>) {
+    if (index != I) return choose<Variant, I + 1>(variant, index);
+    variant.template emplace<I>();
+    return true;
+  } else {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::string scenario_bytes(const Scenario& scenario) {
+  FieldWriter writer;
+  writer.put_size(scenario.product.index());
+  writer.put_size(scenario.gripper.index());
+  visit_lists(scenario, [&](const auto& list) { writer.put_size(list.size()); });
+  visit_parameters(scenario,
+                   [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, writer); });
+  return writer.text();
+}
+
+std::optional<Scenario> scenario_of_bytes(std::string_view bytes) {
+  Scenario scenario;
+  FieldReader reader(bytes);
+  if (!choose(scenario.product, reader.get_index()) || !choose(scenario.gripper, reader.get_index())) {
+    return std::nullopt;
+  }
+  visit_lists(scenario, [&](auto& list) { reader.get_size(list); });
+  visit_parameters(scenario, [&](std::string_view, int, auto& parameters) { visit_fields(parameters, reader); });
+  return reader.at_end() ? std::optional(std::move(scenario)) : std::nullopt;
+}
+
+}  // namespace unbruised::studies

@@ -1,0 +1,86 @@
+"""Small studies for the tests, and the program to compare with."""
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM, SOURCE = os.environ["UNBRUISED_PROGRAM"], Path(os.environ["UNBRUISED_SOURCE"])
+
+MASSES = """[study]
+name = "masses"
+kind = "sweep"
+[product]
+kind = "network"
+[[product.particle]]
+position_m = [0.0, 0.0, 0.0]
+fixed = ["x", "y", "z"]
+[[product.particle]]
+position_m = [1.0, 0.0, 0.0]
+mass_kg = 2.0
+fixed = ["y", "z"]
+initial_displacement_m = [0.01, 0.0, 0.0]
+[[product.spring]]
+between = [0, 1]
+stiffness_N_m = 50.0
+[simulation]
+time_step_s = 0.01
+duration_s = 1.0
+[cell]
+gravity_m_s2 = [0.0, 0.0, 0.0]
+support = false
+[[vary]]
+key = "product.spring[0].stiffness_N_m"
+from = 40.0
+to = 60.0
+count = 40
+"""
+
+BLOCK = """[study]
+name = "block"
+kind = "sweep"
+[product]
+shape = "box"
+size_m = [0.04, 0.04, 0.04]
+cell_size_m = 0.02
+mass_kg = 0.1
+youngs_modulus_Pa = 1e6
+yield_stress_Pa = 1e5
+tangent_modulus_Pa = 1e5
+relaxation_time_s = 1e-3
+friction = 0.5
+[limits]
+contact_yield_ratio = 1.0
+[gripper]
+use = "grippers/parallel_jaw.toml"
+[[vary]]
+key = "strategy.grip_force_N"
+values = [1.0, 2.0, 3.0]
+[[vary]]
+key = "strategy.approach_speed_m_s"
+values = [0.05, 0.2]
+"""
+
+
+class StudyTest(unittest.TestCase):
+    """A folder of its own with both studies; what is shipped is found in the source tree."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory(prefix="unbruised-python-")  # pylint: disable=consider-using-with
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
+        os.environ["UNBRUISED_CONFIGS"] = str(SOURCE / "configs")
+        self.masses, self.block = self.folder / "masses.toml", self.folder / "block.toml"
+        self.masses.write_text(MASSES)
+        self.block.write_text(BLOCK)
+
+    def call(self, *words):
+        """What the program says on stdout."""
+        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    @staticmethod
+    def digest_in(text):
+        return re.search(r"^digest (\w{16})$", text, re.M).group(1)

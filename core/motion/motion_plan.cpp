@@ -340,10 +340,14 @@ Horizontal MotionPlan::target_m(double time_s) const {
   return {transfer_m_[0] + place_velocity_m_s_[0] * time_s, transfer_m_[1] + place_velocity_m_s_[1] * time_s};
 }
 
+MotionPlan planned_motion(const Scenario& scenario) {
+  const double contact_s = scenario.strategy.ramp_from_start ? 0.0 : planned_approach(scenario).time_s;
+  return MotionPlan(scenario, contact_s);
+}
+
 double planned_end_s(const Scenario& scenario) {
   if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
-  const double contact_s = scenario.strategy.ramp_from_start ? 0.0 : planned_approach(scenario).time_s;
-  return MotionPlan(scenario, contact_s).end_s();
+  return planned_motion(scenario).end_s();
 }
 
 }  // namespace unbruised

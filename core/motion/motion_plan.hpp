@@ -73,6 +73,8 @@ class MotionPlan {
   /// The lift and the tilt or the waypoints are over.
   [[nodiscard]] double hold_start_s() const { return hold_start_s_; }
   [[nodiscard]] double hold_end_s() const { return hold_end_s_; }
+  /// The transfer is over.
+  [[nodiscard]] double level_start_s() const { return level_start_s_; }
   [[nodiscard]] double lower_end_s() const { return lower_end_s_; }
   [[nodiscard]] double release_start_s() const { return release_start_s_; }
   [[nodiscard]] double release_end_s() const { return release_end_s_; }
@@ -120,6 +122,9 @@ class MotionPlan {
   PalmState stopped_;           ///< where the stop begins
   std::vector<double> jump_s_;  ///< of the palm's acceleration, ascending
 };
+
+/// The plan where the fingers meet the product as it is planned, but for what they compress.
+MotionPlan planned_motion(const Scenario& scenario);
 
 /// When a scenario ends in which everything goes as planned, but for what the fingers compress [s].
 double planned_end_s(const Scenario& scenario);

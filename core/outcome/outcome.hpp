@@ -73,6 +73,13 @@ enum class Metric : std::uint8_t {
   contact_rebounds,
   contact_loss_s,
   time_to_steady_force_s,
+  robot_speed_use,
+  robot_acceleration_use,
+  robot_torque_use,
+  robot_position_use,
+  robot_least_manipulability,
+  robot_joint_travel_rad,
+  robot_cycle_time_s,
   count_  // not a metric: the number of them
 };
 
@@ -166,6 +173,20 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::time_to_steady_force_s, "time_to_steady_force_s", "time to a steady force", "s",
      "from a finger's first touch until its force stays within 5 % of what it is as the lift starts, the later "
      "finger"},
+    {Metric::robot_speed_use, "robot_speed_use", "use of joint speed", "1",
+     "largest speed of an arm's joint over its limit"},
+    {Metric::robot_acceleration_use, "robot_acceleration_use", "use of joint acceleration", "1",
+     "largest acceleration of an arm's joint over its limit"},
+    {Metric::robot_torque_use, "robot_torque_use", "use of joint torque", "1",
+     "largest torque of an arm's joint over its limit"},
+    {Metric::robot_position_use, "robot_position_use", "use of joint range", "1",
+     "largest distance of a joint from the middle of its range over half of that range"},
+    {Metric::robot_least_manipulability, "robot_least_manipulability", "manipulability of the arm", "1",
+     "smallest over largest singular value of the arm's Jacobian, lengths in m, least along the way; 0: singular"},
+    {Metric::robot_joint_travel_rad, "robot_joint_travel_rad", "joint travel", "rad",
+     "way that the joints of the arm turn, all together"},
+    {Metric::robot_cycle_time_s, "robot_cycle_time_s", "cycle time of the arm", "s",
+     "time in which the arm moves, from the start of the lift to the end of the lowering"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

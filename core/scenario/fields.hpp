@@ -38,6 +38,8 @@ inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
 inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
+inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
+
 inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};
 
 /// Is T, const or not, the parameter struct S?
@@ -363,11 +365,48 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"levels", Decides::run}, levels);
 }
 
+template <FieldsOf<ArmJointParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [place_m, rotation_rad, axis, lower_rad, upper_rad, speed_rad_s, torque_N_m, mass_kg, center_of_mass_m,
+         inertia_kg_m2] = p;
+  visit({"place_m", Decides::run, kAnyNumber}, place_m);
+  visit({"rotation_rad", Decides::run, kTilt}, rotation_rad);
+  visit({"axis", Decides::run, kAnyNumber}, axis);
+  visit({"lower_rad", Decides::run, kAnyNumber}, lower_rad);
+  visit({"upper_rad", Decides::run, kAnyNumber}, upper_rad);
+  visit({"speed_rad_s", Decides::run, kPositive}, speed_rad_s);
+  visit({"torque_N_m", Decides::run, kPositive}, torque_N_m);
+  visit({"mass_kg", Decides::run, kNotNegative}, mass_kg);
+  visit({"center_of_mass_m", Decides::run, kAnyNumber}, center_of_mass_m);
+  visit({"inertia_kg_m2", Decides::run, kAnyNumber}, inertia_kg_m2);
+}
+
+/// Joints have fields of their own.
+template <FieldsOf<RobotParameters> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [base_place_m, base_rotation_rad, flange_place_m, flange_rotation_rad, tool_place_m, tool_rotation_rad,
+         seed_posture_rad, acceleration_rad_s2, gripper_mass_kg, gripper_center_of_mass_m, max_payload_kg, timing,
+         use_most, joint] = p;
+  visit({"base_place_m", Decides::run, kAnyNumber}, base_place_m);
+  visit({"base_rotation_rad", Decides::run, kTilt}, base_rotation_rad);
+  visit({"flange_place_m", Decides::run, kAnyNumber}, flange_place_m);
+  visit({"flange_rotation_rad", Decides::run, kTilt}, flange_rotation_rad);
+  visit({"tool_place_m", Decides::run, kAnyNumber}, tool_place_m);
+  visit({"tool_rotation_rad", Decides::run, kTilt}, tool_rotation_rad);
+  visit({"seed_posture_rad", Decides::run, kAnyNumber}, seed_posture_rad);
+  visit({"acceleration_rad_s2", Decides::run, kPositive}, acceleration_rad_s2);
+  visit({"gripper_mass_kg", Decides::run, kNotNegative}, gripper_mass_kg);
+  visit({"gripper_center_of_mass_m", Decides::run, kAnyNumber}, gripper_center_of_mass_m);
+  visit({"max_payload_kg", Decides::run, kPositive}, max_payload_kg);
+  visit({"timing", Decides::run}, timing);
+  visit({"use_most", Decides::run, kUse}, use_most);
+}
+
 /// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its
 /// fields stand, [] for a place in a list, and the place (-1: no list).
 template <FieldsOf<Scenario> T, class Visit>
 void visit_parameters(T& scenario, Visit&& visit) {
-  auto& [product, gripper, cell, sensor, strategy, limits, simulation] = scenario;
+  auto& [product, gripper, cell, sensor, strategy, limits, simulation, robot] = scenario;
   const auto each = [&visit](std::string_view prefix, auto& list) {
     for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
   };
@@ -392,6 +431,8 @@ void visit_parameters(T& scenario, Visit&& visit) {
   each("strategy.waypoint[].", strategy.waypoint);
   visit("limits.", -1, limits);
   visit("simulation.", -1, simulation);
+  visit("robot.", -1, robot);
+  each("robot.joint[].", robot.joint);
 }
 
 }  // namespace unbruised

@@ -66,6 +66,7 @@ std::vector<Scenario> specimens() {
       scenario.gripper = gripper;
       scenario.strategy.waypoint.resize(1);
       scenario.cell.surface.resize(1);
+      scenario.robot.joint.resize(1);
       if (ParallelJawParameters* jaw = parallel_jaw(scenario)) jaw->finger.resize(1);
     }
   }

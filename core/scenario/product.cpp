@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/relaxation.hpp"
 
 namespace unbruised {
@@ -9,6 +10,13 @@ namespace {
 
 std::optional<TrueShape> shape_of(const LatticeParameters& p) { return TrueShape(p); }
 std::optional<TrueShape> shape_of(const NetworkParameters&) { return std::nullopt; }
+
+double mass_of(const LatticeParameters& p) { return lattice_mass_kg(p); }
+double mass_of(const NetworkParameters& p) {
+  double mass_kg = 0.0;
+  for (const NetworkParticle& particle : p.particle) mass_kg += particle.mass_kg;
+  return mass_kg;
+}
 
 std::optional<std::array<double, 3>> extents_of(const LatticeParameters& p) { return p.size_m; }
 std::optional<std::array<double, 3>> extents_of(const NetworkParameters&) { return std::nullopt; }
@@ -42,6 +50,10 @@ bool is_loaded(const NetworkParameters& p) { return !p.load.empty(); }
 
 double product_friction(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return kind.friction; }, product);
+}
+
+double product_mass_kg(const ProductParameters& product) {
+  return std::visit([](const auto& p) { return mass_of(p); }, product);
 }
 
 std::optional<TrueShape> true_shape(const ProductParameters& product) {

@@ -15,6 +15,9 @@ namespace unbruised {
 /// Coulomb coefficient against the pads.
 double product_friction(const ProductParameters& product);
 
+/// Of all of it [kg].
+double product_mass_kg(const ProductParameters& product);
+
 /// None: it has no shape.
 std::optional<TrueShape> true_shape(const ProductParameters& product);
 

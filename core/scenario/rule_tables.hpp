@@ -20,6 +20,7 @@ std::vector<Rule> surface_rules();
 std::vector<Rule> turn_rules();
 std::vector<Rule> guard_rules();
 std::vector<Rule> holding_rules();
+std::vector<Rule> robot_rules();
 
 /// lower <= upper, or < with `Strictness::below`, wherever both are there.
 enum class Strictness { at_most, below };

@@ -16,6 +16,7 @@
 #include "core/scenario/pad.hpp"
 #include "core/scenario/product_parameters.hpp"
 #include "core/scenario/range_sensor.hpp"
+#include "core/scenario/robot.hpp"
 #include "core/scenario/sensor.hpp"
 
 namespace unbruised {
@@ -307,6 +308,7 @@ struct Scenario {
   StrategyParameters strategy;
   LimitParameters limits;
   SimulationParameters simulation;
+  RobotParameters robot;
 };
 
 /// Does any kind of gripper hold the product?
@@ -314,6 +316,9 @@ inline bool has_gripper(const Scenario& scenario) { return !std::holds_alternati
 
 /// Does a six-axis sensor carry the gripper or the plate under the product?
 inline bool has_sensor(const Scenario& scenario) { return scenario.sensor.at != SensorMount::none; }
+
+/// Does an arm carry the gripper?
+inline bool has_robot(const Scenario& scenario) { return !scenario.robot.joint.empty(); }
 
 /// The parallel jaw of a scenario; nullptr where the gripper is of another kind or there is none.
 inline ParallelJawParameters* parallel_jaw(Scenario& scenario) {

@@ -4,6 +4,7 @@
 
 #include "studies/cli/commands.hpp"
 #include "studies/cli/json_output.hpp"
+#include "studies/estimate/arm_lines.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/memory_need.hpp"
 #include "studies/estimate/study_cost.hpp"
@@ -68,6 +69,7 @@ void print_check(const Study& study, const StudyCost& cost) {
   print_line(joined({"disk: about ", bytes_text(cost.disk_bytes)}));
   print_line(time_line(cost));
   print_contact(study);
+  for (const std::string& line : arm_lines(study)) print_line(line);
 }
 
 /// Prints what is wrong with a study as one document.

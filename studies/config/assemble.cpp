@@ -110,6 +110,7 @@ struct Assembler {
     }
     scenario.strategy.waypoint.resize(list_size("strategy.waypoint["));
     scenario.cell.surface.resize(list_size("cell.surface["));
+    scenario.robot.joint.resize(list_size("robot.joint["));
     if (input.has_gripper) {
       scenario.gripper = ParallelJawParameters{};
       jaw_of(scenario).finger.resize(list_size("gripper.finger["));

@@ -53,6 +53,7 @@ Scenario specimen(const KeySpec& spec) {
   jaw_of(scenario).finger.resize(1);
   scenario.strategy.waypoint.resize(1);
   scenario.cell.surface.resize(1);
+  scenario.robot.joint.resize(1);
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
     NetworkParameters network;
     network.particle.resize(1);

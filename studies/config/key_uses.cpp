@@ -86,6 +86,8 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       const ParallelJawParameters* jaw = parallel_jaw(scenario);
       return jaw != nullptr && (jaw->hold == HoldMode::position || varied("gripper.hold"));
     }
+    case Use::robot:
+      return has_robot(scenario);
     default:
       return true;
   }
@@ -132,6 +134,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only a guard by force (strategy.guard = \"force\") has it";
     case Use::position_hold:
       return "not used: only fingers that a lock holds (gripper.hold = \"position\") have it";
+    case Use::robot:
+      return "not used: there is no arm; robot.urdf names its file";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

@@ -206,6 +206,10 @@ std::string resolved_text(const StudyData& data) {
     writer.table("strategy", base);
     writer.list_of("strategy.waypoint[]", "strategy.waypoint", base);
   }
+  if (has_robot(base)) {
+    writer.table("robot", base);
+    writer.list_of("robot.joint[]", "robot.joint", base);
+  }
   if (!product_varies) writer.table("limits", base);
   writer.table("simulation", base);
   for (std::size_t i = 0; i < data.plan.blocks.size(); ++i) writer.block(i);

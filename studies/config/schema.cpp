@@ -79,6 +79,7 @@ bool is_number_array(KeyType type) {
 std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::string_view path) {
   if (path.starts_with("strategy.waypoint[")) return scenario.strategy.waypoint.size();
   if (path.starts_with("cell.surface[")) return scenario.cell.surface.size();
+  if (path.starts_with("robot.joint[")) return scenario.robot.joint.size();
   if (path.starts_with("gripper.finger[")) {
     const ParallelJawParameters* jaw = parallel_jaw(scenario);
     return jaw == nullptr ? 0 : jaw->finger.size();

@@ -222,6 +222,7 @@ enum class Use {
   range_guard,
   force_guard,
   position_hold,  ///< fingers that a lock holds
+  robot,          ///< palms that an arm carries
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

@@ -52,6 +52,8 @@ const std::vector<KeySpec>& key_table() {
                               conveyor_keys(),
                               surface_keys(),
                               sensor_keys(),
+                              robot_keys(),
+                              arm_joint_keys(),
                               grip_keys(),
                               guard_keys(),
                               pick_keys(),

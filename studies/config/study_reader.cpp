@@ -89,6 +89,7 @@ class Reader {
 
   void load_lists() {
     library_.read_profile(text_.study, problems_);
+    library_.read_arm(text_.study, problems_);
     for (const std::string list : {"product.particle", "product.spring"}) {
       const Entry* csv = text_.last(list + "s_csv");
       if (csv == nullptr) continue;

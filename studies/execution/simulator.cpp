@@ -1,10 +1,12 @@
 #include "studies/execution/simulator.hpp"
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <utility>
 
 #include "core/motion/motion_plan.hpp"
+#include "studies/execution/arm_run.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -13,14 +15,42 @@ class CoreLanes final : public LaneEngine {
  public:
   CoreLanes(std::shared_ptr<const Model> model, LevelSimulation::Longer longer)
       : lanes_(std::move(model), std::move(longer)) {}
-  void load(int place, const Scenario& scenario) override { lanes_.load(place, scenario); }
-  void record(int place, const Recording& kept) override { lanes_.record(place, kept); }
-  void step() override { lanes_.step(); }
+  void load(int place, const Scenario& scenario) override {
+    if (!has_robot(scenario)) return lanes_.load(place, scenario);
+    const auto carried = arms_.insert_or_assign(place, Carried{ArmRun(scenario), nullptr}).first;
+    lanes_.load(place, carried->second.arm.scenario());
+  }
+  void record(int place, const Recording& kept) override {
+    lanes_.record(place, kept);
+    if (const auto carried = arms_.find(place); carried != arms_.end()) carried->second.trace = kept.trace;
+  }
+  void step() override {
+    lanes_.step();
+    if (!arms_.empty()) judge_finished();
+  }
   int stepped() const override { return lanes_.stepped(); }
-  const std::vector<Finished>& finished() const override { return lanes_.finished(); }
+  const std::vector<Finished>& finished() const override { return judged_.empty() ? lanes_.finished() : judged_; }
 
  private:
+  struct Carried {
+    ArmRun arm;
+    Trace* trace;
+  };
+
+  void judge_finished() {
+    judged_ = lanes_.finished();
+    for (Finished& finished : judged_) {
+      const auto carried = arms_.find(finished.place);
+      if (carried == arms_.end()) continue;
+      carried->second.arm.judge(finished.result);
+      if (Trace* trace = carried->second.trace) carried->second.arm.add_joints(finished.result, *trace);
+      arms_.erase(carried);
+    }
+  }
+
   LevelSimulation lanes_;
+  std::map<int, Carried> arms_;   ///< by place
+  std::vector<Finished> judged_;  ///< what finished in the last step, where one of them has an arm
 };
 
 class CoreModel final : public SharedModel {

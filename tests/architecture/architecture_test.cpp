@@ -49,6 +49,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"surface", {"door", "scenario", "lanes"}},
     {"algebra", {"door", "lanes"}},
     {"motion", {"door", "scenario"}},
+    {"robot", {"door", "scenario", "motion"}},
     {"frame", {"door", "lanes", "integration"}},
     {"body", {"door", "scenario", "lanes", "algebra", "integration", "frame"}},
     {"material", {"door", "scenario", "lanes", "integration", "body"}},
@@ -263,6 +264,11 @@ TEST(Architecture, NloptIsIncludedByOneFileOfTheOptimizer) {
 
 TEST(Architecture, Hdf5StaysInResults) {
   expect_included_only_below("^(hdf5|H5[A-Za-z]*public|hdf5_hl|H5Cpp)", {"studies/results/"});
+}
+
+TEST(Architecture, UrdfdomAndKdlStayBehindTheirDoors) {
+  expect_included_only_below("^(urdf_parser|urdf_model|urdf_exception|console_bridge|kdl)/",
+                             {"studies/config/urdf_arm"});
 }
 
 TEST(Architecture, TomlStaysInConfig) {

@@ -103,6 +103,14 @@ FieldRef sensor(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.sensor.*member);
 }
 template <auto member>
+FieldRef robot(Scenario& scenario, int /*index*/) {
+  return field_ref(scenario.robot.*member);
+}
+template <auto member>
+FieldRef arm_joint(Scenario& scenario, int index) {
+  return field_ref(scenario.robot.joint.at(static_cast<std::size_t>(index)).*member);
+}
+template <auto member>
 FieldRef conveyor(Scenario& scenario, int /*index*/) {
   return field_ref(scenario.cell.conveyor.*member);
 }

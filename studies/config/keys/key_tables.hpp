@@ -35,6 +35,8 @@ Table path_keys();
 Table conveyor_keys();
 Table surface_keys();
 Table sensor_keys();
+Table robot_keys();
+Table arm_joint_keys();
 Table grip_keys();
 Table guard_keys();
 Table pick_keys();

@@ -651,11 +651,54 @@ std::vector<Breach> guard_breaches() {
   };
 }
 
+ArmJointParameters& one_joint(S s) {
+  s.robot.joint.resize(1);
+  return s.robot.joint[0];
+}
+
+std::vector<Breach> robot_breaches() {
+  return {
+      {"robot.joint", "must be 8 tables at most", usual_grip, [](S s) { s.robot.joint.resize(9); }},
+      {"robot.joint", "needs [gripper]", usual_network, [](S s) { s.robot.joint.resize(1); }},
+      {"robot.joint[0].axis", "must not be zero", usual_grip,
+       [](S s) {
+         one_joint(s).axis = {0.0, 0.0, 0.0};
+       }},
+      {"robot.joint[0].lower_rad", "must be < robot.joint[0].upper_rad = 1.0", usual_grip,
+       [](S s) {
+         one_joint(s).lower_rad = 1.0;
+         one_joint(s).upper_rad = 1.0;
+       }},
+      {"robot.joint[0].inertia_kg_m2", "is of no body", usual_grip,
+       [](S s) { one_joint(s).inertia_kg_m2 = {1.0, 1.0, 3.0, 0.0, 0.0, 0.0}; }},
+      {"robot.joint[0].place_m", "gives a reach of 80", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.flange_place_m = {80.0, 0.0, 0.0};
+       }},
+      {"robot.seed_posture_rad", "must have one for each joint, 1", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.seed_posture_rad = {0.0, 0.0};
+       }},
+      {"robot.seed_posture_rad[0]", "must be >= robot.joint[0].lower_rad = -1.0", usual_grip,
+       [](S s) {
+         one_joint(s).lower_rad = -1.0;
+         s.robot.seed_posture_rad = {-1.5};
+       }},
+      {"robot.acceleration_rad_s2", "must have one for each joint, 1", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.acceleration_rad_s2 = {1.0, 1.0};
+       }},
+  };
+}
+
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
   for (const auto& part :
        {lattice_breaches(), pad_breaches(), lattice_pad_breaches(), finger_breaches(), surface_breaches(),
-        sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches()}) {
+        sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches(), robot_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -743,6 +786,7 @@ TEST(Rules, NameKnownFields) {
                                             "cell.support",
                                             "strategy.pick",
                                             "cell.surface",
+                                            "robot.joint",
                                             "cell.target_plane",
                                             "simulation.contact_set",
                                             "strategy.guard",

@@ -306,6 +306,73 @@ std::vector<Arrival> finger_arrivals() {
   };
 }
 
+/// Of a study with an arm of one joint.
+std::vector<Arrival> robot_arrivals() {
+  return {
+      {"robot.base_place_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.base_place_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.base_rotation_rad", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.base_rotation_rad == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.flange_place_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.flange_place_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.flange_rotation_rad", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.flange_rotation_rad == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.tool_place_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.tool_place_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.tool_rotation_rad", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.tool_rotation_rad == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.seed_posture_rad", "[0.375]",
+       [](S s) { return s.robot.seed_posture_rad == std::vector<double>{0.375}; }},
+      {"robot.acceleration_rad_s2", "[37.5]",
+       [](S s) { return s.robot.acceleration_rad_s2 == std::vector<double>{37.5}; }},
+      {"robot.gripper_mass_kg", "0.375", [](S s) { return s.robot.gripper_mass_kg == 0.375; }},
+      {"robot.gripper_center_of_mass_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.gripper_center_of_mass_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.max_payload_kg", "3.75", [](S s) { return s.robot.max_payload_kg == 3.75; }},
+      {"robot.timing", "\"fit\"", [](S s) { return s.robot.timing == RobotTiming::fit; }},
+      {"robot.use_most", "0.375", [](S s) { return s.robot.use_most == 0.375; }},
+      {"robot.joint[0].place_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.joint[0].place_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.joint[0].rotation_rad", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.joint[0].rotation_rad == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.joint[0].axis", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.joint[0].axis == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.joint[0].lower_rad", "-0.375", [](S s) { return s.robot.joint[0].lower_rad == -0.375; }},
+      {"robot.joint[0].upper_rad", "0.375", [](S s) { return s.robot.joint[0].upper_rad == 0.375; }},
+      {"robot.joint[0].speed_rad_s", "0.375", [](S s) { return s.robot.joint[0].speed_rad_s == 0.375; }},
+      {"robot.joint[0].torque_N_m", "0.375", [](S s) { return s.robot.joint[0].torque_N_m == 0.375; }},
+      {"robot.joint[0].mass_kg", "0.375", [](S s) { return s.robot.joint[0].mass_kg == 0.375; }},
+      {"robot.joint[0].center_of_mass_m", "[0.25, 0.5, 0.75]",
+       [](S s) {
+         return s.robot.joint[0].center_of_mass_m == A3{0.25, 0.5, 0.75};
+       }},
+      {"robot.joint[0].inertia_kg_m2", "[0.25, 0.375, 0.5, 0.0, 0.0, 0.125]",
+       [](S s) {
+         return s.robot.joint[0].inertia_kg_m2 == std::array<double, 6>{0.25, 0.375, 0.5, 0.0, 0.0, 0.125};
+       }},
+  };
+}
+
 /// Of a study with one surface beside the product.
 std::vector<Arrival> surface_arrivals() {
   return {
@@ -588,6 +655,10 @@ TEST(ScenarioKeys, EveryKeyOfAWaypointReachesTheFieldItNames) {
   expect_arrivals(waypoint_arrivals(), gripped_block("simulate") + "[[strategy.waypoint]]\nwait_s = 0.25\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfAnArmReachesTheFieldItNames) {
+  expect_arrivals(robot_arrivals(), gripped_block("simulate") + "[[robot.joint]]\nmass_kg = 2.0\n");
+}
+
 TEST(ScenarioKeys, EveryKeyOfASurfaceReachesTheFieldItNames) {
   expect_arrivals(surface_arrivals(),
                   gripped_block("simulate") + "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\nfriction = 0.25\n");
@@ -609,7 +680,7 @@ TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(netw
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
   for (const auto& list : {lattice_arrivals(), surface_arrivals(), sensor_arrivals(), waypoint_arrivals(),
-                           flight_arrivals(), finger_arrivals(), network_arrivals()}) {
+                           flight_arrivals(), finger_arrivals(), robot_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -1,0 +1,61 @@
+#include "studies/execution/arm_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unbruised::studies {
+namespace {
+
+/// The plan that a run followed, from when its lift began; NaN: none did.
+MotionPlan followed_plan(const Scenario& scenario, double lift_time_s) {
+  if (std::isnan(lift_time_s)) return MotionPlan(scenario, kNever);
+  return MotionPlan(scenario, lift_time_s - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s);
+}
+
+}  // namespace
+
+ArmRun::ArmRun(const Scenario& scenario) : timed_(timed_for_arm(scenario)) {
+  if (!timed_.ride.breach) return;
+  SimulationParameters& simulation = timed_.scenario.simulation;
+  const double end_s = std::max(timed_.ride.breach->time_s, simulation.time_step_s);
+  simulation.duration_s = std::min(end_s, simulation.duration_s.value_or(end_s));
+}
+
+void ArmRun::judge(ScenarioResult& result) const {
+  const ArmRide& ride = timed_.ride;
+  if (!ride.samples.empty()) {
+    result.metrics[Metric::robot_speed_use] = ride.speed.use;
+    result.metrics[Metric::robot_acceleration_use] = ride.acceleration.use;
+    result.metrics[Metric::robot_torque_use] = ride.torque.use;
+    result.metrics[Metric::robot_position_use] = ride.position.use;
+    result.metrics[Metric::robot_least_manipulability] = ride.least_manipulability;
+    result.metrics[Metric::robot_joint_travel_rad] = ride.joint_travel_rad;
+    result.metrics[Metric::robot_cycle_time_s] = ride.moving_s;
+  }
+  const bool has_ended = result.outcome == Outcome::diverged || result.outcome == Outcome::out_of_range;
+  if (!ride.breach || has_ended) return;
+  result.outcome = Outcome::out_of_range;
+  result.outcome_time_s = ride.breach->time_s;
+  result.cause = words_of(*ride.breach);
+}
+
+void ArmRun::add_joints(const ScenarioResult& result, Trace& trace) const {
+  const MotionPlan plan = followed_plan(timed_.scenario, result.metrics[Metric::lift_time_s]);
+  const std::vector<ArmSample> samples = ride_at(timed_.scenario, plan, trace.time_s);
+  if (samples.empty()) return;
+  const int joints = static_cast<int>(timed_.scenario.robot.joint.size());
+  TraceSignal position{"joint_position_rad", "rad", "angles of the arm's joints", {"joint"}, {joints}, {}};
+  TraceSignal speed{"joint_speed_rad_s", "rad s-1", "speeds of the arm's joints", {"joint"}, {joints}, {}};
+  TraceSignal torque{"joint_torque_N_m", "N m", "torques of the arm's joints", {"joint"}, {joints}, {}};
+  for (const ArmSample& sample : samples) {
+    const auto append = [](TraceSignal& signal, const Joints& values) {
+      signal.values.insert(signal.values.end(), values.begin(), values.end());
+    };
+    append(position, sample.motion.angle_rad);
+    append(speed, sample.motion.speed_rad_s);
+    append(torque, sample.torque_N_m);
+  }
+  for (TraceSignal* signal : {&position, &speed, &torque}) trace.signals.push_back(std::move(*signal));
+}
+
+}  // namespace unbruised::studies

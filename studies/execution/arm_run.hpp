@@ -1,0 +1,29 @@
+#pragma once
+
+/// @file
+/// What the arm of a scenario makes of it: before it is simulated and after. The steps of the simulation know of
+/// no arm; the palm goes along its path as planned, and the arm is asked whether it could carry it there.
+
+#include "core/outcome/outcome.hpp"
+#include "core/outcome/trace.hpp"
+#include "core/robot/arm_timing.hpp"
+
+namespace unbruised::studies {
+
+class ArmRun {
+ public:
+  /// @param scenario has a robot
+  explicit ArmRun(const Scenario& scenario);
+
+  /// What is to be simulated: slowed down where that was asked for, ended where the arm cannot go on.
+  [[nodiscard]] const Scenario& scenario() const { return timed_.scenario; }
+  /// Adds the metrics of the arm, and the outcome where it cannot follow.
+  void judge(ScenarioResult& result) const;
+  /// Adds joint_position_rad, joint_speed_rad_s and joint_torque_N_m.
+  void add_joints(const ScenarioResult& result, Trace& trace) const;
+
+ private:
+  TimedScenario timed_;
+};
+
+}  // namespace unbruised::studies

@@ -1,0 +1,76 @@
+// What an arm makes of a scenario before it is simulated and after.
+
+#include "studies/execution/arm_run.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/robot/arms.hpp"
+#include "tests/core/scenario/scenarios.hpp"
+
+namespace unbruised::studies {
+namespace {
+
+Scenario carried_grip() {
+  Scenario scenario = testing::usual_grip();
+  scenario.robot = testing::six_joints();
+  scenario.robot.base_place_m = {-0.55, 0.1, 0.0};
+  return scenario;
+}
+
+TEST(ArmRun, AnArmThatCanAddsItsMetricsAndNothingElse) {
+  const Scenario scenario = carried_grip();
+  const ArmRun run(scenario);
+  EXPECT_FALSE(run.scenario().simulation.duration_s);
+  ScenarioResult result;
+  result.outcome = Outcome::held;
+  run.judge(result);
+  EXPECT_EQ(result.outcome, Outcome::held);
+  const MotionPlan plan = planned_motion(scenario);
+  EXPECT_EQ(result.metrics[Metric::robot_cycle_time_s], plan.lower_end_s() - plan.lift_start_s());
+  for (const Metric metric : {Metric::robot_speed_use, Metric::robot_torque_use, Metric::robot_position_use,
+                              Metric::robot_least_manipulability}) {
+    EXPECT_GT(result.metrics[metric], 0.0);
+    EXPECT_LT(result.metrics[metric], 1.0);
+  }
+  EXPECT_EQ(result.metrics[Metric::robot_acceleration_use], 0.0) << "none is limited";
+}
+
+TEST(ArmRun, AnArmThatCannotEndsTheRunThereWithItsCause) {
+  Scenario scenario = carried_grip();
+  scenario.robot.joint[0].speed_rad_s = 0.01;
+  const ArmRun run(scenario);
+  ASSERT_TRUE(run.scenario().simulation.duration_s);
+  ScenarioResult result;
+  result.outcome = Outcome::not_grasped;
+  run.judge(result);
+  EXPECT_EQ(result.outcome, Outcome::out_of_range);
+  EXPECT_EQ(result.outcome_time_s, *run.scenario().simulation.duration_s);
+  EXPECT_EQ(result.cause.substr(0, 24), "joint 0 of the arm needs");
+  ScenarioResult diverged;
+  diverged.outcome = Outcome::diverged;
+  run.judge(diverged);
+  EXPECT_EQ(diverged.outcome, Outcome::diverged) << "that came before";
+}
+
+TEST(ArmRun, ATraceHasTheJointsOfThePlanThatWasFollowed) {
+  const Scenario scenario = carried_grip();
+  const ArmRun run(scenario);
+  ScenarioResult result;
+  result.metrics[Metric::lift_time_s] = 0.5;
+  Trace trace;
+  trace.time_s = {0.0, 0.5, 0.75, 1.0};
+  run.add_joints(result, trace);
+  ASSERT_EQ(trace.signals.size(), 3U);
+  EXPECT_EQ(trace.signals[0].name, "joint_position_rad");
+  EXPECT_EQ(trace.signals[0].values.size(), 4U * 6U);
+  const double ramp_s = 0.5 - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s;
+  const Arm arm(scenario.robot);
+  const Joints then(trace.signals[0].values.begin() + 12, trace.signals[0].values.begin() + 18);
+  const Pose wanted = palm_pose(scenario, MotionPlan(scenario, ramp_s).palm(0.75));
+  for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(arm.palm(then).place_m[d], wanted.place_m[d], 1e-10);
+}
+
+}  // namespace
+}  // namespace unbruised::studies

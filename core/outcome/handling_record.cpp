@@ -273,6 +273,8 @@ ScenarioResult HandlingRecord::finish(const HandlingCycle& cycle, double end_tim
   const PatchDamage patches = patches_.together();
   record.raise(Metric::permanent_set_max_m, patches.set_m);
   record.raise(Metric::bruised_volume_m3, patches.bruised_volume_m3);
+  record.raise(Metric::bruised_area_m2, patches.bruised_area_m2);
+  record.raise(Metric::bruised_depth_m, patches.bruised_depth_m);
   record.check_limits({Metric::permanent_set_max_m, Metric::bruised_volume_m3}, end_time_s);
   for (const PlaceLimit& limit : kPlaceLimits) {
     if (exceeds(record.metrics, limit, limits_)) record.misplaced_.at(end_time_s, limit.cause);

@@ -80,6 +80,8 @@ enum class Metric : std::uint8_t {
   robot_least_manipulability,
   robot_joint_travel_rad,
   robot_cycle_time_s,
+  bruised_area_m2,
+  bruised_depth_m,
   count_  // not a metric: the number of them
 };
 
@@ -187,6 +189,10 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "way that the joints of the arm turn, all together"},
     {Metric::robot_cycle_time_s, "robot_cycle_time_s", "cycle time of the arm", "s",
      "time in which the arm moves, from the start of the lift to the end of the lowering"},
+    {Metric::bruised_area_m2, "bruised_area_m2", "bruised area", "m2",
+     "how wide flesh below contact patches is strained by more than limits.plastic_strain, all patches together"},
+    {Metric::bruised_depth_m, "bruised_depth_m", "bruised depth", "m",
+     "how deep flesh below a contact patch is strained by more than limits.plastic_strain"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

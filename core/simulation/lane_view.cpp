@@ -207,6 +207,7 @@ void LaneView::measure_permanent_set(int lane, const LimitParameters& limits, Me
   metrics[Metric::permanent_set_max_m] = metrics[Metric::permanent_set_rms_m] = 0.0;
   if (const auto bruised = material.volume_above_m3(lane, limits.plastic_strain.value_or(kBruisedStrain))) {
     metrics[Metric::bruised_volume_m3] = *bruised;
+    metrics[Metric::bruised_area_m2] = metrics[Metric::bruised_depth_m] = 0.0;  // until patches say more
   }
   if (!(material.largest_plastic_strain()[lane] > 0.0) && !material.flows()) return;
   const BodyModel& product = model.body;

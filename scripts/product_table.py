@@ -130,6 +130,10 @@ def closed(row):
     return lambda: 1e3 * metric("experiment_closure", row, "compression_max_m")
 
 
+def bruise_mm2():
+    return 1e6 * metric("kiwi_drop", 2, "bruised_area_m2")
+
+
 def kiwi_stiffness():
     """Between 1 and 3 N."""
     return 2.0 / (closed(1)() - closed(0)())
@@ -148,6 +152,8 @@ TABLE = [
     ("kiwi, ripe: mean stiffness of a grip", "N/mm", 1.58, "0.35 to 4.42 N/mm; simulated between plates, 1 to 3 N", SHEEP, "experiment_closure",
      kiwi_stiffness),
     ("kiwi, firm: force from which gripping damages", "N", 180, "about; patch and ripeness not given", AGRONOMY, "experiment_damage", damage(1)),
+    ("kiwi, firm (Xuxiang): bruised area after 0.5 m onto steel", "mm2", 540.38, "their finite elements 592; simulated: flesh strained by 1 % and more, no skin",
+     "Zhu et al. 2024, Foods 13(21):3523", "kiwi_drop", bruise_mm2),
     ("apple: force from which gripping damages", "N", 27.5, "15 to 40 N, middle taken; simulated between bare plates", AGRONOMY, "experiment_damage",
      damage(2)),
     ("apple, Red Fuji of 70 to 90 mm: least compression that damages", "N", 24.33, "", "Agriculture 2026, 16(2):178", "experiment_damage", damage(3)),

@@ -176,6 +176,10 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
   return entries;
 }
 
+bool Library::names_file(std::string_view key) {
+  return key == kProfileFileKey || key == "robot.urdf" || key == "robot.tip_link";
+}
+
 void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
   const auto named = std::find_if(entries.rbegin(), entries.rend(),
                                   [](const Entry& entry) { return entry.path == kProfileFileKey; });

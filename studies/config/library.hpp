@@ -44,6 +44,8 @@ class Library {
   /// The curves of a CSV file, one block for each specimen.
   std::vector<SpecimenBlock> read_curves(const Entry& named, const CalibrateTable& settings, Problems& problems);
 
+  /// Does a key name a file, or a part of one, that unfolds into other keys?
+  static bool names_file(std::string_view key);
   /// Appends the places and heights of the last profile that entries name a file of.
   void read_profile(std::vector<Entry>& entries, Problems& problems);
 

@@ -88,6 +88,9 @@ class Reader {
   [[nodiscard]] Origin place(int line) const { return {file_, 0, line}; }
 
   void load_lists() {
+    for (const Entry& entry : text_.command_line) {  // files that --set names are read as if the study did
+      if (Library::names_file(entry.path)) text_.study.push_back(entry);
+    }
     library_.read_profile(text_.study, problems_);
     library_.read_arm(text_.study, problems_);
     for (const std::string list : {"product.particle", "product.spring"}) {

@@ -130,9 +130,10 @@ class ArmReader {
   }
 
   bool find_chain() {
-    for (auto link = model_->getLink(tip_); link->parent_joint;
-         link = model_->getLink(link->parent_joint->parent_link_name))
+    for (urdf::LinkConstSharedPtr link = model_->getLink(tip_); link && link->parent_joint;
+         link = model_->getLink(link->parent_joint->parent_link_name)) {
       chain_.push_back(link->parent_joint);
+    }
     std::reverse(chain_.begin(), chain_.end());
     std::size_t moving = 0;
     for (const urdf::JointSharedPtr& joint : chain_) {

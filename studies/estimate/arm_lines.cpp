@@ -11,37 +11,50 @@ namespace {
 
 constexpr std::size_t kArmScenariosMost = 100;
 
-std::string limit_line(const TimedScenario& timed) {
-  if (timed.ride.breach) {
-    return joined({"arm: ", words_of(*timed.ride.breach), ", ", three_digits(timed.ride.breach->time_s),
-                   " s after the start"});
+/// What the scenarios that were looked at ask of the arm.
+struct Asked {
+  ArmBreach most;  ///< the first limit that is broken, or the one of which most is used
+  std::size_t scenario = 0, stuck = 0, slowed = 0;
+  double most_slowed_s = 0.0;
+
+  void add(std::size_t id, const Scenario& asking) {
+    const TimedScenario timed = timed_for_arm(asking);
+    const double slowed_s = timed.ride.moving_s - ride(asking, planned_motion(asking)).moving_s;
+    if (slowed_s > 0.0) ++slowed;
+    most_slowed_s = std::max(most_slowed_s, slowed_s);
+    const bool breaks = timed.ride.breach.has_value();
+    const ArmBreach now = breaks ? *timed.ride.breach : timed.ride.binding();
+    const bool is_first = id == 0 || (breaks && stuck == 0);
+    if (is_first || (!breaks && stuck == 0 && now.use > most.use)) {
+      most = now;
+      scenario = id;
+    }
+    if (breaks) ++stuck;
   }
-  const ArmBreach most = timed.ride.binding();
-  return joined({"arm: no limit is broken; ", words_of(most), " (", three_digits(most.time_s),
-                 " s after the start), more than of any other limit"});
+};
+
+std::string limit_line(const Asked& asked, bool is_one) {
+  const std::string where = is_one ? "" : joined({", scenario ", std::to_string(asked.scenario)});
+  const std::string when = joined({" (", three_digits(asked.most.time_s), " s after the start", where, ")"});
+  if (asked.stuck > 0) return joined({"arm: ", words_of(asked.most), when});
+  return joined({"arm: no limit is broken; ", words_of(asked.most), when, ", more than of any other limit"});
 }
 
 }  // namespace
 
 std::vector<std::string> arm_lines(const Study& study) {
-  const Scenario first = study.scenario(0);
-  if (!has_robot(first)) return {};
-  const TimedScenario timed = timed_for_arm(first);
-  std::vector<std::string> lines = {limit_line(timed)};
-  if (const double slowed_s = timed.ride.moving_s - ride(first, planned_motion(first)).moving_s; slowed_s > 0.0) {
-    lines.push_back(joined({"arm: slowed down by ", three_digits(slowed_s), " s to ",
-                            three_digits(timed.ride.moving_s), " s from lift to lowering"}));
-  }
+  if (!has_robot(study.scenario(0))) return {};
   const std::size_t all = study.scenario_count(), looked = std::min(all, kArmScenariosMost);
-  std::size_t stuck = 0;
-  for (std::size_t i = 0; i < looked; ++i) {
-    const Scenario scenario = study.scenario(i * all / looked);
-    if (has_robot(scenario) && timed_for_arm(scenario).ride.breach) ++stuck;
+  Asked asked;
+  for (std::size_t i = 0; i < looked; ++i) asked.add(i * all / looked, study.scenario(i * all / looked));
+  std::vector<std::string> lines = {limit_line(asked, all == 1)};
+  const std::string of =
+      joined({" of ", std::to_string(looked), looked < all ? " scenarios looked at" : " scenarios"});
+  if (asked.slowed > 0) {
+    lines.push_back(joined({"arm: slows down ", std::to_string(asked.slowed), of, ", by up to ",
+                            three_digits(asked.most_slowed_s), " s from lift to lowering"}));
   }
-  if (all > 1) {
-    lines.push_back(joined({"arm: cannot follow ", std::to_string(stuck), " of ", std::to_string(looked),
-                            looked < all ? " scenarios looked at" : " scenarios"}));
-  }
+  if (all > 1) lines.push_back(joined({"arm: cannot follow ", std::to_string(asked.stuck), of}));
   return lines;
 }
 

@@ -105,6 +105,7 @@ void visit_lists(S& scenario, Visit&& visit) {
   if (auto* jaw = std::get_if<ParallelJawParameters>(&scenario.gripper)) visit(jaw->finger);
   visit(scenario.cell.surface);
   visit(scenario.strategy.waypoint);
+  visit(scenario.robot.joint);
 }
 
 /// The alternative of a number; false where there is none.

@@ -26,6 +26,7 @@ class CoreLanes final : public LaneEngine {
   }
   void step() override {
     lanes_.step();
+    judged_.clear();
     if (!arms_.empty()) judge_finished();
   }
   int stepped() const override { return lanes_.stepped(); }

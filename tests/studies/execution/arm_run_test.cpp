@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/execution/simulator.hpp"
 #include "tests/core/robot/arms.hpp"
 #include "tests/core/scenario/scenarios.hpp"
 
@@ -70,6 +71,24 @@ TEST(ArmRun, ATraceHasTheJointsOfThePlanThatWasFollowed) {
   const Joints then(trace.signals[0].values.begin() + 12, trace.signals[0].values.begin() + 18);
   const Pose wanted = palm_pose(scenario, MotionPlan(scenario, ramp_s).palm(0.75));
   for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(arm.palm(then).place_m[d], wanted.place_m[d], 1e-10);
+}
+
+TEST(ArmRun, IsJudgedOnceBesideScenariosWithoutAnArm) {
+  Scenario stuck = carried_grip();
+  stuck.robot.base_place_m = {-3.0, 0.0, 0.0};  // out of reach from the start
+  Scenario free = testing::usual_grip();
+  const ModelOrReason model = core_simulator().build(free);
+  ASSERT_TRUE(model);
+  const std::unique_ptr<LaneEngine> lanes = (*model)->make_lanes();
+  lanes->load(0, stuck);
+  lanes->load(1, free);
+  int finished[2] = {0, 0};
+  for (int step = 0; finished[1] == 0 && step < 100000; ++step) {
+    lanes->step();
+    for (const LaneEngine::Finished& done : lanes->finished()) ++finished[done.place];
+  }
+  EXPECT_EQ(finished[0], 1);
+  EXPECT_EQ(finished[1], 1);
 }
 
 }  // namespace

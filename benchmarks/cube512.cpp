@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "benchmarks/cube512_scene.hpp"
+#include "benchmarks/part_times.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "core/simulation/simulation.hpp"
 
@@ -38,9 +39,7 @@ struct BatchRun {
   std::vector<ScenarioResult> result;  ///< by lane
 
   [[nodiscard]] double total_s() const { return load_s + step_s; }
-  [[nodiscard]] double parts_s() const {
-    return part.right_hand_side_s + part.solve_s + part.contact_s + part.plasticity_s + part.update_s;
-  }
+  [[nodiscard]] double parts_s() const { return benchmarks::total_s(part); }
 };
 
 BatchRun run_batch(const std::shared_ptr<const Model>& model, const std::vector<Scenario>& scene) {

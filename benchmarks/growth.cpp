@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "benchmarks/cube512_scene.hpp"
+#include "benchmarks/part_times.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised::benchmarks {
@@ -47,8 +48,7 @@ bool measure(int across, double& first_us) {
   while (simulation.busy_count() > 0) simulation.step();
   const LaneSimulation::PartTimes part = simulation.part_times();
   const double us = 1e6 / static_cast<double>(part.lane_steps);
-  const double all_us =
-      us * (part.right_hand_side_s + part.solve_s + part.contact_s + part.plasticity_s + part.update_s);
+  const double all_us = us * total_s(part);
   if (first_us == 0.0) first_us = all_us;
   std::printf("%9zu %11zu %9zu %9.1f %8.2f %8.1f %8.1f %8.1f %10.3f %10.2f\n", model->particle_count(),
               model->factor_entry_count(), model->contact_candidate_count(), all_us, all_us / first_us,

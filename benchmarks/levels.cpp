@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "benchmarks/cube512_scene.hpp"
+#include "benchmarks/part_times.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/config/study.hpp"
 
@@ -72,8 +73,7 @@ bool compare(const char* name, const std::vector<Scenario>& scenarios) {
   }
   for (const auto& [how, run] : {std::pair{"off", &uniform}, std::pair{"auto", &levels}}) {
     const LaneSimulation::PartTimes& part = run->part;
-    const double all_s =
-        part.right_hand_side_s + part.solve_s + part.contact_s + part.plasticity_s + part.update_s;
+    const double all_s = total_s(part);
     std::printf("%-18s %5zu %6s %7.0f %7.1f %14.1f %8.2f %9.2f %7.0f %7.0f %9.0f\n", name, scenarios.size(), how,
                 run->steps, 100.0 * run->busy, 1e3 * run->processor_s, run->processor_s / uniform.processor_s,
                 run->processor_s / run->simulated_s, 100.0 * part.solve_s / all_s, 100.0 * part.contact_s / all_s,

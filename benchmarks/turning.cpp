@@ -3,14 +3,14 @@
 /// lifted, carried and put down, upright, tilted on its way, and upright with its whole surface, on coarser and
 /// finer cells; all lanes busy, by turns on one thread.
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "benchmarks/part_times.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/config/study.hpp"
 
@@ -44,10 +44,6 @@ struct Cost {
   double right_hand_side = 0, solve = 0, contact = 0, update = 0;
   double steps = 0;  ///< of a lane
 };
-
-double total_s(const LaneSimulation::PartTimes& part) {
-  return part.right_hand_side_s + part.solve_s + part.contact_s + part.plasticity_s + part.update_s;
-}
 
 void run_once(const std::shared_ptr<const Model>& model, const Scenario& scenario, Cost& least) {
   LaneSimulation simulation(model);

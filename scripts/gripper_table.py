@@ -8,6 +8,8 @@ import pathlib
 import sys
 import tomllib
 
+from library_pages import is_assumed, settle
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/grippers.md"
 BEGIN, END = "<!-- made by scripts/gripper_table.py -->", "<!-- end -->"
@@ -34,7 +36,7 @@ def read(path):
 def standing(gripper, key):
     """The source of a value; empty where it is assumed."""
     source = gripper.get("source", {}).get(key, gripper.get("source", {}).get("others", ""))
-    return "" if source.startswith("assumed") else source
+    return "" if is_assumed(source) else source
 
 
 def shown(gripper, key, factor=1.0):
@@ -66,7 +68,7 @@ def sources(path):
     gripper = read(path)
     cited = {}
     for key, source in gripper.get("source", {}).items():
-        if not source.startswith("assumed"):
+        if not is_assumed(source):
             cited.setdefault(source, []).append(f"`{key}`")
     lines = [f"  - {', '.join(keys)}: {source}" for source, keys in cited.items()]
     return [f"- `{path.stem}`: {gripper['description']}"] + lines
@@ -87,13 +89,7 @@ def main():
     page = PAGE.read_text(encoding="utf-8")
     before, after = page.split(BEGIN)[0], page.split(END)[1]
     wanted = before + tables() + after
-    if sys.argv[1:] == []:
-        PAGE.write_text(wanted, encoding="utf-8")
-        return 0
-    if page == wanted:
-        return 0
-    print("docs/grippers.md is not what configs/grippers says; run scripts/gripper_table.py", file=sys.stderr)
-    return 1
+    return settle(PAGE, wanted, sys.argv[1:] == ["--check"], "scripts/gripper_table.py")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tomllib
 
+from library_pages import is_assumed, settle
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE, RECORD = ROOT / "docs/products.md", ROOT / "docs/products.csv"
 PRODUCTS, EXPERIMENTS = "products", "experiments"
@@ -28,10 +30,6 @@ def source(product, key):
     """Where a value comes from; limits may share one line."""
     sources = product.get("source", {})
     return sources.get(key, sources.get("limits", "") if key.startswith("limits_") else "")
-
-
-def is_assumed(text):
-    return text == "" or text.startswith(("assumed", "from memory", "numerical"))
 
 
 def shown(product, key, text):
@@ -210,13 +208,7 @@ def main():
         run(options[1] if len(options) > 1 else ROOT / "build/release/unbruised")
     page = PAGE.read_text(encoding="utf-8")
     wanted = put(put(page, PRODUCTS, products()), EXPERIMENTS, experiments())
-    if options != ["--check"]:
-        PAGE.write_text(wanted, encoding="utf-8")
-        return 0
-    if page == wanted:
-        return 0
-    print("docs/products.md is not what configs/products and docs/products.csv say; run scripts/product_table.py", file=sys.stderr)
-    return 1
+    return settle(PAGE, wanted, options == ["--check"], "scripts/product_table.py")
 
 
 if __name__ == "__main__":

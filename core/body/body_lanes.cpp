@@ -84,15 +84,15 @@ template <class Acceleration>
                                                                   const Acceleration& outer_m_s2,
                                                                   const Mask& running) {
   const bool proportional = body_.C.value.empty();
-  const Lane factor(proportional ? body_.relaxation_time_s : 1.0);
+  const double factor = proportional ? body_.relaxation_time_s : 1.0;
   // What is remembered is multiplied by K together with what is damped.
-  const Lane of_both(remembered != nullptr ? Lane(1.0) : factor);
+  const double of_both = remembered != nullptr ? 1.0 : factor;
   for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
-    viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
+    viscous_.put(i, Lane(factor) * viscous_.get(i) - remembered->get(i));
   }
   multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   const NarrowPacks busy(running);
-  const NarrowPack pack_factor = narrow(factor, 0), pack_of_both = narrow(of_both, 0);
+  const NarrowPack pack_factor = factor, pack_of_both = of_both;
   std::array<NarrowPack, kNarrowPacks> power_of;
   power_of.fill(NarrowPack(0.0));
   for (std::size_t p = 0; p < body_.particle_count; ++p) {

@@ -11,7 +11,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector less(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector times(double factor, const Vector& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
 

@@ -45,6 +45,7 @@ bool has_size(ArmLimit limit) {
 TimedScenario timed_for_arm(const Scenario& scenario) {
   TimedScenario timed{scenario, ride(scenario, planned_motion(scenario))};
   if (scenario.robot.timing == RobotTiming::check) return timed;
+  const double planned_s = timed.ride.moving_s;
   StrategyParameters& strategy = timed.scenario.strategy;
   for (int round = 0; round < kMostRounds && timed.ride.breach && has_size(timed.ride.breach->limit); ++round) {
     const double lift_m_s2 = scenario.strategy.lift_acceleration_m_s2;
@@ -53,6 +54,7 @@ TimedScenario timed_for_arm(const Scenario& scenario) {
     if (!slow_down(timed.ride, strategy)) break;
     timed.ride = ride(timed.scenario, planned_motion(timed.scenario));
   }
+  timed.slowed_s = timed.ride.moving_s - planned_s;
   return timed;
 }
 

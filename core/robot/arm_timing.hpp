@@ -10,6 +10,7 @@ namespace unbruised {
 struct TimedScenario {
   Scenario scenario;
   ArmRide ride;
+  double slowed_s = 0.0;  ///< by how much longer than as planned it moves
 };
 
 /// The scenario itself, or with timing = fit with the accelerations of lift, carrying (transfer and turns) and

@@ -18,4 +18,8 @@ inline std::array<double, 3> cross(const std::array<double, 3>& a, const std::ar
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
 }  // namespace unbruised

@@ -18,8 +18,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
 struct Frame {
   Vector place{};
   Attitude attitude;

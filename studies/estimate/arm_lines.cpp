@@ -19,9 +19,8 @@ struct Asked {
 
   void add(std::size_t id, const Scenario& asking) {
     const TimedScenario timed = timed_for_arm(asking);
-    const double slowed_s = timed.ride.moving_s - ride(asking, planned_motion(asking)).moving_s;
-    if (slowed_s > 0.0) ++slowed;
-    most_slowed_s = std::max(most_slowed_s, slowed_s);
+    if (timed.slowed_s > 0.0) ++slowed;
+    most_slowed_s = std::max(most_slowed_s, timed.slowed_s);
     const bool breaks = timed.ride.breach.has_value();
     const ArmBreach now = breaks ? *timed.ride.breach : timed.ride.binding();
     const bool is_first = id == 0 || (breaks && stuck == 0);

@@ -10,8 +10,8 @@
 
 namespace unbruised::studies {
 
-/// Which limit binds in the first scenario, and how many scenarios the arm cannot follow, of those that are looked
-/// at: all, or kArmScenariosMost spread over a large study. Empty without an arm.
+/// Which limit binds most, how many scenarios are slowed down, and how many the arm cannot follow, of those that
+/// are looked at: all, or a hundred spread over a large study. Empty without an arm.
 std::vector<std::string> arm_lines(const Study& study);
 
 }  // namespace unbruised::studies

@@ -15,38 +15,10 @@ import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent.parent)]
+from small_studies import masses  # pylint: disable=wrong-import-position
 from slurm import Slurm, missing  # pylint: disable=wrong-import-position
 
-# Two masses between springs: SECONDS of them take some tenths of a millisecond each to run.
-STUDY = """[study]
-name = "masses"
-kind = "sweep"
-[product]
-kind = "network"
-[[product.particle]]
-position_m = [0.0, 0.0, 0.0]
-fixed = ["x", "y", "z"]
-[[product.particle]]
-position_m = [1.0, 0.0, 0.0]
-mass_kg = 2.0
-fixed = ["y", "z"]
-initial_displacement_m = [0.01, 0.0, 0.0]
-[[product.spring]]
-between = [0, 1]
-stiffness_N_m = 50.0
-[simulation]
-time_step_s = 0.01
-duration_s = SECONDS
-[cell]
-gravity_m_s2 = [0.0, 0.0, 0.0]
-support = false
-[[vary]]
-key = "product.spring[0].stiffness_N_m"
-from = 40.0
-to = 60.0
-count = COUNT
-"""
 TASKS = 4
 
 
@@ -57,7 +29,7 @@ class Trial:
         self.program, self.slurm, self.name = program, slurm, name
         self.folder = Path(tempfile.mkdtemp(prefix=f"unbruised-{name}-"))
         self.count = count
-        (self.folder / "study.toml").write_text(STUDY.replace("SECONDS", str(seconds)).replace("COUNT", str(count)))
+        (self.folder / "study.toml").write_text(masses(seconds, count))
         self.options = options
 
     def call(self, *words, check=True):

@@ -2,40 +2,15 @@
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM, SOURCE = os.environ["UNBRUISED_PROGRAM"], Path(os.environ["UNBRUISED_SOURCE"])
+sys.path.insert(0, str(Path(__file__).parent.parent))
+from small_studies import masses  # pylint: disable=wrong-import-position
 
-MASSES = """[study]
-name = "masses"
-kind = "sweep"
-[product]
-kind = "network"
-[[product.particle]]
-position_m = [0.0, 0.0, 0.0]
-fixed = ["x", "y", "z"]
-[[product.particle]]
-position_m = [1.0, 0.0, 0.0]
-mass_kg = 2.0
-fixed = ["y", "z"]
-initial_displacement_m = [0.01, 0.0, 0.0]
-[[product.spring]]
-between = [0, 1]
-stiffness_N_m = 50.0
-[simulation]
-time_step_s = 0.01
-duration_s = 1.0
-[cell]
-gravity_m_s2 = [0.0, 0.0, 0.0]
-support = false
-[[vary]]
-key = "product.spring[0].stiffness_N_m"
-from = 40.0
-to = 60.0
-count = 40
-"""
+PROGRAM, SOURCE = os.environ["UNBRUISED_PROGRAM"], Path(os.environ["UNBRUISED_SOURCE"])
 
 BLOCK = """[study]
 name = "block"
@@ -72,7 +47,7 @@ class StudyTest(unittest.TestCase):
         self.folder = Path(place.name)
         os.environ["UNBRUISED_CONFIGS"] = str(SOURCE / "configs")
         self.masses, self.block = self.folder / "masses.toml", self.folder / "block.toml"
-        self.masses.write_text(MASSES)
+        self.masses.write_text(masses(1.0, 40))
         self.block.write_text(BLOCK)
 
     def call(self, *words):

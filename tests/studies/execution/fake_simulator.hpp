@@ -19,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "studies/execution/batch_runner.hpp"
 #include "studies/execution/simulator.hpp"
 
 namespace unbruised::studies::testing {
@@ -143,5 +144,21 @@ class FakeSimulator final : public Simulator {
     return std::get<LatticeParameters>(scenario.product).youngs_modulus_Pa;
   }
 };
+
+/// `groups` factor keys of `per_group` scenarios, mixed, with durations of 1 to 7 steps.
+inline Scenario scenario_of(std::uint64_t id, std::uint64_t groups) {
+  Scenario scenario;
+  std::get<LatticeParameters>(scenario.product).youngs_modulus_Pa = 1e6 + static_cast<double>(id % groups);
+  scenario.strategy.grip_force_N = 1.0 + static_cast<double>(id);
+  scenario.simulation.duration_s = static_cast<double>(1 + (id * 5) % 7);
+  return scenario;
+}
+
+inline Batch batch_of(std::uint64_t count, std::uint64_t groups) {
+  Batch batch;
+  for (std::uint64_t id = 0; id < count; ++id) batch.ids.push_back(id);
+  batch.scenario = [groups](std::uint64_t id) { return scenario_of(id, groups); };
+  return batch;
+}
 
 }  // namespace unbruised::studies::testing

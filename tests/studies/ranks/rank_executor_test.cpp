@@ -20,25 +20,12 @@
 namespace unbruised::studies {
 namespace {
 
+using testing::batch_of;
 using testing::fake_result;
 using testing::FakeSimulator;
 using testing::MemoryLink;
 using testing::MemoryPost;
-
-Scenario scenario_of(std::uint64_t id, std::uint64_t groups) {
-  Scenario scenario;
-  std::get<LatticeParameters>(scenario.product).youngs_modulus_Pa = 1e6 + static_cast<double>(id % groups);
-  scenario.strategy.grip_force_N = 1.0 + static_cast<double>(id);
-  scenario.simulation.duration_s = static_cast<double>(1 + (id * 5) % 7);
-  return scenario;
-}
-
-Batch batch_of(std::uint64_t count, std::uint64_t groups) {
-  Batch batch;
-  for (std::uint64_t id = 0; id < count; ++id) batch.ids.push_back(id);
-  batch.scenario = [groups](std::uint64_t id) { return scenario_of(id, groups); };
-  return batch;
-}
+using testing::scenario_of;
 
 /// So many ranks, each a thread; the first is this one.
 class Ranks {

@@ -38,12 +38,12 @@ struct Swing {
   double first_rad = 0.0, last_rad = 0.0;  ///< largest angles in the first and the last half period
 };
 
-/// What a trace shows after the hold.
+/// What a trace shows once the transfer has ended.
 Swing swing_in(const Trace& trace) {
   const double* q = signal(trace, "attitude").values.data();
   std::vector<double> zero_s, largest_rad;
   double before = 0.0, largest = 0.0;
-  for (std::size_t i = last_in_phase(trace, CyclePhase::hold) + 1; i < trace.time_s.size(); ++i) {
+  for (std::size_t i = last_in_phase(trace, CyclePhase::transfer) + 1; i < trace.time_s.size(); ++i) {
     const double angle = 2.0 * std::atan2(q[4 * i + 1], q[4 * i]);
     largest = std::max(largest, std::abs(angle));
     if (before * angle < 0.0) {

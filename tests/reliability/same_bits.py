@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Digests of every study kind for 1, 2, 4 and 8 threads, and the replay of rows alone by their number: the same bits."""
+"""Digests of every study kind and of a whole cell for 1, 2, 4 and 8 threads, and the replay of rows alone by their
+number: the same bits."""
 
 import random
 import re
@@ -47,12 +48,12 @@ class SameBits:
 def main():
     options = trials.arguments(__doc__)
     figures = trials.Figures(options.figures)
-    kinds = ["sweep", "optimize"] if options.quick else list(trials.KINDS)
+    kinds = ["sweep", "optimize"] if options.quick else [*trials.KINDS, *trials.CELLS]
     with trials.Folder() as folder:
         bits = SameBits(trials.Program(options.program, options.shim), folder, figures,
                         ["2", "1"] if options.quick else ["8", "1", "2", "4"])
         trials.in_parallel(bits.kind, kinds)
-    figures.finish(f"same bits: {figures['runs']} runs of {len(kinds)} study kinds on {', '.join(bits.thread_counts)} threads: "
+    figures.finish(f"same bits: {figures['runs']} runs of {len(kinds)} studies on {', '.join(bits.thread_counts)} threads: "
                    f"{figures['changed digests']} changed digests; {figures['replays']} rows replayed alone: "
                    f"{figures['other bits']} with other bits")
 

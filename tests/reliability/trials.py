@@ -34,11 +34,16 @@ KINDS = {
     "sensitivity": [str(CONFIGS / "kiwi_sensitivity.toml"), "sensitivity.samples=8"],
 }
 
+# Whole cells, whose scenarios part ways: what is awake in one lane must not show in another.
+CELLS = {
+    "belt": [str(CONFIGS / "belt_pick.toml"), "product.cell_size_m=8.33e-3"],
+}
+
 
 def words_of(kind):
-    """The words behind `run` that make the small study of a kind."""
-    study, *sets = KINDS[kind]
-    if not study.startswith(str(HERE)):
+    """The words behind `run` that make the small study of a kind, or that of a cell."""
+    study, *sets = (KINDS | CELLS)[kind]
+    if kind in KINDS and not study.startswith(str(HERE)):
         sets = COARSE + sets
     return [study] + [word for key in sets for word in ("--set", key)]
 

@@ -119,45 +119,28 @@ struct BackwardColumns {
   }
 };
 
-/// Asks for `bytes` from an address on: panels of a column block lie far apart, so that no machine foresees them.
-inline void fetch_ahead(const double* from, std::size_t bytes) {
-  constexpr std::size_t kCacheLine = 64;
-  for (std::size_t at = 0; at < bytes; at += kCacheLine)
-    __builtin_prefetch(reinterpret_cast<const char*>(from) + at);
+/// x_k -= sum_r L[r, k] x[r] for the columns k of a panel of rows below the diagonal, the rows held in registers.
+template <class P, int Lanes, int Height>
+void subtract_below(const double* L, int columns, const int* rows, double* x_columns, const double* x) {
+  P xr[Height];
+  for (int r = 0; r < Height; ++r) xr[r] = P::load(row_of<Lanes>(x, rows[r]));
+  for (int k = 0; k < columns; ++k) {
+    double* const xk = row_of<Lanes>(x_columns, k);
+    P acc = P::load(xk);
+    for (int r = 0; r < Height; ++r) acc -= P(L[r]) * xr[r];
+    acc.store(xk);
+    L += Height;
+  }
 }
 
-/// One pack of lanes of a block of `Width` columns starting at `first` of supernode `s`. @param x row 0 of the
-/// pack
+/// One pack of lanes of the block of `Width` columns of the triangle that begins at `first`, once all rows below
+/// the triangle are subtracted. @param columns first row of the pack in the supernode
 template <class P, int Lanes, int Width>
-void backward_columns(const SupernodalFactor& F, const Supernode& s, int first, double* x) {
-  double* columns = row_of<Lanes>(x, s.first_column);
+void backward_columns(const double* diagonal, int column_count, int first, double* columns) {
   P acc[Width];
   for (int c = 0; c < Width; ++c) acc[c] = P::load(row_of<Lanes>(columns, first + c));
-  const int* rows = F.row.data() + s.row_offset;
-  const double* below = F.value.data() + s.below_offset;
-  int r = 0;
-  for (; r + kPanelRows <= s.row_count; r += kPanelRows) {
-    const std::size_t panel = static_cast<std::size_t>(kPanelRows) * s.column_count;
-    const double* L =
-        below + (static_cast<std::size_t>(r) / kPanelRows) * panel + static_cast<std::size_t>(first) * kPanelRows;
-    if (r + 3 * kPanelRows <= s.row_count) {
-      fetch_ahead(L + 2 * panel, sizeof(double) * Width * kPanelRows);
-      for (int i = 0; i < kPanelRows; ++i)
-        fetch_ahead(row_of<Lanes>(x, rows[r + 2 * kPanelRows + i]), sizeof(double) * P::size);
-    }
-    BackwardColumns<P, Width>::template panel<kPanelRows>(
-        L, [&](int i) { return row_of<Lanes>(x, rows[r + i]); }, acc);
-  }
-  if (r < s.row_count) {
-    with_height(s.row_count - r, [&]<int H>() {
-      const double* L = below + static_cast<std::size_t>(r) * s.column_count + static_cast<std::size_t>(first) * H;
-      BackwardColumns<P, Width>::template panel<H>(
-          L, [&](int i) { return row_of<Lanes>(x, rows[r + i]); }, acc);
-    });
-  }
-  const double* diagonal = F.value.data() + s.value_offset;
-  for (int p = first + Width; p < s.column_count; p += kPanelRows) {
-    with_height(std::min(kPanelRows, s.column_count - p), [&]<int H>() {
+  for (int p = first + Width; p < column_count; p += kPanelRows) {
+    with_height(std::min(kPanelRows, column_count - p), [&]<int H>() {
       const double* L = diagonal + diagonal_panel_offset(p) + static_cast<std::size_t>(first) * H;
       BackwardColumns<P, Width>::template panel<H>(
           L, [&](int i) { return row_of<Lanes>(columns, p + i); }, acc);
@@ -176,8 +159,22 @@ void backward_columns(const SupernodalFactor& F, const Supernode& s, int first, 
 template <class P, int Lanes = P::size>
 void backward_supernode(const SupernodalFactor& F, const Supernode& s, double* x,
                         const Packs<P, Lanes>& packs = {}) {
+  double* columns = row_of<Lanes>(x, s.first_column);
+  const double* L = F.value.data() + s.below_offset;
+  const int* rows = F.row.data() + s.row_offset;
+  // Panel after panel as they lie in memory: each entry of L and each row of x is read once.
+  for (int first = 0; first < s.row_count; first += kPanelRows) {
+    const int height = std::min(kPanelRows, s.row_count - first);
+    with_height(height, [&]<int H>() {
+      packs.each([&](int lane) {
+        subtract_below<P, Lanes, H>(L, s.column_count, rows + first, columns + lane, x + lane);
+      });
+    });
+    L += static_cast<std::size_t>(height) * s.column_count;
+  }
+  const double* diagonal = F.value.data() + s.value_offset;
   const auto block = [&]<int W>(int first) {
-    packs.each([&](int lane) { backward_columns<P, Lanes, W>(F, s, first, x + lane); });
+    packs.each([&](int lane) { backward_columns<P, Lanes, W>(diagonal, s.column_count, first, columns + lane); });
   };
   const int tail = s.column_count % kPanelRows;
   int first = s.column_count - tail;

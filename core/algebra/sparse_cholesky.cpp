@@ -67,11 +67,14 @@ std::string cholesky_library() {
          std::to_string(version[2]);
 }
 
-struct SparseCholesky::Impl {
+namespace {
+
+/// CHOLMOD's state and what it has analysed or factored.
+struct Backend {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
 
-  Impl() {
+  Backend() {
     cholmod_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SIMPLICIAL;
@@ -84,15 +87,13 @@ struct SparseCholesky::Impl {
     common.postorder = 1;
     common.quick_return_if_not_posdef = 1;
   }
-  ~Impl() {
+  ~Backend() {
     if (factor != nullptr) cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
 };
-
-namespace {
 
 /// CHOLMOD's view of our matrix; borrows the arrays, which CHOLMOD only reads.
 cholmod_sparse borrow(const SymmetricMatrix& matrix) {
@@ -120,15 +121,31 @@ cholmod_factor* analyze_alone(cholmod_sparse& matrix, cholmod_common& common) {
   return cholmod_analyze(&matrix, &common);
 }
 
+void require_columns(const SymmetricMatrix& matrix) {
+  require(matrix.size >= 0 && matrix.column_start.size() == static_cast<std::size_t>(matrix.size) + 1 &&
+              matrix.row.size() == matrix.value.size(),
+          "SparseCholesky: the columns are not those of such a matrix");
+}
+
 }  // namespace
+
+struct SparseCholesky::Impl : Backend {};
+
+std::vector<int> fill_reducing_order(const SymmetricMatrix& matrix) {
+  require_columns(matrix);
+  Backend impl;
+  cholmod_sparse view = borrow(matrix);
+  impl.factor = analyze_alone(view, impl.common);
+  if (impl.factor == nullptr) return {};
+  const int* permutation = static_cast<const int*>(impl.factor->Perm);
+  return {permutation, permutation + impl.factor->n};
+}
 
 SparseCholesky::SparseCholesky() : impl_(std::make_unique<Impl>()) {}
 SparseCholesky::~SparseCholesky() = default;
 
 std::unique_ptr<SparseCholesky> SparseCholesky::factor(const SymmetricMatrix& matrix, std::string& error) {
-  require(matrix.size >= 0 && matrix.column_start.size() == static_cast<std::size_t>(matrix.size) + 1 &&
-              matrix.row.size() == matrix.value.size(),
-          "SparseCholesky::factor: the columns are not those of such a matrix");
+  require_columns(matrix);
   std::unique_ptr<SparseCholesky> self(new SparseCholesky());
   Impl& impl = *self->impl_;
   cholmod_sparse view = borrow(matrix);

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// Sparse Cholesky factorisation of a symmetric positive definite matrix: analyse once, factor once, solve often.
-/// The backend (CHOLMOD, simplicial: the same bits on every BLAS and thread count) does not leak from here.
+/// Sparse symmetric matrices, and the door to CHOLMOD: the order of elimination that fills L least, and its own
+/// simplicial factorisation, with which tests and benchmarks compare ours (supernodal_cholesky.hpp).
 
 #include <memory>
 #include <span>
@@ -41,10 +41,14 @@ struct CholeskyFactor {
   std::vector<double> value;
 };
 
-/// The library that orders and factors, with its version: the bits of a factor depend on it.
+/// The library that orders, with its version: the bits of a factor depend on it.
 std::string cholesky_library();
 
-/// Factorisation with a fill-reducing nested-dissection ordering.
+/// Nested dissection, postordered: permutation[new] = old; empty when memory is short. The same whatever other
+/// threads order at the time.
+std::vector<int> fill_reducing_order(const SymmetricMatrix& matrix);
+
+/// CHOLMOD's own factorisation in that order.
 class SparseCholesky {
  public:
   /// @return nullptr with `error` set when the matrix is not positive definite or memory is short.
@@ -54,7 +58,7 @@ class SparseCholesky {
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
   /// Solves A x = b for one right-hand side, x of shape [size]; empty when memory is short. Not const: the backend
-  /// writes into its workspace. What threads share is the packed factor (core/lanes/supernodes.hpp).
+  /// writes into its workspace. What threads share is the packed factor (supernodes.hpp).
   [[nodiscard]] std::vector<double> solve(std::span<const double> right_hand_side);
 
   /// Solves A X = B for `count` right-hand sides, column-major [size, count]; empty when memory is short.

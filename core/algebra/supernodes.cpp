@@ -1,7 +1,7 @@
 #include "core/algebra/supernodes.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <utility>
 
 #include "core/door/require.hpp"
 
@@ -16,75 +16,47 @@ constexpr int kSmallColumns = 12;
 constexpr double kSmallZeroShare = 0.4;
 
 struct Block {
-  int first = 0;
-  int count = 0;
-  std::vector<int> below;
+  SupernodeRows rows;
   double zeros = 0;  ///< stored zeros so far
 };
 
 double block_entries(double columns, double rows) { return columns * (columns + 1) / 2 + columns * rows; }
 
-/// Fundamental supernodes: runs of columns whose patterns nest exactly.
-std::vector<Block> fundamental_blocks(const CholeskyFactor& L) {
-  std::vector<Block> blocks;
-  auto count = [&](int column) { return L.column_start[column + 1] - L.column_start[column]; };
-  for (int column = 0; column < L.size; ++column) {
-    const bool continues = !blocks.empty() && count(column - 1) == count(column) + 1 &&
-                           L.row[L.column_start[column - 1] + 1] == column;
-    if (!continues) blocks.push_back({column, 0, {}, 0});
-    ++blocks.back().count;
-    blocks.back().below.assign(L.row.begin() + L.column_start[column] + 1,
-                               L.row.begin() + L.column_start[column + 1]);
-  }
-  return blocks;
-}
-
 /// Merges `child` into the block right behind it when that is its parent and few zeros result.
 bool merge_if_cheap(const Block& child, Block& parent) {
-  const bool adjacent = !child.below.empty() && child.first + child.count == parent.first &&
-                        child.below.front() < parent.first + parent.count;
+  const SupernodeRows &below = child.rows, &above = parent.rows;
+  const bool adjacent = !below.below.empty() && below.first_column + below.column_count == above.first_column &&
+                        below.below.front() < above.first_column + above.column_count;
   if (!adjacent) return false;
-  const double columns = child.count + parent.count;
-  const double rows = static_cast<double>(parent.below.size());
-  const double real = block_entries(child.count, static_cast<double>(child.below.size())) - child.zeros +
-                      block_entries(parent.count, rows) - parent.zeros;
+  const double columns = below.column_count + above.column_count;
+  const double rows = static_cast<double>(above.below.size());
+  const double real = block_entries(below.column_count, static_cast<double>(below.below.size())) - child.zeros +
+                      block_entries(above.column_count, rows) - parent.zeros;
   const double stored = block_entries(columns, rows);
   const double share = columns <= kSmallColumns ? kSmallZeroShare : kZeroShare;
   if (stored - real > share * stored) return false;
-  parent.first = child.first;
-  parent.count = static_cast<int>(columns);
+  parent.rows.first_column = below.first_column;
+  parent.rows.column_count = static_cast<int>(columns);
   parent.zeros = stored - real;
   return true;
 }
 
-std::vector<Block> amalgamate(std::vector<Block> blocks) {
+std::vector<Block> amalgamate(SupernodePattern pattern) {
   // From the root downwards: a block may take in the block before it again and again.
   std::vector<Block> merged;
-  for (std::size_t i = blocks.size(); i-- > 0;) {
-    if (merged.empty() || !merge_if_cheap(blocks[i], merged.back())) merged.push_back(std::move(blocks[i]));
+  for (std::size_t i = pattern.size(); i-- > 0;) {
+    Block block{std::move(pattern[i]), 0.0};
+    if (merged.empty() || !merge_if_cheap(block, merged.back())) merged.push_back(std::move(block));
   }
   std::reverse(merged.begin(), merged.end());
   return merged;
 }
 
-/// Where the panels of a block end.
-enum class BlockShape {
-  triangle,   ///< at its diagonal
-  rectangle,  ///< at its last column
-};
-
-/// Writes a block's dense rows, `dense` row-major [rows, columns], as panels.
-void pack_panels(const std::vector<double>& dense, int rows, int columns, BlockShape shape,
-                 std::vector<double>& out) {
-  for (int first = 0; first < rows; first += kPanelRows) {
-    const int height = std::min(kPanelRows, rows - first);
-    const int width = shape == BlockShape::triangle ? first + height : columns;
-    for (int column = 0; column < width; ++column) {
-      for (int row = 0; row < height; ++row) {
-        out.push_back(dense[static_cast<std::size_t>(first + row) * columns + column]);
-      }
-    }
-  }
+/// Values of the panels of a triangle.
+std::size_t triangle_values(int columns) {
+  const int last = (columns - 1) / kPanelRows * kPanelRows;  // where the last panel begins
+  return diagonal_panel_offset(last) +
+         static_cast<std::size_t>(columns) * static_cast<std::size_t>(columns - last);
 }
 
 }  // namespace
@@ -97,53 +69,37 @@ double SupernodalFactor::solve_flops() const {
   return flops;
 }
 
-SupernodalFactor pack_supernodes(const CholeskyFactor& L) {
-  const auto size = static_cast<std::size_t>(L.size);
-  require(L.permutation.size() == size && L.column_start.size() == size + 1 && L.row.size() == L.value.size(),
-          "pack_supernodes: the columns are not those of such a factor");
-  SupernodalFactor packed;
-  packed.size = L.size;
-  packed.permutation = L.permutation;
-  packed.entry_count = L.value.size();
-  std::vector<int> place(static_cast<std::size_t>(L.size), -1);  // row -> position in the block
-  std::vector<int> owner(static_cast<std::size_t>(L.size), -1);  // column -> supernode
-  for (const Block& block : amalgamate(fundamental_blocks(L))) {
+SupernodalFactor supernodes_of(SupernodePattern pattern, std::vector<int> permutation) {
+  SupernodalFactor factor;
+  factor.size = static_cast<int>(permutation.size());
+  factor.permutation = std::move(permutation);
+  for (const SupernodeRows& rows : pattern) {
+    factor.entry_count +=
+        static_cast<std::size_t>(block_entries(rows.column_count, static_cast<double>(rows.below.size())));
+  }
+  std::vector<int> owner(static_cast<std::size_t>(factor.size), -1);  // column -> supernode
+  std::size_t values = 0;
+  for (const Block& block : amalgamate(std::move(pattern))) {
     Supernode node;
-    node.first_column = block.first;
-    node.column_count = block.count;
-    node.row_count = static_cast<int>(block.below.size());
-    node.row_offset = packed.row.size();
-    packed.row.insert(packed.row.end(), block.below.begin(), block.below.end());
-    for (int c = 0; c < block.count; ++c) {
-      place[block.first + c] = c;
-      owner[block.first + c] = static_cast<int>(packed.supernode.size());
-    }
-    for (int r = 0; r < node.row_count; ++r) place[block.below[r]] = block.count + r;
-    const auto columns = static_cast<std::size_t>(block.count);
-    std::vector<double> diagonal(columns * columns, 0.0);
-    std::vector<double> below(static_cast<std::size_t>(node.row_count) * columns, 0.0);
-    for (int c = 0; c < block.count; ++c) {
-      const int column = block.first + c;
-      for (int p = L.column_start[column]; p < L.column_start[column + 1]; ++p) {
-        const int at = place[L.row[p]];
-        assert(at >= c);
-        if (at < block.count) {
-          diagonal[at * columns + c] = at == c ? 1.0 / L.value[p] : L.value[p];
-        } else {
-          below[(at - block.count) * columns + c] = L.value[p];
-        }
-      }
-    }
-    node.value_offset = packed.value.size();
-    pack_panels(diagonal, block.count, block.count, BlockShape::triangle, packed.value);
-    node.below_offset = packed.value.size();
-    pack_panels(below, node.row_count, block.count, BlockShape::rectangle, packed.value);
-    packed.supernode.push_back(node);
+    node.first_column = block.rows.first_column;
+    node.column_count = block.rows.column_count;
+    node.row_count = static_cast<int>(block.rows.below.size());
+    node.row_offset = factor.row.size();
+    factor.row.insert(factor.row.end(), block.rows.below.begin(), block.rows.below.end());
+    require(node.first_column >= 0 && node.first_column + node.column_count <= factor.size,
+            "supernodes_of: columns that the permutation has not");
+    std::fill_n(owner.begin() + node.first_column, node.column_count, static_cast<int>(factor.supernode.size()));
+    node.value_offset = values;
+    node.below_offset = values + triangle_values(node.column_count);
+    values =
+        node.below_offset + static_cast<std::size_t>(node.row_count) * static_cast<std::size_t>(node.column_count);
+    factor.supernode.push_back(node);
   }
-  for (Supernode& s : packed.supernode) {
-    if (s.row_count > 0) s.parent = owner[packed.row[s.row_offset]];
+  factor.value.assign(values, 0.0);
+  for (Supernode& s : factor.supernode) {
+    if (s.row_count > 0) s.parent = owner[factor.row[s.row_offset]];
   }
-  return packed;
+  return factor;
 }
 
 std::vector<int> elimination_positions(const SupernodalFactor& factor, const std::vector<int>& freedom) {

@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/algebra/sparse_cholesky.hpp"
-
 namespace unbruised {
 
 /// Rows of L are packed in panels of this many: a panel's accumulators for all lanes fit the registers.
@@ -48,8 +46,16 @@ struct SupernodalFactor {
   [[nodiscard]] double solve_flops() const;
 };
 
-/// Finds supernodes, merges a child into its parent where that stores few zeros, and packs.
-SupernodalFactor pack_supernodes(const CholeskyFactor& factor);
+/// Neighbouring columns of L whose patterns nest.
+struct SupernodeRows {
+  int first_column = 0;
+  int column_count = 0;
+  std::vector<int> below;  ///< rows below the last of the columns, ascending
+};
+using SupernodePattern = std::vector<SupernodeRows>;  ///< in elimination order
+
+/// Merges a child into its parent where that stores few zeros, and gives all a place; the values are zero.
+SupernodalFactor supernodes_of(SupernodePattern pattern, std::vector<int> permutation);
 
 /// Elimination position of each freedom, -1 where it is fixed.
 /// @param freedom number of each freedom in the factored matrix, -1 where it is fixed

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "core/algebra/shifted_entries.hpp"
+#include "core/algebra/supernodal_cholesky.hpp"
 
 namespace unbruised {
 namespace {
@@ -142,9 +143,9 @@ bool factor_effective_stiffness(const WilsonTheta& w, BodyModel& body, std::vect
     effective.value[p] += w.a1 * damping;
   }
   const auto entries = shifted_entries(effective, body.mass_kg, w.a0, freedom);
-  const auto factor = SparseCholesky::factor(symmetric_from_entries(count, entries), error);
+  auto factor = factor_supernodes(symmetric_from_entries(count, entries), error);
   if (!factor) return false;
-  body.factor = pack_supernodes(factor->extract());
+  body.factor = std::move(*factor);
   body.slot = elimination_positions(body.factor, freedom);
   body.max_frequency_Hz = frequency_bound(body, freedom);
   return true;

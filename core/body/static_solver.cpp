@@ -4,6 +4,7 @@
 
 #include "core/algebra/lane_solve.hpp"
 #include "core/algebra/shifted_entries.hpp"
+#include "core/algebra/supernodal_cholesky.hpp"
 #include "core/door/require.hpp"
 #include "core/lanes/lane.hpp"
 
@@ -18,9 +19,9 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
   const auto free = static_cast<int>(freedom.size()) - static_cast<int>(std::ranges::count(freedom, -1));
   const SymmetricMatrix matrix =
       symmetric_from_entries(free, shifted_entries(K, self->mass_kg_, self->shift_, freedom));
-  const auto factor = SparseCholesky::factor(matrix, error);
+  auto factor = factor_supernodes(matrix, error);
   if (!factor) return nullptr;
-  self->factor_ = pack_supernodes(factor->extract());
+  self->factor_ = std::move(*factor);
   self->slot_ = elimination_positions(self->factor_, freedom);
   return self;
 }

@@ -6,7 +6,7 @@
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/algebra/shifted_entries.hpp"
-#include "core/algebra/supernodes.hpp"
+#include "core/algebra/supernodal_cholesky.hpp"
 
 namespace unbruised {
 namespace {
@@ -45,9 +45,9 @@ TEST(AlgebraDoors, FactorisationRefusesWhatIsNoMatrix) {
   SymmetricMatrix torn = diagonal();
   torn.column_start.pop_back();
   EXPECT_THROW(SparseCholesky::factor(torn, error), std::logic_error);
-  CholeskyFactor factor = SparseCholesky::factor(diagonal(), error)->extract();
-  factor.permutation.pop_back();
-  EXPECT_THROW(pack_supernodes(factor), std::logic_error);
+  EXPECT_THROW(fill_reducing_order(torn), std::logic_error);
+  EXPECT_THROW(factor_supernodes(torn, error), std::logic_error);
+  EXPECT_THROW(supernodes_of({{0, 3, {}}}, {0, 1}), std::logic_error);
 }
 
 TEST(AlgebraDoors, SolutionsRefuseRightHandSidesOfAnotherSize) {
@@ -59,7 +59,7 @@ TEST(AlgebraDoors, SolutionsRefuseRightHandSidesOfAnotherSize) {
 
 TEST(AlgebraDoors, ReachAndPositionsRefuseFreedomsThatTheFactorHasNot) {
   std::string error;
-  const SupernodalFactor factor = pack_supernodes(SparseCholesky::factor(diagonal(), error)->extract());
+  const SupernodalFactor factor = factor_supernodes(diagonal(), error).value();
   EXPECT_NO_THROW(elimination_positions(factor, {0, -1, 1}));
   EXPECT_THROW(elimination_positions(factor, {2}), std::logic_error);
   EXPECT_THROW((void)Reach(factor).of({2}), std::logic_error);

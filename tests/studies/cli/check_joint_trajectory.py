@@ -13,7 +13,8 @@ except ImportError:
     sys.exit(0)
 
 program, configs, folder = sys.argv[1:4]
-COARSE = ["--set", "product.cell_size_m=0.0125", "--set", "simulation.time_step_s=2e-3", "--no-replay"]
+COARSE = ["--set", "product.cell_size_m=0.0125", "--set", "simulation.time_step_s=2e-3", "--set",
+          "vary[0].values=[4.0]", "--no-replay"]
 
 
 def call(*words, status=0):

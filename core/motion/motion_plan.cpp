@@ -147,9 +147,10 @@ void MotionPlan::plan_speeds(const Scenario& scenario) {
 void MotionPlan::plan_ways(const Scenario& scenario) {
   const StrategyParameters& s = strategy_;
   const CellParameters& cell = scenario.cell;
-  lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s);
-  const PalmPath::Limits m{s.speed_m_s, transfer_acceleration_m_s2(s)};
-  const PalmPath::Limits rad{s.tilt_speed_rad_s, s.tilt_acceleration_rad_s2};
+  const double jerk = s.jerk_m_s3.value_or(kNever);
+  lift_ = MotionProfile::plan(s.profile, cell.lift_height_m, s.lift_acceleration_m_s2, s.speed_m_s, jerk);
+  const PalmPath::Limits m{s.speed_m_s, transfer_acceleration_m_s2(s), jerk};
+  const PalmPath::Limits rad{s.tilt_speed_rad_s, s.tilt_acceleration_rad_s2, s.tilt_jerk_rad_s3.value_or(kNever)};
   const PalmStop placing = placing_stop(scenario);
   const std::vector<PalmStop> stops = palm_stops(scenario);
   PalmStop lifted = lifted_stop(scenario);
@@ -159,15 +160,18 @@ void MotionPlan::plan_ways(const Scenario& scenario) {
     PalmStop level = stops.back();
     level.attitude = placing.attitude;
     level.wait_s = 0.0;
+    level.via_m.reset();
+    level.speed_m_s.reset();
+    level.duration_s.reset();
     level_ = PalmPath(stops.back(), {level}, s.profile, m, rad);
   }
   const Horizontal across_m = {cell.transfer_m[0] - placing.place_m[0], cell.transfer_m[1] - placing.place_m[1]};
   const double way_m = std::hypot(across_m[0], across_m[1]);
   if (way_m > 0.0) transfer_direction_ = {across_m[0] / way_m, across_m[1] / way_m};
-  transfer_ = MotionProfile::plan(s.profile, way_m, m.acceleration, m.speed);
+  transfer_ = MotionProfile::plan(s.profile, way_m, m.acceleration, m.speed, jerk);
   const double end_m = cell.place_height_m + s.release_height_m - lowest_place_m(scenario, placing.attitude);
   lower_ = MotionProfile::plan(s.profile, end_m - placing.place_m[2],
-                               s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s);
+                               s.lower_acceleration_m_s2.value_or(s.lift_acceleration_m_s2), s.speed_m_s, jerk);
 }
 
 void MotionPlan::schedule(const Scenario& scenario) {
@@ -178,7 +182,7 @@ void MotionPlan::schedule(const Scenario& scenario) {
     const PalmState from = planned_palm(start_s);
     return MovingTransfer::plan(
         s.profile, {{from.position_m[0], from.position_m[1]}, {from.velocity_m_s[0], from.velocity_m_s[1]}}, to,
-        transfer_acceleration_m_s2(s), s.speed_m_s);
+        {s.speed_m_s, transfer_acceleration_m_s2(s), s.jerk_m_s3.value_or(kNever)});
   };
   leave_end_s_ = lift_end_s_;
   if (leave_) {

@@ -11,15 +11,15 @@ namespace {
 
 double size(const Horizontal& x) { return std::hypot(x[0], x[1]); }
 
-/// Share of a change of speed that is done at s = t / T, its integral and its derivative.
+/// Share of a change of speed that is done at s = t / T, its integral and its derivatives.
 struct SpeedChange {
-  double way = 0.0, share = 0.0, rate = 0.0;
+  double way = 0.0, share = 0.0, rate = 0.0, curve = 0.0;  ///< curve: derivative of the rate
 };
 SpeedChange speed_change(ProfileKind kind, double s) {
   if (kind == ProfileKind::trapezoid) return {0.5 * s * s, s, 1.0};
   const double s2 = s * s;
-  return {s2 * s2 * (2.5 - 3.0 * s + s2), s2 * s * (10.0 - 15.0 * s + 6.0 * s2),
-          30.0 * s2 * (1.0 - s) * (1.0 - s)};
+  return {s2 * s2 * (2.5 - 3.0 * s + s2), s2 * s * (10.0 - 15.0 * s + 6.0 * s2), 30.0 * s2 * (1.0 - s) * (1.0 - s),
+          60.0 * s * (1.0 - s) * (1.0 - 2.0 * s)};
 }
 
 /// What the profile on top has to do in the time T.
@@ -42,9 +42,9 @@ MovingTransfer::MovingTransfer(ProfileKind kind, const MovingPlace& from, const 
 }
 
 MovingTransfer MovingTransfer::plan(ProfileKind kind, const MovingPlace& from, const MovingPlace& to,
-                                    double acceleration_m_s2, double speed_limit_m_s) {
-  require(acceleration_m_s2 > 0.0 && speed_limit_m_s >= kPalmRoom * size(from.velocity_m_s) &&
-              speed_limit_m_s >= kPalmRoom * size(to.velocity_m_s),
+                                    const MotionLimits& m) {
+  require(m.acceleration > 0.0 && m.speed >= kPalmRoom * size(from.velocity_m_s) &&
+              m.speed >= kPalmRoom * size(to.velocity_m_s),
           "MovingTransfer: a place moves faster than the palm can follow");
   if (from.place_m == to.place_m && from.velocity_m_s == to.velocity_m_s) {
     MovingTransfer nowhere;
@@ -57,8 +57,8 @@ MovingTransfer MovingTransfer::plan(ProfileKind kind, const MovingPlace& from, c
     constexpr int kLooks = 96;  // a trapezoid's corners are among them
     for (int i = 1; i < kLooks; ++i) {
       const State state = transfer.at(duration_s * i / kLooks);
-      if (size(state.acceleration_m_s2) > acceleration_m_s2 || size(state.velocity_m_s) > speed_limit_m_s)
-        return false;
+      if (size(state.acceleration_m_s2) > m.acceleration || size(state.velocity_m_s) > m.speed) return false;
+      if (kind == ProfileKind::s_curve && size(state.jerk_m_s3) > m.jerk) return false;
     }
     return true;
   };
@@ -82,7 +82,9 @@ MovingTransfer::State MovingTransfer::at(double time_s) const {
     state.velocity_m_s[i] = from + change.share * step + along_[i] * rest.velocity_m_s;
     state.place_m[i] = from_.place_m[i] + from * t + change.way * T * step + along_[i] * rest.position_m;
     state.place_m[i] += beyond * (beyond < 0.0 ? from : to_.velocity_m_s[i]);
-    if (moves) state.acceleration_m_s2[i] = change.rate / T * step + along_[i] * rest.acceleration_m_s2;
+    if (!moves) continue;
+    state.acceleration_m_s2[i] = change.rate / T * step + along_[i] * rest.acceleration_m_s2;
+    state.jerk_m_s3[i] = change.curve / (T * T) * step + along_[i] * rest.jerk_m_s3;
   }
   return state;
 }

@@ -20,16 +20,17 @@ struct MovingPlace {
 };
 
 /// From one moving place to another in the time T: velocity changes over the whole of T (evenly, or as 10 s^3 -
-/// 15 s^4 + 6 s^5 where the profile is of minimum jerk), and what is left of the way is a rest-to-rest profile of
-/// that time on top. T is the shortest found in which both together stay within acceleration and speed limit. To
-/// meet a place that leads, the palm is up to 1.44 times as fast (1 / 2 + 15 / 16): hence kPalmRoom.
+/// 15 s^4 + 6 s^5 where the profile is of minimum jerk or an s_curve), and what is left of the way is a
+/// rest-to-rest profile of that time on top. T is the shortest found in which both together stay within the limits
+/// of speed, acceleration and, of an s_curve, jerk. To meet a place that leads, the palm is up to 1.44 times as
+/// fast (1 / 2 + 15 / 16): hence kPalmRoom.
 class MovingTransfer {
  public:
   /// Nowhere, at once.
   MovingTransfer() = default;
-  /// @param acceleration_m_s2 > 0 @param speed_limit_m_s kPalmRoom times the speed of the faster place or more
+  /// @param m > 0, the speed kPalmRoom times that of the faster place or more
   static MovingTransfer plan(ProfileKind kind, const MovingPlace& from, const MovingPlace& to,
-                             double acceleration_m_s2, double speed_limit_m_s);
+                             const MotionLimits& m);
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
 
@@ -38,6 +39,7 @@ class MovingTransfer {
 
   struct State {
     Horizontal place_m{}, velocity_m_s{}, acceleration_m_s2{};
+    Horizontal jerk_m_s3{};  ///< where the acceleration does not jump
   };
   /// With the first place before the start, with the second after the end.
   [[nodiscard]] State at(double time_s) const;

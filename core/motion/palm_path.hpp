@@ -1,9 +1,10 @@
 #pragma once
 
 /// @file
-/// The way of a palm from stop to stop: each leg from rest to rest, turning as it goes.
+/// The way of a palm from stop to stop: each leg from rest to rest or blended into the next, turning as it goes.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/motion/profile.hpp"
@@ -24,14 +25,15 @@ struct PalmState {
   std::array<double, 3> spin_acceleration_rad_s2{};
 };
 
-/// On a leg the palm goes straight and turns about a fixed axis by the shortest way. Both follow one profile, the
-/// fastest of its kind with which neither speed nor acceleration of either passes its limit.
+/// On a leg the palm goes straight, or on an arc, and turns about a fixed axis by the shortest way. Both follow
+/// one profile, the fastest of its kind with which neither speed nor acceleration nor, of an s_curve, jerk of
+/// either passes its limit; on an arc acceleration and jerk are those along and across it together. At a stop that
+/// is blended the next leg begins before the last has ended: both motions add up, so that the path is as smooth as
+/// they are, and by so much that the palm passes within blend_m of the stop and all limits hold; where that is
+/// faster the legs of a path with blends leave room for it.
 class PalmPath {
  public:
-  /// Limits of one motion.
-  struct Limits {
-    double speed = 0.0, acceleration = 0.0;  ///< > 0
-  };
+  using Limits = MotionLimits;
 
   PalmPath() = default;
   PalmPath(const PalmStop& from, const std::vector<PalmStop>& stops, ProfileKind profile, const Limits& m,
@@ -50,7 +52,25 @@ class PalmPath {
     PalmStop from;
     std::array<double, 3> way_m{}, turn_rad{};
     MotionProfile share;  ///< from 0 to 1
+    std::optional<Arc> arc;
+
+    [[nodiscard]] double end_s() const { return start_s + share.duration_s(); }
+    /// How place and attitude differ from those where it began; the rates are along x, y, z.
+    [[nodiscard]] PalmState done(const MotionProfile::State& share_done) const;
   };
+  /// How the palm jerks while two legs add up: of what both profiles give.
+  struct Peaks {
+    double speed = 0.0, acceleration = 0.0, jerk = 0.0, spin = 0.0, spin_acceleration = 0.0, spin_jerk = 0.0;
+    double least_distance_m = 0.0;  ///< from the stop between them
+  };
+  [[nodiscard]] static Peaks peaks_of(const Leg& last, const Leg& next, double overlap_s);
+  /// By how much the next leg begins before the last has ended [s].
+  [[nodiscard]] static double overlap_s(const Leg& last, const Leg& next, double blend_m, const Limits& m,
+                                        const Limits& rad);
+
+  /// @param room share of the limits of acceleration and jerk that each leg alone may use
+  void add_legs(const std::vector<PalmStop>& stops, ProfileKind profile, const Limits& m, const Limits& rad,
+                double room);
 
   std::vector<Leg> legs_;
   PalmStop from_;  ///< where it stands without legs

@@ -97,6 +97,15 @@ class Rider {
     return std::nullopt;
   }
 
+  /// The first joint that a sample takes out of its range.
+  [[nodiscard]] std::optional<ArmBreach> range_breach_of(const ArmSample& sample) const {
+    for (std::size_t j = 0; j < arm_.joint_count(); ++j) {
+      const double use = position_use(sample, j);
+      if (use > 1.0 + kRounding) return ArmBreach{ArmLimit::position, sample.time_s, static_cast<int>(j), use};
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] double position_use(const ArmSample& sample, std::size_t j) const {
     return arm_.position_use(j, sample.motion.angle_rad[j]);
   }
@@ -177,15 +186,29 @@ void take_need(const Rider& rider, const ArmSample& sample, const PalmState& pal
   need.peak_rad_s2 = std::max(need.peak_rad_s2, length(palm.spin_acceleration_rad_s2));
 }
 
-/// When between two times the way ends: by halving.
-double first_stuck_s(const Rider& rider, const ArmSample& last, double stuck_s) {
+/// What a stop breaks, or of that what no slowing down mends.
+enum class Broken { anything, for_good };
+std::optional<ArmBreach> broken_at(const Rider& rider, const Rider::Stop& stop, Broken which) {
+  if (!stop.sample) return stop.breach;
+  return which == Broken::anything ? rider.breach_of(*stop.sample) : rider.range_breach_of(*stop.sample);
+}
+
+/// When between two times the first is broken: by halving.
+double first_broken_s(const Rider& rider, const ArmSample& last, double broken_s, Broken which) {
   double good_s = last.time_s;
   for (int i = 0; i < kHalvings; ++i) {
-    const double middle_s = 0.5 * (good_s + stuck_s);
-    const Rider::Stop stop = rider.at(middle_s, last.motion.angle_rad);
-    (stop.sample && !rider.breach_of(*stop.sample) ? good_s : stuck_s) = middle_s;
+    const double middle_s = 0.5 * (good_s + broken_s);
+    (broken_at(rider, rider.at(middle_s, last.motion.angle_rad), which) ? broken_s : good_s) = middle_s;
   }
-  return stuck_s;
+  return broken_s;
+}
+
+/// Takes down the first of its kind. @param last what was sampled before; nullptr: nothing
+void take_breach(const Rider& rider, const ArmSample* last, double time_s, const Rider::Stop& stop, Broken which,
+                 std::optional<ArmBreach>& first) {
+  if (first) return;
+  first = broken_at(rider, stop, which);
+  if (first && last != nullptr) first->time_s = first_broken_s(rider, *last, time_s, which);
 }
 
 }  // namespace
@@ -238,17 +261,15 @@ ArmRide ride(const Scenario& scenario, const MotionPlan& plan) {
   const double payload_kg = scenario.robot.gripper_mass_kg + product_mass_kg(scenario.product);
   const auto begin = rider.start();
   if (!begin) {
-    out.breach = ArmBreach{ArmLimit::reach, 0.0};
+    out.breach = out.stuck = ArmBreach{ArmLimit::reach, 0.0};
     return out;
   }
   Joints from = *begin;
   for (const double time_s : sample_times(plan)) {
     Rider::Stop stop = rider.at(time_s, from);
-    const auto broken = stop.sample ? rider.breach_of(*stop.sample) : std::optional(stop.breach);
-    if (broken && !out.breach) {
-      out.breach = broken;
-      if (!out.samples.empty()) out.breach->time_s = first_stuck_s(rider, out.samples.back(), time_s);
-    }
+    const ArmSample* last = out.samples.empty() ? nullptr : &out.samples.back();
+    take_breach(rider, last, time_s, stop, Broken::anything, out.breach);
+    take_breach(rider, last, time_s, stop, Broken::for_good, out.stuck);
     if (!stop.sample) break;
     out.least_manipulability = std::min(out.least_manipulability, stop.manipulability);
     take_in(rider, *stop.sample, out);

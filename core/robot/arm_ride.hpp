@@ -64,6 +64,7 @@ struct ArmRide {
   double joint_travel_rad = 0.0;
   double moving_s = 0.0;            ///< from the start of the lift to the end of the lowering
   std::optional<ArmBreach> breach;  ///< the first; behind one of reach or a singular posture the samples end
+  std::optional<ArmBreach> stuck;   ///< the first of reach, a singular posture or a range: slowing down mends none
   std::array<LegNeed, 3> need;
 
   /// The limit of which most is used: of range, speed, acceleration, torque.

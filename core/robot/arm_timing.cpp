@@ -45,6 +45,10 @@ bool has_size(ArmLimit limit) {
 TimedScenario timed_for_arm(const Scenario& scenario) {
   TimedScenario timed{scenario, ride(scenario, planned_motion(scenario))};
   if (scenario.robot.timing == RobotTiming::check) return timed;
+  if (timed.ride.stuck) {
+    timed.ride.breach = timed.ride.stuck;
+    return timed;
+  }
   const double planned_s = timed.ride.moving_s;
   StrategyParameters& strategy = timed.scenario.strategy;
   for (int round = 0; round < kMostRounds && timed.ride.breach && has_size(timed.ride.breach->limit); ++round) {

@@ -16,6 +16,7 @@ struct TimedScenario {
 /// The scenario itself, or with timing = fit with the accelerations of lift, carrying (transfer and turns) and
 /// lowering taken back, each as little as keeps every limit of the arm. A motion over one length of minimum jerk
 /// whose peak acceleration falls by s^2 takes s times as long and is otherwise the same.
+/// One that no slowing down mends stays as it is, with that as its breach.
 /// @param scenario has a robot
 TimedScenario timed_for_arm(const Scenario& scenario);
 

@@ -3,48 +3,18 @@
 /// @file
 /// The one table of the parameters' fields: what each is called, what it decides, and in which range its numbers
 /// lie. `number_fields` and `factor_key` are read from it. The structured bindings name all members of each
-/// struct: a field that is added and not listed does not compile.
+/// struct: a field that is added and not listed does not compile. Those of the arm and of the strategy stand in
+/// robot_fields.hpp and strategy_fields.hpp.
 
 #include <string_view>
-#include <type_traits>
 #include <variant>
 
-#include "core/scenario/attitude.hpp"
-#include "core/scenario/range.hpp"
+#include "core/scenario/field.hpp"
+#include "core/scenario/robot_fields.hpp"
 #include "core/scenario/scenario.hpp"
+#include "core/scenario/strategy_fields.hpp"
 
 namespace unbruised {
-
-/// What a field decides.
-enum class Decides {
-  model,  ///< the matrices, the contact model or their bits: it enters the factor key
-  run,    ///< what happens to one scenario; lanes with one factor may differ in it
-};
-
-struct Field {
-  std::string_view name;
-  Decides decides;
-  Range range = kAnyNumber;  ///< of each of its numbers
-};
-
-inline constexpr Range kIndex{.min = 0.0, .max = 2147483647.0};
-inline constexpr Range kPoissonRatio{.min = 0.0, .max = 0.5, .max_open = true};
-/// Below (1 + sqrt 3) / 2 Wilson's method is not unconditionally stable; above 3 it damps what is looked for.
-inline constexpr Range kTheta{.min = 1.37, .max = 3.0};
-inline constexpr Range kRubberPoissonRatio{.min = 0.0, .max = 0.5};
-inline constexpr Range kTilt{.min = -kHalfTurn_rad, .max = kHalfTurn_rad};
-/// Of a length that is 1 within 1e-6.
-inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
-inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
-inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
-
-inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
-
-inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};
-
-/// Is T, const or not, the parameter struct S?
-template <class T, class S>
-concept FieldsOf = std::is_same_v<std::remove_const_t<T>, S>;
 
 // visit_fields(parameters, visit) calls visit(Field, member) for each field, in the order of the struct.
 
@@ -285,52 +255,6 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"motion_prediction", Decides::run}, motion_prediction);
 }
 
-template <FieldsOf<Waypoint> T, class Visit>
-void visit_fields(T& p, Visit&& visit) {
-  auto& [place_m, rotation_rad, quaternion, wait_s] = p;
-  visit({"place_m", Decides::run, kAnyNumber}, place_m);
-  visit({"rotation_rad", Decides::run, kTilt}, rotation_rad);
-  visit({"quaternion", Decides::run, kQuaternion}, quaternion);
-  visit({"wait_s", Decides::run, kNotNegative}, wait_s);
-}
-
-/// Waypoints have fields of their own.
-template <FieldsOf<StrategyParameters> T, class Visit>
-void visit_fields(T& p, Visit&& visit) {
-  auto& [approach_speed_m_s, guard, guard_range_m, guard_force_N, guard_speed_m_s, grip_force_N, contact_force_N,
-         grip_ramp_s, ramp_from_start, settle_s, pick, pick_offset_m, tracking_lag_s, profile,
-         lift_acceleration_m_s2, transfer_acceleration_m_s2, lower_acceleration_m_s2, speed_m_s, tilt_rad,
-         tilt_speed_rad_s, tilt_acceleration_rad_s2, hold_s, release_height_m, place_settle_s, release_speed_m_s,
-         recover_s, stop_time_s, waypoint] = p;
-  visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
-  visit({"guard", Decides::run}, guard);
-  visit({"guard_range_m", Decides::run, kPositive}, guard_range_m);
-  visit({"guard_force_N", Decides::run, kPositive}, guard_force_N);
-  visit({"guard_speed_m_s", Decides::run, kNotNegative}, guard_speed_m_s);
-  visit({"grip_force_N", Decides::run, kPositive}, grip_force_N);
-  visit({"contact_force_N", Decides::run, kNotNegative}, contact_force_N);
-  visit({"grip_ramp_s", Decides::run, kNotNegative}, grip_ramp_s);
-  visit({"ramp_from_start", Decides::run}, ramp_from_start);
-  visit({"settle_s", Decides::run, kNotNegative}, settle_s);
-  visit({"pick", Decides::run}, pick);
-  visit({"pick_offset_m", Decides::run, kAnyNumber}, pick_offset_m);
-  visit({"tracking_lag_s", Decides::run, kNotNegative}, tracking_lag_s);
-  visit({"profile", Decides::run}, profile);
-  visit({"lift_acceleration_m_s2", Decides::run, kPositive}, lift_acceleration_m_s2);
-  visit({"transfer_acceleration_m_s2", Decides::run, kPositive}, transfer_acceleration_m_s2);
-  visit({"lower_acceleration_m_s2", Decides::run, kPositive}, lower_acceleration_m_s2);
-  visit({"speed_m_s", Decides::run, kPositive}, speed_m_s);
-  visit({"tilt_rad", Decides::run, kTilt}, tilt_rad);
-  visit({"tilt_speed_rad_s", Decides::run, kPositive}, tilt_speed_rad_s);
-  visit({"tilt_acceleration_rad_s2", Decides::run, kPositive}, tilt_acceleration_rad_s2);
-  visit({"hold_s", Decides::run, kNotNegative}, hold_s);
-  visit({"release_height_m", Decides::run, kNotNegative}, release_height_m);
-  visit({"place_settle_s", Decides::run, kNotNegative}, place_settle_s);
-  visit({"release_speed_m_s", Decides::run, kPositive}, release_speed_m_s);
-  visit({"recover_s", Decides::run, kNotNegative}, recover_s);
-  visit({"stop_time_s", Decides::run, kNotNegative}, stop_time_s);
-}
-
 template <FieldsOf<LimitParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [damage, permanent_set_m, plastic_strain, bruised_volume_m3, peak_pressure_Pa, absorbed_energy_J,
@@ -363,43 +287,6 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"max_rotation_rad", Decides::run, kPositive}, max_rotation_rad);
   visit({"contact_set", Decides::run}, contact_set);  // what it comes to enters the key: contact_set.hpp
   visit({"levels", Decides::run}, levels);
-}
-
-template <FieldsOf<ArmJointParameters> T, class Visit>
-void visit_fields(T& p, Visit&& visit) {
-  auto& [place_m, rotation_rad, axis, lower_rad, upper_rad, speed_rad_s, torque_N_m, mass_kg, center_of_mass_m,
-         inertia_kg_m2] = p;
-  visit({"place_m", Decides::run, kAnyNumber}, place_m);
-  visit({"rotation_rad", Decides::run, kTilt}, rotation_rad);
-  visit({"axis", Decides::run, kAnyNumber}, axis);
-  visit({"lower_rad", Decides::run, kAnyNumber}, lower_rad);
-  visit({"upper_rad", Decides::run, kAnyNumber}, upper_rad);
-  visit({"speed_rad_s", Decides::run, kPositive}, speed_rad_s);
-  visit({"torque_N_m", Decides::run, kPositive}, torque_N_m);
-  visit({"mass_kg", Decides::run, kNotNegative}, mass_kg);
-  visit({"center_of_mass_m", Decides::run, kAnyNumber}, center_of_mass_m);
-  visit({"inertia_kg_m2", Decides::run, kAnyNumber}, inertia_kg_m2);
-}
-
-/// Joints have fields of their own.
-template <FieldsOf<RobotParameters> T, class Visit>
-void visit_fields(T& p, Visit&& visit) {
-  auto& [base_place_m, base_rotation_rad, flange_place_m, flange_rotation_rad, tool_place_m, tool_rotation_rad,
-         seed_posture_rad, acceleration_rad_s2, gripper_mass_kg, gripper_center_of_mass_m, max_payload_kg, timing,
-         use_most, joint] = p;
-  visit({"base_place_m", Decides::run, kAnyNumber}, base_place_m);
-  visit({"base_rotation_rad", Decides::run, kTilt}, base_rotation_rad);
-  visit({"flange_place_m", Decides::run, kAnyNumber}, flange_place_m);
-  visit({"flange_rotation_rad", Decides::run, kTilt}, flange_rotation_rad);
-  visit({"tool_place_m", Decides::run, kAnyNumber}, tool_place_m);
-  visit({"tool_rotation_rad", Decides::run, kTilt}, tool_rotation_rad);
-  visit({"seed_posture_rad", Decides::run, kAnyNumber}, seed_posture_rad);
-  visit({"acceleration_rad_s2", Decides::run, kPositive}, acceleration_rad_s2);
-  visit({"gripper_mass_kg", Decides::run, kNotNegative}, gripper_mass_kg);
-  visit({"gripper_center_of_mass_m", Decides::run, kAnyNumber}, gripper_center_of_mass_m);
-  visit({"max_payload_kg", Decides::run, kPositive}, max_payload_kg);
-  visit({"timing", Decides::run}, timing);
-  visit({"use_most", Decides::run, kUse}, use_most);
 }
 
 /// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its

@@ -7,6 +7,7 @@
 #include "core/scenario/pad_face.hpp"
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/true_shape.hpp"
+#include "core/scenario/vectors.hpp"
 
 namespace unbruised {
 namespace {
@@ -43,10 +44,31 @@ std::vector<PalmStop> palm_stops(const Scenario& scenario) {
     stops.push_back(stop);
   }
   for (const Waypoint& waypoint : scenario.strategy.waypoint) {
-    stop = {waypoint.place_m.value_or(stop.place_m), attitude_at(waypoint, stop.attitude), waypoint.wait_s};
+    stop = {waypoint.place_m.value_or(stop.place_m),
+            attitude_at(waypoint, stop.attitude),
+            waypoint.wait_s,
+            waypoint.via_m,
+            waypoint.blend_m,
+            waypoint.speed_m_s,
+            waypoint.duration_s};
     stops.push_back(stop);
   }
   return stops;
+}
+
+std::optional<Arc> arc_between(const PalmStop& from, const PalmStop& to) {
+  return to.via_m ? arc_through(from.place_m, *to.via_m, to.place_m) : std::nullopt;
+}
+
+std::array<double, 3> place_between(const PalmStop& from, const PalmStop& to, double share) {
+  std::array<double, 3> place{};
+  if (const auto arc = arc_between(from, to)) {
+    const double angle = share * arc->angle_rad;
+    const Attitude turn = attitude_of({angle * arc->axis[0], angle * arc->axis[1], angle * arc->axis[2]});
+    return sum(arc->center_m, turned(turn, arc->from_center_m));
+  }
+  for (std::size_t i = 0; i < 3; ++i) place[i] = from.place_m[i] + share * (to.place_m[i] - from.place_m[i]);
+  return place;
 }
 
 bool turns_product(const Scenario& scenario) {

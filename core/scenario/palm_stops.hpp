@@ -6,8 +6,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "core/scenario/arc.hpp"
 #include "core/scenario/attitude.hpp"
 #include "core/scenario/scenario.hpp"
 
@@ -20,12 +22,20 @@ inline constexpr std::size_t kWaypointsMost = 16;
 /// = 0.4 %, its angle by 1e-5.
 inline constexpr double kLargestStepTurn_rad = 0.1;
 
-/// A place and an attitude in which the palm rests.
+/// A place and an attitude in which the palm rests, or which it passes, and how it goes there.
 struct PalmStop {
   std::array<double, 3> place_m{};  ///< x, y as cell.transfer_m, z as cell.lift_height_m
   Attitude attitude;
   double wait_s = 0.0;
+  std::optional<std::array<double, 3>> via_m{};  ///< it is reached on the arc through it
+  double blend_m = 0.0;                          ///< 0: it rests there, else it passes within so much
+  std::optional<double> speed_m_s{};             ///< most, on the way there
+  std::optional<double> duration_s{};            ///< least, of the way there
 };
+/// The arc on which the second is reached from the first; none: a straight line.
+std::optional<Arc> arc_between(const PalmStop& from, const PalmStop& to);
+/// Where the palm is when a share of the way is done [m].
+std::array<double, 3> place_between(const PalmStop& from, const PalmStop& to, double share);
 
 /// Where the lift ends, the palm upright.
 PalmStop lifted_stop(const Scenario& scenario);

@@ -40,5 +40,6 @@ Rows cell_rows();
 Rows sensor_rows();
 Rows strategy_rows();
 Rows limit_rows();
+Rows robot_rows();
 
 }  // namespace unbruised::plausible

@@ -30,8 +30,8 @@ const std::vector<PlausibleRow>& plausible_rows() {
   static const std::vector<PlausibleRow> table = [] {
     using namespace plausible;
     Rows all;
-    for (const Rows& part :
-         {product_rows(), gripper_rows(), cell_rows(), sensor_rows(), strategy_rows(), limit_rows()}) {
+    for (const Rows& part : {product_rows(), gripper_rows(), cell_rows(), sensor_rows(), strategy_rows(),
+                             limit_rows(), robot_rows()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

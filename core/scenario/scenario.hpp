@@ -157,7 +157,11 @@ enum class PickKind {
   tracking,  ///< the palm goes with the belt until the hold ends
 };
 
-enum class ProfileKind { trapezoid, minimum_jerk };
+enum class ProfileKind {
+  trapezoid,
+  minimum_jerk,
+  s_curve,  ///< trapezoids of acceleration: their slope is the jerk
+};
 
 /// What slows the fingers down before they press.
 enum class GuardKind {
@@ -166,8 +170,8 @@ enum class GuardKind {
   force,  ///< the measured force of a finger exceeds guard_force_N, which is taken for the contact
 };
 
-/// Where the palm goes after the lift, from rest to rest. What is not said is as at the waypoint before it, at the
-/// first as the lift ends.
+/// Where the palm goes after the lift, straight or on an arc, from rest to rest where nothing is blended. What is
+/// not said is as at the waypoint before it, at the first as the lift ends.
 struct Waypoint {
   /// Of the palm: x and y as transfer_m, z as lift_height_m
   std::optional<std::array<double, 3>> place_m{};
@@ -176,6 +180,14 @@ struct Waypoint {
   std::optional<std::array<double, 3>> rotation_rad{};
   /// Of length 1 within 1e-6: w, x, y, z. Turned is by the shortest way.
   std::optional<std::array<double, 4>> quaternion{};
+  /// It goes there on the arc through this place, which needs place_m. None: straight.
+  std::optional<std::array<double, 3>> via_m{};
+  /// >= 0; the palm does not stop there, and passes within so much of it. 0: it does.
+  double blend_m = 0.0;
+  /// > 0; speed limit of the way there beside that of the strategy
+  std::optional<double> speed_m_s{};
+  /// > 0; the way there takes so long at least
+  std::optional<double> duration_s{};
   /// >= 0; rest there
   double wait_s = 0.0;
 };
@@ -214,12 +226,16 @@ struct StrategyParameters {
   std::optional<double> lower_acceleration_m_s2;
   /// > 0; speed limit of every phase
   double speed_m_s = 1.0;
+  /// > 0; jerk limit of every phase, required with profile = "s_curve"
+  std::optional<double> jerk_m_s3{};
   /// Rotation of the gripper about its pads' centre, taken after the lift and taken back before it is lowered:
   /// about the vector by its length, <= pi. Not zero: needs a lift and centric fingers.
   std::array<double, 3> tilt_rad{0.0, 0.0, 0.0};
   /// > 0; speed limit and peak acceleration of the tilt, and of turns between waypoints
   double tilt_speed_rad_s = 6.0;
   double tilt_acceleration_rad_s2 = 40.0;
+  /// > 0; of turns, required with profile = "s_curve" where the palm turns
+  std::optional<double> tilt_jerk_rad_s3{};
   /// >= 0; rest after the lift and the tilt or the waypoints
   double hold_s = 0.0;
   /// >= 0, <= lift_height_m - place_height_m; height above the target plane at which the fingers open

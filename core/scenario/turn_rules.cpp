@@ -108,7 +108,7 @@ double least_clearance_m(const Scenario& s, const PalmStop& from, const PalmStop
     const double share = static_cast<double>(look) / kLooks;
     const Attitude attitude =
         attitude_of({share * turn_rad[0], share * turn_rad[1], share * turn_rad[2]}) * from.attitude;
-    const double height_m = from.place_m[2] + share * (to.place_m[2] - from.place_m[2]);
+    const double height_m = place_between(from, to, share)[2];
     least = std::min(least, height_m + lowest_place_m(s, attitude));
   }
   return least - std::max(0.0, s.cell.place_height_m);
@@ -154,6 +154,51 @@ void steps_resolve_the_turn(const Scenario& s, Violations& out) {
                      "; steps follow " + for_people(kLargestStepTurn_rad) + " rad"});
 }
 
+/// A palm that tracked a belt comes to rest over the first waypoint.
+bool rests_at_first(const Scenario& s) { return s.strategy.pick == PickKind::tracking; }
+
+void arcs_are_of_circles(const Scenario& s, Violations& out) {
+  if (!has_gripper(s)) return;
+  PalmStop from = lifted_stop(s);
+  for (std::size_t i = 0; i < s.strategy.waypoint.size(); ++i) {
+    const Waypoint& waypoint = s.strategy.waypoint[i];
+    const PalmStop to = palm_stops(s).at(i);
+    if (waypoint.via_m && i == 0 && rests_at_first(s)) {
+      out.push_back(
+          {waypoint_key(i, "via_m"), "",
+           "does not go with pick = \"tracking\" at the first waypoint, to which the palm leaves the belt"});
+    } else if (waypoint.via_m && !arc_between(from, to)) {
+      out.push_back({waypoint_key(i, "via_m"), "",
+                     "lies in a line with the places before and after it, or on one of them: there is no arc"});
+    }
+    from = to;
+  }
+}
+
+void blends_pass_on(const Scenario& s, Violations& out) {
+  const std::vector<Waypoint>& all = s.strategy.waypoint;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!(all[i].blend_m > 0.0)) continue;
+    if (i + 1 == all.size()) {
+      out.push_back({waypoint_key(i, "blend_m"), spelled(all[i].blend_m),
+                     "must be 0 at the last waypoint: the palm rests there before the transfer"});
+    } else if (all[i].wait_s > 0.0) {
+      out.push_back(
+          {waypoint_key(i, "blend_m"), spelled(all[i].blend_m),
+           "excludes wait_s = " + spelled(all[i].wait_s) + ": where it is blended the palm does not rest"});
+    }
+  }
+}
+
+void s_curves_have_jerks(const Scenario& s, Violations& out) {
+  if (!has_gripper(s) || s.strategy.profile != ProfileKind::s_curve) return;
+  if (!s.strategy.jerk_m_s3) out.push_back({"strategy.jerk_m_s3", "", "missing: profile = \"s_curve\" needs it"});
+  if (!s.strategy.tilt_jerk_rad_s3 && turns_product(s)) {
+    out.push_back(
+        {"strategy.tilt_jerk_rad_s3", "", "missing: profile = \"s_curve\" needs it where the palm turns"});
+  }
+}
+
 constexpr std::string_view kPlace = "strategy.waypoint[].place_m", kRotation = "strategy.waypoint[].rotation_rad",
                            kQuaternion = "strategy.waypoint[].quaternion";
 
@@ -177,9 +222,20 @@ std::vector<Rule> turn_rules() {
        "needs centric fingers",
        turns_with_both_fingers,
        "needs centric fingers"},
-      {{kPlace, "strategy.tilt_rad", kRotation, kQuaternion, "gripper", "cell.lift_height_m",
-        "cell.place_height_m", "cell.grip_offset_m", "cell.grip_height_m", "product.size_m", "product.shape",
-        "product.axis"},
+      {{"strategy.waypoint[].via_m", kPlace, "cell.lift_height_m", "strategy.pick", "strategy.pick_offset_m",
+        "cell.conveyor.direction", "gripper"},
+       "on an arc from the waypoint before to place_m",
+       arcs_are_of_circles},
+      {{"strategy.waypoint[].blend_m", "strategy.waypoint[].wait_s", kPlace},
+       "0 at the last waypoint and with wait_s",
+       blends_pass_on},
+      {{"strategy.jerk_m_s3", "strategy.tilt_jerk_rad_s3", "strategy.profile", "strategy.tilt_rad", kRotation,
+        kQuaternion, "gripper"},
+       "required with profile = \"s_curve\"",
+       s_curves_have_jerks},
+      {{kPlace, "strategy.tilt_rad", "strategy.waypoint[].via_m", kRotation, kQuaternion, "gripper",
+        "cell.lift_height_m", "cell.place_height_m", "cell.grip_offset_m", "cell.grip_height_m", "product.size_m",
+        "product.shape", "product.axis"},
        "clear of the plane below",
        stops_clear_the_plane,
        "clear of the plane below"},

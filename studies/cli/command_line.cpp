@@ -186,14 +186,16 @@ class CommandLine {
   [[nodiscard]] AnswerForm answer_form() const { return json_ ? AnswerForm::json : AnswerForm::lines; }
 
   void add_export() {
-    CLI::App& out = command("export", "one flat table of a study as CSV, for pandas and spreadsheets", [this] {
-      export_.path = one_word("export", "a run directory or results file");
-      if (!output_.empty()) export_.output = output_;
-      export_.scenario = scenario_id("export");
-      return export_command(export_);
-    });
+    CLI::App& out =
+        command("export", "one flat table of a study as CSV, or its strategy for a controller", [this] {
+          export_.path = one_word("export", "a run directory or results file");
+          if (!output_.empty()) export_.output = output_;
+          export_.scenario = scenario_id("export");
+          return export_command(export_);
+        });
     out.add_option("PATH", words_, "run directory or results file")->expected(0, -1);
-    out.add_option("--scenario", scenario_, "the trace of this scenario instead (run --scenario records it)")
+    out.add_option("--scenario", scenario_,
+                   "the trace of this scenario instead (run --scenario records it), or its motion or path")
         ->type_name("ID");
     add_options(out, export_);
     out.add_option("--output,-o", output_, "the file (default: TABLE.csv beside the results; -: stdout)")

@@ -5,11 +5,18 @@
 namespace unbruised::studies {
 
 void add_options(CLI::App& to, ExportArguments& arguments) {
-  to.add_option("--format", arguments.format, "csv (default), or vtkhdf: one scenario in motion, for ParaView")
+  to.add_option("--format", arguments.format,
+                "csv (default); vtkhdf: one scenario in motion, for ParaView; for a controller joint_trajectory "
+                "(ROS), urscript, rapid, krl")
       ->type_name("FORMAT");
-  to.add_option("--table", arguments.table,
-                "scenarios (default), window, best, pareto, ... as `info --json` lists them")
+  to.add_option(
+        "--table", arguments.table,
+        "scenarios (default), window, best, pareto, ... as `info --json` lists them; path: palm, joints and "
+        "gripper over time")
       ->type_name("NAME");
+  to.add_option("--joint-names", arguments.joint_names, "of a joint_trajectory, in the order of the arm's joints")
+      ->type_name("NAME,...")
+      ->delimiter(',');
 }
 
 void add_options(CLI::App& to, NewArguments& arguments) {

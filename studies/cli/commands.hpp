@@ -104,9 +104,10 @@ struct ExportArguments {
   std::optional<std::uint64_t> scenario;  ///< its trace instead of a table
   std::string format = "csv";
   std::string table = "scenarios";
+  std::vector<std::string> joint_names;         ///< of a joint_trajectory
   std::optional<std::filesystem::path> output;  ///< none: beside the results; "-": stdout
 };
-/// One flat table as CSV.
+/// One flat table as CSV, one scenario in motion, or a strategy for a controller.
 int export_command(const ExportArguments& arguments);
 struct NewArguments {
   std::string name;

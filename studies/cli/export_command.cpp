@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "studies/cli/commands.hpp"
+#include "studies/cli/export_program.hpp"
 #include "studies/cli/interrupt.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/cli/replays.hpp"
@@ -93,13 +94,16 @@ int export_motion(const ExportArguments& arguments) {
 
 int export_command(const ExportArguments& arguments) {
   if (arguments.format == "vtkhdf") return export_motion(arguments);
+  if (is_program_format(arguments.format)) return export_program(arguments);
   if (arguments.format != "csv") {
     print_error(joined({"--format ", arguments.format,
-                        ": this build writes csv and vtkhdf. Parquet needs Apache Arrow, which Debian 12 does not "
+                        ": this build writes csv, vtkhdf, joint_trajectory, urscript, rapid and krl. Parquet "
+                        "needs Apache Arrow, which Debian 12 does not "
                         "have; pandas makes "
                         "it from the csv: pandas.read_csv(FILE).to_parquet(...)"}));
     return kExitInput;
   }
+  if (arguments.table == kPathTable) return export_program(arguments);
   if (arguments.scenario) return export_trace(arguments);
   const auto recorded = read_recorded(arguments.path);
   if (!recorded) return report_error(recorded.error());

@@ -198,14 +198,19 @@ std::string replay_command(const RecordedStudy& recorded, const std::string& pro
                  shell_word(directory.string()), " --scenario"});
 }
 
+const ScenarioRow* recorded_row(const RecordedStudy& recorded, std::uint64_t id) {
+  const std::vector<ScenarioRow>& rows = recorded.tables.rows;
+  const auto found = std::find_if(rows.begin(), rows.end(), [id](const ScenarioRow& row) { return row.id == id; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
 std::optional<ScenarioRow> recorded_row(const fs::path& directory, const Study& study, std::uint64_t id) {
   if (!is_there(directory)) return std::nullopt;
   const auto recorded = read_recorded(directory);
   if (!recorded || recorded->meta.config_toml != study.resolved_toml()) return std::nullopt;
-  const std::vector<ScenarioRow>& rows = recorded->tables.rows;
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const ScenarioRow& row) { return row.id == id; });
-  if (found == rows.end() || found->result.outcome == Outcome::not_run) return std::nullopt;
-  return *found;
+  const ScenarioRow* row = recorded_row(*recorded, id);
+  if (row == nullptr || row->result.outcome == Outcome::not_run) return std::nullopt;
+  return *row;
 }
 
 }  // namespace unbruised::studies

@@ -40,6 +40,8 @@ std::filesystem::path directory_of(const RecordedStudy& recorded);
 /// replay from.
 std::string replay_command(const RecordedStudy& recorded, const std::string& program);
 
+/// The row of an id; nullptr: there is none.
+const ScenarioRow* recorded_row(const RecordedStudy& recorded, std::uint64_t id);
 /// The recorded row of an id in the run directory of this very study; nothing when there is none.
 std::optional<ScenarioRow> recorded_row(const std::filesystem::path& directory, const Study& study,
                                         std::uint64_t id);

@@ -34,17 +34,12 @@ StudyOrError study_of(const RecordedStudy& recorded) {
   return read_study_text(recorded.meta.config_toml, "config.toml", {}, directory_of(recorded), {});
 }
 
-const ScenarioRow* row_of(const std::vector<ScenarioRow>& rows, std::uint64_t id) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [id](const ScenarioRow& row) { return row.id == id; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 std::optional<Scenario> scenario_of(const Study& study, const RecordedStudy& recorded, std::uint64_t id) {
   if (has_fixed_scenarios(study.kind())) {
     const ScenarioSet set = scenario_set(study);
     return id < set.count ? std::optional(set.scenario(id)) : std::nullopt;
   }
-  const ScenarioRow* row = row_of(recorded.tables.rows, id);
+  const ScenarioRow* row = recorded_row(recorded, id);
   return row == nullptr ? std::nullopt : scenario_of_row(study, *row);
 }
 
@@ -82,7 +77,7 @@ std::optional<std::vector<ScenarioReplay>> run_group(const std::vector<Planned>&
 }
 
 bool is_as_recorded(const RecordedStudy& recorded, const ScenarioReplay& seen) {
-  const ScenarioRow* row = row_of(recorded.tables.rows, seen.id);
+  const ScenarioRow* row = recorded_row(recorded, seen.id);
   const bool same =
       row == nullptr || row->result.outcome == Outcome::not_run || row->result.outcome == seen.result.outcome;
   if (!same) {
@@ -107,10 +102,13 @@ Scenario thinned_for_replay(Scenario scenario) {
   return scenario;
 }
 
-std::optional<ScenarioReplay> replay_of(const RecordedStudy& recorded, std::uint64_t id) {
+std::optional<Scenario> recorded_scenario(const RecordedStudy& recorded, std::uint64_t id) {
   const StudyOrError study = study_of(recorded);
-  if (!study) return std::nullopt;
-  std::optional<Scenario> scenario = scenario_of(*study, recorded, id);
+  return study ? scenario_of(*study, recorded, id) : std::nullopt;
+}
+
+std::optional<ScenarioReplay> replay_of(const RecordedStudy& recorded, std::uint64_t id) {
+  std::optional<Scenario> scenario = recorded_scenario(recorded, id);
   if (!scenario) return std::nullopt;
   auto seen = run_group({{{id, "asked for"}, *std::move(scenario)}});
   if (!seen || seen->front().replay.frame_count() == 0) return std::nullopt;

@@ -22,6 +22,8 @@ Scenario thinned_for_replay(Scenario scenario);
 /// another outcome are left out, and all of them where it would take long; a note says so. Nothing where they
 /// cannot be made again, or when interrupted.
 std::vector<ScenarioReplay> replays_of(const RecordedStudy& recorded, const std::vector<std::uint64_t>& asked);
+/// One of its scenarios as the study has it. Nothing where there is none of this number.
+std::optional<Scenario> recorded_scenario(const RecordedStudy& recorded, std::uint64_t id);
 /// One of its scenarios. Nothing where there is none of this number, or when interrupted.
 std::optional<ScenarioReplay> replay_of(const RecordedStudy& recorded, std::uint64_t id);
 

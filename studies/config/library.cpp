@@ -7,7 +7,6 @@
 #include "studies/config/csv_rows.hpp"
 #include "studies/config/measured_data.hpp"
 #include "studies/config/schema.hpp"
-#include "studies/config/urdf_arm.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -174,41 +173,6 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
   std::vector<Entry> entries = library_entries(document, "", table, problems);
   read_profile(entries, problems);
   return entries;
-}
-
-bool Library::names_file(std::string_view key) {
-  return key == kProfileFileKey || key == "robot.urdf" || key == "robot.tip_link";
-}
-
-void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
-  const auto named = std::find_if(entries.rbegin(), entries.rend(),
-                                  [](const Entry& entry) { return entry.path == kProfileFileKey; });
-  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
-  const auto text = open(Entry(*named), problems);
-  if (!text) return;
-  for (Entry& entry : profile_entries(text->content, text->file, text->rank, problems)) {
-    entries.push_back(std::move(entry));
-  }
-}
-
-void Library::read_arm(std::vector<Entry>& entries, Problems& problems) {
-  const auto last = [&](std::string_view path) {
-    return std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) { return entry.path == path; });
-  };
-  const auto named = last("robot.urdf");
-  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
-  const auto lists = [](const Entry& entry) { return entry.path.starts_with("robot.joint["); };
-  if (std::any_of(entries.begin(), entries.end(), lists)) {
-    problems.add(named->origin, named->path, spelled(named->value), "excludes [[robot.joint]]; give one of them");
-    return;
-  }
-  const auto tip = last("robot.tip_link");
-  const std::string tip_link = tip == entries.rend() ? "" : tip->value.text;
-  const auto text = open(Entry(*named), problems);
-  if (!text) return;
-  for (Entry& entry : urdf_entries({text->content, tip_link, text->file, text->rank}, problems)) {
-    if (last(entry.path) == entries.rend()) entries.push_back(std::move(entry));
-  }
 }
 
 std::vector<Entry> profile_entries(std::string_view content, const std::shared_ptr<const std::string>& file,

@@ -52,6 +52,12 @@ class Library {
   /// Appends the joints and the flange of the URDF file that entries name.
   void read_arm(std::vector<Entry>& entries, Problems& problems);
 
+  /// Appends the waypoints of the CSV file that entries name.
+  void read_waypoints(std::vector<Entry>& entries, Problems& problems);
+
+  /// Appends what a recorded demonstration says and the entries do not: lift, waypoints, place, grip force.
+  void read_demonstration(std::vector<Entry>& entries, Problems& problems);
+
  private:
   struct Text {
     std::string content;

@@ -93,6 +93,8 @@ class Reader {
     }
     library_.read_profile(text_.study, problems_);
     library_.read_arm(text_.study, problems_);
+    library_.read_waypoints(text_.study, problems_);
+    library_.read_demonstration(text_.study, problems_);
     for (const std::string list : {"product.particle", "product.spring"}) {
       const Entry* csv = text_.last(list + "s_csv");
       if (csv == nullptr) continue;

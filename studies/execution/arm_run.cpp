@@ -4,15 +4,11 @@
 #include <cmath>
 
 namespace unbruised::studies {
-namespace {
 
-/// The plan that a run followed, from when its lift began; NaN: none did.
 MotionPlan followed_plan(const Scenario& scenario, double lift_time_s) {
   if (std::isnan(lift_time_s)) return MotionPlan(scenario, kNever);
   return MotionPlan(scenario, lift_time_s - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s);
 }
-
-}  // namespace
 
 ArmRun::ArmRun(const Scenario& scenario) : timed_(timed_for_arm(scenario)) {
   if (!timed_.ride.breach) return;

@@ -10,6 +10,9 @@
 
 namespace unbruised::studies {
 
+/// The plan that a run followed, from when its lift began; NaN: none did.
+MotionPlan followed_plan(const Scenario& scenario, double lift_time_s);
+
 class ArmRun {
  public:
   /// @param scenario has a robot

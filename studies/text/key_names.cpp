@@ -8,10 +8,12 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::array<Unit, 19> kUnits = {{
+constexpr std::array<Unit, 21> kUnits = {{
     {"_N_m_rad", "N m/rad", "N m rad-1"},
+    {"_rad_s3", "rad/s3", "rad s-3"},
     {"_rad_s2", "rad/s2", "rad s-2"},
     {"_N_s_m", "N s/m", "N s m-1"},
+    {"_m_s3", "m/s3", "m s-3"},
     {"_m_s2", "m/s2", "m s-2"},
     {"_kg_m3", "kg/m3", "kg m-3"},
     {"_kg_m2", "kg m2", "kg m2"},

@@ -21,15 +21,17 @@ struct Case {
   double distance_m;
   double acceleration_m_s2;
   double speed_m_s;
+  double jerk_m_s3 = kNoLimit;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << (c.kind == ProfileKind::trapezoid ? "trapezoid" : "minimum_jerk") << " D=" << c.distance_m
-             << " a=" << c.acceleration_m_s2 << " v=" << c.speed_m_s;
+  constexpr const char* kWords[] = {"trapezoid", "minimum_jerk", "s_curve"};
+  return out << kWords[static_cast<int>(c.kind)] << " D=" << c.distance_m << " a=" << c.acceleration_m_s2
+             << " v=" << c.speed_m_s << " j=" << c.jerk_m_s3;
 }
 
 MotionProfile plan(const Case& c) {
-  return MotionProfile::plan(c.kind, c.distance_m, c.acceleration_m_s2, c.speed_m_s);
+  return MotionProfile::plan(c.kind, c.distance_m, c.acceleration_m_s2, c.speed_m_s, c.jerk_m_s3);
 }
 
 /// Limits that bite, limits that do not, both directions, millimetres to kilometres.
@@ -40,6 +42,15 @@ std::vector<Case> cases() {
       for (const double acceleration_m_s2 : {0.01, 2.0, 50.0}) {
         for (const double speed_m_s : {0.02, 1.0, kNoLimit}) {
           all.push_back({kind, distance_m, acceleration_m_s2, speed_m_s});
+        }
+      }
+    }
+  }
+  for (const double distance_m : {1e-6, 0.1, -0.3, 1000.0}) {
+    for (const double acceleration_m_s2 : {0.01, 2.0, 50.0}) {
+      for (const double speed_m_s : {0.02, 1.0, kNoLimit}) {
+        for (const double jerk_m_s3 : {0.5, 40.0, 1e4}) {
+          all.push_back({ProfileKind::s_curve, distance_m, acceleration_m_s2, speed_m_s, jerk_m_s3});
         }
       }
     }
@@ -97,6 +108,62 @@ TEST(MotionProfile, MinimumJerkStartsAndEndsWithoutAcceleration) {
   EXPECT_NEAR(profile.at(T * (1.0 - 1e-9)).acceleration_m_s2, 0.0, 61.0 * 0.3 / (T * T) * 1e-9);
 }
 
+TEST(MotionProfile, AnSCurveTakesTheTimeOfItsClosedForms) {
+  struct Known {
+    double distance_m, acceleration_m_s2, speed_m_s, jerk_m_s3, duration_s, peak_speed_m_s, peak_acceleration_m_s2;
+  };
+  const Known all[] = {
+      {1.0, 2.0, 0.5, 20.0, 2.35, 0.5, 2.0},  // cruises: D / v + v / a + a / j
+      {0.5, 8.0, 0.2, 20.0, 2.7, 0.2, 2.0},   // so little speed that a is not reached: D / v + 2 sqrt(v / j)
+      {6.0, 2.0, kNoLimit, 2.0, 1.0 + std::sqrt(13.0), std::sqrt(13.0) - 1.0, 2.0},  // no cruise
+      {0.25, 10.0, kNoLimit, 8.0, 4.0 * 0.25, 0.5, 2.0},  // neither: 4 (D / (2 j))^(1/3)
+  };
+  for (const Known& known : all) {
+    const MotionProfile profile = MotionProfile::plan(ProfileKind::s_curve, known.distance_m,
+                                                      known.acceleration_m_s2, known.speed_m_s, known.jerk_m_s3);
+    EXPECT_NEAR(profile.duration_s(), known.duration_s, kRounding * known.duration_s);
+    double speed = 0.0, acceleration = 0.0, jerk = 0.0;
+    constexpr int kLooks = 10000;
+    for (int i = 0; i <= kLooks; ++i) {
+      const auto state = profile.at(profile.duration_s() * i / kLooks);
+      speed = std::max(speed, std::abs(state.velocity_m_s));
+      acceleration = std::max(acceleration, std::abs(state.acceleration_m_s2));
+      jerk = std::max(jerk, std::abs(state.jerk_m_s3));
+    }
+    EXPECT_NEAR(speed, known.peak_speed_m_s, 1e-6);
+    // The looks pass a corner of the acceleration by half a step at most.
+    EXPECT_NEAR(acceleration, known.peak_acceleration_m_s2, known.jerk_m_s3 * profile.duration_s() / kLooks);
+    EXPECT_NEAR(jerk, known.jerk_m_s3, kRounding * known.jerk_m_s3);
+  }
+}
+
+TEST(MotionProfile, OfAnSCurveWithMuchJerkATrapezoidIsLeft) {
+  const MotionProfile curve = MotionProfile::plan(ProfileKind::s_curve, 0.7, 2.0, 0.8, 1e9);
+  const MotionProfile trapezoid = MotionProfile::plan(ProfileKind::trapezoid, 0.7, 2.0, 0.8);
+  EXPECT_NEAR(curve.duration_s(), trapezoid.duration_s(), 1e-8);  // a / j
+  for (const double share : {0.1, 0.3, 0.5, 0.8}) {
+    const double time_s = share * trapezoid.duration_s();
+    EXPECT_NEAR(curve.at(time_s).position_m, trapezoid.at(time_s).position_m, 1e-8);
+  }
+}
+
+TEST(MotionProfile, AnSCurveNeedsAJerk) {
+  for (const double bad : {0.0, -1.0, kNoLimit, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(MotionProfile::plan(ProfileKind::s_curve, 1.0, 1.0, 1.0, bad), std::invalid_argument) << bad;
+  }
+}
+
+TEST(MotionProfile, JerkIsTheDerivativeOfTheAcceleration) {
+  for (const ProfileKind kind : {ProfileKind::minimum_jerk, ProfileKind::s_curve}) {
+    const MotionProfile profile = MotionProfile::plan(kind, 0.4, 2.0, 0.6, 15.0);
+    for (const double share : {0.02, 0.2, 0.45, 0.77, 0.98}) {
+      const double t = share * profile.duration_s(), h = 1e-6;
+      const double difference = profile.at(t + h).acceleration_m_s2 - profile.at(t - h).acceleration_m_s2;
+      EXPECT_NEAR(profile.at(t).jerk_m_s3, difference / (2.0 * h), 1e-5) << share;
+    }
+  }
+}
+
 TEST(MotionProfile, ZeroDistanceTakesNoTime) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::minimum_jerk}) {
     for (const double distance_m : {0.0, -0.0}) {
@@ -140,21 +207,27 @@ TEST(EveryMotionProfile, RestsBeforeItsStartAndFromItsEndOn) {
   });
 }
 
-TEST(EveryMotionProfile, KeepsBothLimitsAndReachesOne) {
+TEST(EveryMotionProfile, KeepsItsLimitsAndReachesOne) {
   for_every_case([](const Case& c) {
     const MotionProfile profile = plan(c);
     double peak_acceleration = 0.0;
-    double peak_speed = 0.0;
+    double peak_speed = 0.0, peak_jerk = 0.0;
     constexpr int kSamples = 2000;
     for (int i = 0; i <= kSamples; ++i) {
       const MotionProfile::State state = profile.at(profile.duration_s() * i / kSamples);
       peak_acceleration = std::max(peak_acceleration, std::abs(state.acceleration_m_s2));
       peak_speed = std::max(peak_speed, std::abs(state.velocity_m_s));
+      peak_jerk = std::max(peak_jerk, std::abs(state.jerk_m_s3));
     }
     EXPECT_LE(peak_acceleration, c.acceleration_m_s2 * (1.0 + kRounding));
     EXPECT_LE(peak_speed, c.speed_m_s * (1.0 + kRounding));
     // Sampling misses a smooth peak by at most (pi / kSamples)^2 / 2 of it: about 1e-6.
-    EXPECT_GE(std::max(peak_acceleration / c.acceleration_m_s2, peak_speed / c.speed_m_s), 1.0 - 1e-5);
+    if (c.kind == ProfileKind::s_curve) {
+      EXPECT_LE(peak_jerk, c.jerk_m_s3 * (1.0 + kRounding));
+    }
+    EXPECT_GE(
+        std::max({peak_acceleration / c.acceleration_m_s2, peak_speed / c.speed_m_s, peak_jerk / c.jerk_m_s3}),
+        1.0 - 1e-5);
   });
 }
 
@@ -187,7 +260,7 @@ TEST(EveryMotionProfile, VelocityIntegratesToPositionAndAccelerationToVelocity) 
     const double dt = T / kSteps;
     // Midpoint rule. Smooth: error <= T dt^2 / 24 x 60 D / T^3, 1.6e-7 of D. A trapezoid's two corners, which may
     // fall into single steps, add at most peak speed x dt and peak acceleration x dt each.
-    const bool corners = c.kind == ProfileKind::trapezoid;
+    const bool corners = c.kind != ProfileKind::minimum_jerk;
     const double peak_speed = std::abs(profile.at(0.5 * T).velocity_m_s);
     const double position_tolerance = 1e-6 * D + (corners ? 2.0 * peak_speed * dt : 0.0);
     const double velocity_tolerance = 1e-6 * a * T + (corners ? 3.0 * a * dt : 0.0);
@@ -231,6 +304,7 @@ TEST(EveryMotionProfile, IsTheSameInOtherUnitsOfLengthAndTime) {
     scaled.distance_m *= kLength;
     scaled.acceleration_m_s2 *= kLength / (kTime * kTime);
     scaled.speed_m_s *= kLength / kTime;
+    scaled.jerk_m_s3 *= kLength / (kTime * kTime * kTime);
     const MotionProfile profile = plan(c);
     const MotionProfile other = plan(scaled);
     ASSERT_EQ(other.duration_s(), kTime * profile.duration_s());

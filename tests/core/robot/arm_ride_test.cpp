@@ -220,12 +220,31 @@ TEST(ArmTiming, WhatWeightAloneBreaksStaysBroken) {
   EXPECT_EQ(timed.ride.breach->limit, ArmLimit::torque);
 }
 
-TEST(ArmTiming, SlowingATrapezoidKeepsTheLimitsToo) {
+TEST(ArmTiming, SlowingATrapezoidOrAnSCurveKeepsTheLimitsToo) {
+  for (const ProfileKind profile : {ProfileKind::trapezoid, ProfileKind::s_curve}) {
+    Scenario scenario = hasty(0.3, 10.0);
+    scenario.strategy.profile = profile;
+    scenario.strategy.jerk_m_s3 = 400.0;
+    const TimedScenario timed = timed_for_arm(scenario);
+    ASSERT_FALSE(timed.ride.breach) << words_of(*timed.ride.breach);
+    EXPECT_GT(timed.ride.speed.use, 0.9);
+  }
+}
+
+TEST(ArmTiming, APathThatLeavesTheReachIsNotSlowedDownForIt) {
   Scenario scenario = hasty(0.3, 10.0);
-  scenario.strategy.profile = ProfileKind::trapezoid;
+  scenario.cell.transfer_m = {0.0, 2.0};
+  const MotionPlan plan = planned_motion(scenario);
+  const ArmRide planned = ride(scenario, plan);
+  ASSERT_TRUE(planned.breach);
+  EXPECT_EQ(planned.breach->limit, ArmLimit::speed) << "which time alone would mend";
   const TimedScenario timed = timed_for_arm(scenario);
-  ASSERT_FALSE(timed.ride.breach) << words_of(*timed.ride.breach);
-  EXPECT_GT(timed.ride.speed.use, 0.9);
+  ASSERT_TRUE(timed.ride.breach);
+  EXPECT_TRUE(timed.ride.breach->limit == ArmLimit::reach || timed.ride.breach->limit == ArmLimit::singular);
+  EXPECT_GT(timed.ride.breach->time_s, plan.hold_end_s());
+  EXPECT_LT(timed.ride.breach->time_s, plan.level_start_s());
+  EXPECT_FALSE(timed.scenario.strategy.transfer_acceleration_m_s2);
+  EXPECT_EQ(timed.slowed_s, 0.0);
 }
 
 TEST(ArmTiming, HalfOfALimitIsKeptWhereSoMuchMayBeUsed) {

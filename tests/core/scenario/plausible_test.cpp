@@ -186,7 +186,11 @@ bool can_be_tripped(const PlausibleRow& row) {
   lattice_in(grip).prony_time_s = {1.0};
   jaw_of(grip).opening_m = 0.08;
   jaw_of(grip).finger.resize(1);
-  grip.strategy.waypoint = {{.place_m = std::array<double, 3>{}, .rotation_rad = std::array<double, 3>{}}};
+  grip.strategy.waypoint = {{.place_m = std::array<double, 3>{},
+                             .rotation_rad = std::array<double, 3>{},
+                             .via_m = std::array<double, 3>{}}};
+  grip.robot.joint.resize(1);
+  grip.robot.acceleration_rad_s2 = grip.robot.seed_posture_rad = {1.0};
   grip.cell.surface.resize(1);
   grip.cell.surface[0].size_m = {0.1, 0.1};
   grip.cell.surface[0].path_time_s = {0.0};

@@ -537,6 +537,32 @@ std::vector<Breach> handling_breaches() {
          s.strategy.waypoint = {{.rotation_rad = std::array<double, 3>{0.1, 0.0, 0.0},
                                  .quaternion = std::array<double, 4>{1.0, 0.0, 0.0, 0.0}}};
        }},
+      {"strategy.waypoint[0].via_m", "lies in a line with the places before and after it", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {
+             {.place_m = std::array<double, 3>{0.0, 0.2, 0.1}, .via_m = std::array<double, 3>{0.0, 0.1, 0.1}}};
+       }},
+      {"strategy.waypoint[0].via_m", "does not go with pick = \"tracking\" at the first waypoint", usual_grip,
+       [](S s) {
+         s.cell.conveyor.speed_m_s = 0.2;
+         s.strategy.pick = PickKind::tracking;
+         s.strategy.waypoint = {
+             {.place_m = std::array<double, 3>{0.0, 0.2, 0.1}, .via_m = std::array<double, 3>{0.0, 0.1, 0.2}}};
+       }},
+      {"strategy.waypoint[0].blend_m", "must be 0 at the last waypoint", usual_grip,
+       [](S s) { s.strategy.waypoint = {{.blend_m = 0.01}}; }},
+      {"strategy.waypoint[0].blend_m", "excludes wait_s = 0.5", usual_grip,
+       [](S s) {
+         s.strategy.waypoint = {{.blend_m = 0.01, .wait_s = 0.5}, {}};
+       }},
+      {"strategy.jerk_m_s3", "missing: profile = \"s_curve\" needs it", usual_grip,
+       [](S s) { s.strategy.profile = ProfileKind::s_curve; }},
+      {"strategy.tilt_jerk_rad_s3", "missing: profile = \"s_curve\" needs it where the palm turns", usual_grip,
+       [](S s) {
+         s.strategy.profile = ProfileKind::s_curve;
+         s.strategy.jerk_m_s3 = 40.0;
+         s.strategy.tilt_rad = {0.1, 0.0, 0.0};
+       }},
       {"strategy.waypoint[1].place_m", "takes the product's lowest place down to -0.01 m", usual_grip,
        [](S s) {
          s.strategy.waypoint = {{.place_m = std::array<double, 3>{0.0, 0.1, 0.1}},
@@ -772,29 +798,13 @@ TEST(Rules, LookAtTheFieldsTheyNameOnly) {
 }
 
 TEST(Rules, NameKnownFields) {
-  const std::set<std::string_view> words = {"product.shape",
-                                            "product.axis",
-                                            "product.kind",
-                                            "product.particle[].fixed",
-                                            "gripper",
-                                            "gripper.coupling",
-                                            "gripper.hold",
-                                            "gripper.pad.shape",
-                                            "gripper.pad.along",
-                                            "gripper.pad.kind",
-                                            "gripper.finger",
-                                            "cell.support",
-                                            "strategy.pick",
-                                            "cell.surface",
-                                            "robot.joint",
-                                            "cell.target_plane",
-                                            "simulation.contact_set",
-                                            "strategy.guard",
-                                            "strategy.ramp_from_start",
-                                            "sensor.at",
-                                            "sensor.model",
-                                            "product.prony_from",
-                                            "product.spring[].prony_from"};
+  const std::set<std::string_view> words = {
+      "product.shape",     "product.axis",           "product.kind",       "product.particle[].fixed",
+      "gripper",           "gripper.coupling",       "gripper.hold",       "gripper.pad.shape",
+      "gripper.pad.along", "gripper.pad.kind",       "gripper.finger",     "cell.support",
+      "strategy.pick",     "strategy.profile",       "cell.surface",       "robot.joint",
+      "cell.target_plane", "simulation.contact_set", "strategy.guard",     "strategy.ramp_from_start",
+      "sensor.at",         "sensor.model",           "product.prony_from", "product.spring[].prony_from"};
   for (const Rule& rule : scenario_rules()) {
     for (const std::string_view field : rule.fields) {
       EXPECT_TRUE(find_number_field(field) != nullptr || words.contains(field)) << field;

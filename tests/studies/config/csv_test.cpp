@@ -1,6 +1,9 @@
 // Lists of particles and springs as spreadsheets write them.
 
+#include <map>
+
 #include "studies/config/library.hpp"
+#include "studies/config/waypoint_csv.hpp"
 #include "tests/studies/config/config_testing.hpp"
 
 namespace unbruised::studies {
@@ -70,6 +73,51 @@ TEST(ProfileCsv, IsRefusedWithFileAndLine) {
             "place"});
   EXPECT_EQ(said_of_profile("place_m,height_m\n0.01,0\n"),
             Lines{"tip.csv:1: gripper.pad.profile_file: the file must have two rows at least"});
+}
+
+std::vector<std::string> said_of_waypoints(const std::string& text) {
+  Problems problems;
+  waypoint_entries(text, std::make_shared<const std::string>("way.csv"), 1, problems);
+  return problems.lines();
+}
+
+TEST(WaypointCsv, IsATableForEachRow) {
+  Problems problems;
+  const auto entries = waypoint_entries(
+      "# "
+      "recorded\nx_m,y_m,z_m,qw,qx,qy,qz,time_s,blend_m,wait_s\n0,0.1,0.2,1,0,0,0,0.5,0,0.25\n0,0.3,0.2,0,1,0,0,1."
+      "75,0,0\n",
+      std::make_shared<const std::string>("way.csv"), 1, problems);
+  EXPECT_EQ(problems.lines(), std::vector<std::string>{});
+  std::map<std::string, Value> read;
+  for (const Entry& entry : entries) read[entry.path] = entry.value;
+  ASSERT_EQ(read.size(), 10U);
+  EXPECT_EQ(read.at("strategy.waypoint[1].place_m").items[1].number, 0.3);
+  EXPECT_EQ(read.at("strategy.waypoint[1].quaternion").items[1].number, 1.0);
+  EXPECT_EQ(read.at("strategy.waypoint[0].duration_s").number, 0.5);
+  EXPECT_EQ(read.at("strategy.waypoint[1].duration_s").number, 1.0) << "after the rest";
+  EXPECT_EQ(read.at("strategy.waypoint[0].wait_s").number, 0.25);
+}
+
+TEST(WaypointCsv, IsRefusedWithFileAndLine) {
+  using Lines = std::vector<std::string>;
+  const std::string columns =
+      "way.csv:1: strategy.waypoint_file: the first line must name the columns x_m, y_m, z_m, and of these what "
+      "there "
+      "is: rx_rad, ry_rad, rz_rad or qw, qx, qy, qz; time_s or speed_m_s; blend_m; wait_s";
+  for (const char* wrong : {"", "x_m,y_m\n0,0\n", "x_m,y_m,z_m,qw\n0,0,0,1\n", "x_m,y_m,z_m,pace\n0,0,0,1\n",
+                            "x_m,y_m,z_m,time_s,speed_m_s\n0,0,0,1,1\n"}) {
+    EXPECT_EQ(said_of_waypoints(wrong), Lines{columns}) << wrong;
+  }
+  EXPECT_EQ(said_of_waypoints("x_m,y_m,z_m\n"),
+            Lines{"way.csv:1: strategy.waypoint_file: the file must have a row at least"});
+  EXPECT_EQ(said_of_waypoints("x_m,y_m,z_m\n0,0\n"),
+            Lines{"way.csv:2: strategy.waypoint_file: a row must have 3 cells, not 2"});
+  EXPECT_EQ(said_of_waypoints("x_m,y_m,z_m\n0,up,0\n"), Lines{"way.csv:2: y_m = up: must be a number"});
+  EXPECT_EQ(said_of_waypoints("x_m,y_m,z_m,time_s\n0,0,0.1,1\n0,0.1,0.1,0.5\n"),
+            Lines{"way.csv:3: time_s = 0.5: must be > 1.0, the time of the waypoint before it"});
+  EXPECT_EQ(said_of_waypoints("x_m,y_m,z_m,time_s\n0,0,0.1,0\n"),
+            Lines{"way.csv:2: time_s = 0.0: must be > 0.0, when the lift ends"});
 }
 
 }  // namespace

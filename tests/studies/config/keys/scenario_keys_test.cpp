@@ -267,6 +267,12 @@ std::vector<Arrival> strategy_arrivals() {
        [](S s) { return s.strategy.tracking_lag_s == 0.375; },
        {"strategy.pick=\"tracking\"", "cell.conveyor.speed_m_s=0.25"}},
       {"strategy.profile", "\"trapezoid\"", [](S s) { return s.strategy.profile == ProfileKind::trapezoid; }},
+      {"strategy.profile",
+       "\"s_curve\"",
+       [](S s) { return s.strategy.profile == ProfileKind::s_curve; },
+       {"strategy.jerk_m_s3=40.0"}},
+      {"strategy.jerk_m_s3", "8.75", [](S s) { return s.strategy.jerk_m_s3 == 8.75; }},
+      {"strategy.tilt_jerk_rad_s3", "8.75", [](S s) { return s.strategy.tilt_jerk_rad_s3 == 8.75; }},
       {"strategy.lift_acceleration_m_s2", "8.75", [](S s) { return s.strategy.lift_acceleration_m_s2 == 8.75; }},
       {"strategy.transfer_acceleration_m_s2", "8.75",
        [](S s) { return s.strategy.transfer_acceleration_m_s2 == 8.75; }},
@@ -427,6 +433,18 @@ std::vector<Arrival> waypoint_arrivals() {
        [](S s) {
          return s.strategy.waypoint[0].quaternion == std::array<double, 4>{0.0, 0.6, 0.8, 0.0};
        }},
+      {"strategy.waypoint[0].via_m",
+       "[0.125, -0.25, 0.5]",
+       [](S s) {
+         return s.strategy.waypoint[0].via_m == A3{0.125, -0.25, 0.5};
+       },
+       {"strategy.waypoint[0].place_m=[0.0, 0.25, 0.5]"}},
+      {"strategy.waypoint[0].blend_m",
+       "0.875",
+       [](S s) { return s.strategy.waypoint[0].blend_m == 0.875; },
+       {"strategy.waypoint[0].wait_s=0.0"}},
+      {"strategy.waypoint[0].speed_m_s", "0.875", [](S s) { return s.strategy.waypoint[0].speed_m_s == 0.875; }},
+      {"strategy.waypoint[0].duration_s", "0.875", [](S s) { return s.strategy.waypoint[0].duration_s == 0.875; }},
       {"strategy.waypoint[0].wait_s", "0.875", [](S s) { return s.strategy.waypoint[0].wait_s == 0.875; }},
   };
 }
@@ -652,7 +670,9 @@ TEST(ScenarioKeys, EveryKeyOfAFreeFlightReachesTheFieldItNames) {
 }
 
 TEST(ScenarioKeys, EveryKeyOfAWaypointReachesTheFieldItNames) {
-  expect_arrivals(waypoint_arrivals(), gripped_block("simulate") + "[[strategy.waypoint]]\nwait_s = 0.25\n");
+  expect_arrivals(
+      waypoint_arrivals(),
+      gripped_block("simulate") + "[[strategy.waypoint]]\nwait_s = 0.25\n[[strategy.waypoint]]\nwait_s = 0.5\n");
 }
 
 TEST(ScenarioKeys, EveryKeyOfAnArmReachesTheFieldItNames) {

@@ -1,0 +1,129 @@
+/// @file
+/// What an arm adds to a scenario: the kiwi of `kiwi_first` gripped, lifted, carried and put down on coarser and
+/// finer cells, without an arm, with one that is asked whether it can follow, and with one that slows the path
+/// down. All lanes busy on one thread, by turns; the arm's own time is what is done before the first step and
+/// after the last.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "studies/config/study.hpp"
+#include "studies/execution/simulator.hpp"
+
+namespace unbruised::benchmarks {
+namespace {
+
+using studies::core_simulator;
+
+constexpr int kTurns = 5;
+constexpr double kCells_m[] = {8.33e-3, 6.25e-3, 5e-3};
+/// The limit that an arm is held to, against the same scenario without.
+constexpr double kLargestRatio = 1.05;
+
+struct Scene {
+  const char* name;
+  std::vector<std::string> sets;
+};
+
+std::vector<std::string> with_arm(std::vector<std::string> more) {
+  std::vector<std::string> sets = {"robot.urdf=robots/mid_size_arm.urdf",
+                                   "robot.base_place_m=[-0.45, 0.15, 0.0]",
+                                   "robot.tool_place_m=[0.0, 0.0, 0.15]",
+                                   "robot.tool_rotation_rad=[0.0, 3.14159265, 0.0]",
+                                   "robot.seed_posture_rad=[0.0, 0.4, 0.7, 0.0, 0.47, 0.0]",
+                                   "robot.acceleration_rad_s2=[15.0, 15.0, 15.0, 20.0, 20.0, 20.0]",
+                                   "robot.gripper_mass_kg=0.9"};
+  sets.insert(sets.end(), more.begin(), more.end());
+  return sets;
+}
+
+const std::vector<Scene>& scenes() {
+  static const std::vector<Scene> all{
+      {"no arm", {}},
+      {"arm", with_arm({})},
+      {"no arm, in haste", {"strategy.transfer_acceleration_m_s2=20.0", "strategy.speed_m_s=2.0"}},
+      {"arm, slows it down",
+       with_arm({"robot.timing=fit", "strategy.transfer_acceleration_m_s2=20.0", "strategy.speed_m_s=2.0"})},
+  };
+  return all;
+}
+
+/// Of this thread: what the machine does beside it is not in it.
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Cost {
+  double all_us = HUGE_VAL;  ///< of a lane and step
+  double arm_ms = 0.0;       ///< of a scenario: before its first step
+  double steps = 0.0;        ///< of a scenario
+};
+
+void run_once(const studies::SharedModel& model, const Scenario& scenario, Cost& least) {
+  const int lanes = core_simulator().lane_count();
+  const double start_s = processor_s();
+  const auto engine = model.make_lanes();
+  for (int lane = 0; lane < lanes; ++lane) engine->load(lane, scenario);
+  const double loaded_s = processor_s();
+  double lane_steps = 0.0;
+  for (int ended = 0; ended < lanes; ended += static_cast<int>(engine->finished().size())) {
+    engine->step();
+    lane_steps += engine->stepped();
+  }
+  const double us = 1e6 * (processor_s() - start_s) / lane_steps;
+  if (us < least.all_us) least = {us, 1e3 * (loaded_s - start_s) / lanes, lane_steps / lanes};
+}
+
+/// @return false where a scene cannot be read or built
+bool measure(const std::string& root, double cell_m) {
+  std::vector<Scenario> scenarios;
+  for (const Scene& scene : scenes()) {
+    std::vector<std::string> sets = scene.sets;
+    sets.push_back("product.cell_size_m=" + std::to_string(cell_m));
+    const studies::StudyOrError study = studies::read_study(root + "/kiwi_first.toml", sets, root);
+    if (!study) {
+      for (const std::string& line : study.error().messages) std::fprintf(stderr, "%s\n", line.c_str());
+      return false;
+    }
+    scenarios.push_back(study->scenario(study->scenario_count() / 2));
+  }
+  const studies::ModelOrReason model = core_simulator().build(scenarios.front());
+  if (!model) {
+    std::fprintf(stderr, "cannot be built: %s\n", model.error().c_str());
+    return false;
+  }
+  std::vector<Cost> costs(scenes().size());
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (std::size_t s = 0; s < scenes().size(); ++s) run_once(**model, scenarios[s], costs[s]);
+  }
+  for (std::size_t s = 0; s < scenes().size(); ++s) {
+    const Cost& cost = costs[s];
+    const double ratio = cost.all_us / costs[s - s % 2].all_us;
+    std::printf("%8.2f  %-20s %7.0f %9.2f %7.3f%s %9.2f\n", 1e3 * cell_m, scenes()[s].name, cost.steps,
+                cost.all_us, ratio, ratio > kLargestRatio ? "*" : " ", cost.arm_ms);
+  }
+  std::fflush(stdout);
+  return true;
+}
+
+}  // namespace
+}  // namespace unbruised::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace unbruised::benchmarks;
+  const std::string root = argc > 1 ? argv[1] : "configs";
+  std::printf("An arm that follows: kiwi_first's, %d lanes, least of %d turns, processor time\n",
+              core_simulator().lane_count(), kTurns);
+  std::printf("%8s  %-20s %7s %9s %7s  %9s\n", "cells mm", "scene", "steps", "us/step", "ratio", "load ms");
+  for (const double cell_m : kCells_m) {
+    if (!measure(root, cell_m)) return EXIT_FAILURE;
+  }
+  std::printf("*: more than %.2f times the same without an arm\n", kLargestRatio);
+  return EXIT_SUCCESS;
+}

@@ -1,4 +1,4 @@
-# What every target of ours is compiled with. Third-party headers come in as system headers, so the
+# What every target of ours is compiled with, and nobody else's: they link it privately. Third-party headers come in as system headers, so the
 # warnings speak of our code only.
 add_library(unbruised_options INTERFACE)
 target_include_directories(unbruised_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
@@ -49,7 +49,7 @@ set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
 # The libraries are part of the program and of Python's module alike. Hidden, their functions are called and inlined as in a
 # program: the same bits, as fast.
 function(unbruised_goes_into_modules target)
-  if(NOT UNBRUISED_PYTHON_MODULE)
+  if(NOT UNBRUISED_PYTHON_MODULE AND NOT UNBRUISED_PORTABLE)
     return()
   endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden

@@ -5,6 +5,7 @@
 #include "studies/cli/measured.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/cli/replays.hpp"
+#include "studies/report/page_rows.hpp"
 #include "studies/report/report_page.hpp"
 #include "studies/report/sound.hpp"
 #include "studies/results/durable_files.hpp"
@@ -46,14 +47,21 @@ MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, 
     if (!read) return read.error();
     trace = std::move(*read);
   }
-  const ResultsContent content{.meta = recorded.meta,
-                               .inputs = recorded.tables.inputs,
-                               .rows = recorded.tables.rows,
-                               .rows_of_search = false,
-                               .tables = recorded.tables.found,
-                               .window = recorded.tables.window ? &*recorded.tables.window : nullptr,
-                               .trace = recorded.has_trace ? &trace : nullptr};
   ReportContext context = context_of(recorded, arguments);
+  std::vector<std::uint64_t> moving;
+  for (const ScenarioReplay& seen : context.replays) moving.push_back(seen.id);
+  const std::vector<ScenarioRow>& rows = recorded.tables.rows;
+  ResultsContent content{.meta = recorded.meta,
+                         .inputs = recorded.tables.inputs,
+                         .rows = page_rows(rows, moving),
+                         .rows_of_search = false,
+                         .tables = recorded.tables.found,
+                         .window = recorded.tables.window ? &*recorded.tables.window : nullptr,
+                         .trace = recorded.has_trace ? &trace : nullptr};
+  if (std::string note = page_rows_note(content.rows.size(), rows.size()); !note.empty()) {
+    print_note(note);
+    content.meta.warnings.push_back(std::move(note));
+  }
   if (arguments.measured) {
     auto measured = read_measured_forces(*arguments.measured);
     if (!measured) return measured.error();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
+#include <iterator>
 #include <system_error>
 
 #include <fcntl.h>
@@ -341,13 +342,17 @@ void RunDirectory::log(std::string_view line) {
 }
 
 MaybeError RunDirectory::finish(ResultsContent content) {
-  std::map<std::uint64_t, ScenarioRow> all;
-  for (ScenarioRow& row : content.rows) all[row.id] = std::move(row);
-  for (ScenarioRow& row : rows()) all[row.id] = std::move(row);
+  std::vector<ScenarioRow> all = rows();
   if (auto error = commit())
     return error;  // after the rows were taken: results.h5 knows nothing that may get lost
-  content.rows.clear();
-  for (auto& [id, row] : all) content.rows.push_back(std::move(row));
+  if (!content.rows.empty()) {
+    all.insert(all.end(), std::make_move_iterator(content.rows.begin()),
+               std::make_move_iterator(content.rows.end()));
+    std::ranges::stable_sort(all, {}, &ScenarioRow::id);  // journalled ones first
+    const auto twice = std::ranges::unique(all, {}, &ScenarioRow::id);
+    all.erase(twice.begin(), twice.end());
+  }
+  content.rows = std::move(all);
   if (content.rows_of_search) number_search_rows(content.rows);
   content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;

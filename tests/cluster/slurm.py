@@ -2,7 +2,9 @@
 this machine's own address alone. Ended by the numbers of their processes."""
 import getpass
 import os
+import re
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
@@ -19,6 +21,14 @@ def find(name):
 def missing():
     """The programs that are not here."""
     return [name for name in (*DAEMONS, "sbatch", "scontrol", "squeue", "scancel") if find(name) is None]
+
+
+def parent_of(number):
+    """Number of a process's parent; 0: it has ended."""
+    try:
+        return int(Path(f"/proc/{number}/stat").read_text().rsplit(")", 1)[1].split()[1])
+    except OSError:
+        return 0
 
 
 def free_port():
@@ -72,6 +82,7 @@ SelectTypeParameters=CR_Core
 SchedulerType=sched/builtin
 SchedulerParameters=sched_interval=1,batch_sched_delay=1
 ReturnToService=2
+SlurmdTimeout=10
 MaxArraySize={array_size}
 KillWait=20
 MinJobAge=600
@@ -91,8 +102,7 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
                          "--num-threads=2"])
             self.wait_until(lambda: (folder / "munge.socket").exists(), "munged")
             self._start([find("slurmctld"), "-D", "-i", "-f", str(folder / "slurm.conf")])
-            self._start([find("slurmd"), "-D", "-f", str(folder / "slurm.conf"), "-N", self.host])
-            self.wait_until(lambda: "idle" in self.say("sinfo", "-h", "-o", "%T", check=False), "the node")
+            self.start_node()
         except BaseException:
             self.__exit__()
             raise
@@ -113,6 +123,31 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
     def _start(self, command):
         log = open(self.folder / f"{Path(command[0]).name}.out", "wb")  # pylint: disable=consider-using-with
         self.daemons.append(subprocess.Popen(command, stdout=log, stderr=log, env=self.environment, cwd=self.folder))
+
+    def start_node(self):
+        self._start([find("slurmd"), "-D", "-f", str(self.folder / "slurm.conf"), "-N", self.host])
+        self.wait_until(lambda: "idle" in self.say("sinfo", "-h", "-o", "%T", check=False), "the node")
+
+    def lose_node(self, programs):
+        """As when its power fails: slurmd, the steps below it and the programs they run end at once, and tell nobody."""
+        daemon = self.daemons.pop()
+        ends = set()
+        for number in programs:
+            while number > 1 and number != daemon.pid and number not in ends:
+                ends.add(number)
+                number = parent_of(number)
+        daemon.kill()
+        daemon.wait()
+        for number in ends:
+            try:
+                os.kill(number, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        self.wait_until(lambda: "down" in self.say("sinfo", "-h", "-o", "%T", check=False), "the loss of the node", 120)
+
+    def restarts(self, job):
+        """How often tasks of a job were put back into the queue, together."""
+        return sum(int(number) for number in re.findall(r"Restarts=(\d+)", self.say("scontrol", "show", "job", job)))
 
     def logs(self):
         return "\n".join(f"== {path.name}\n" + path.read_text(errors="replace")[-3000:] for path in sorted(self.folder.glob("*.[lo][ou][gt]")))

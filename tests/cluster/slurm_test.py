@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""A study on a real Slurm of one node: tasks that are killed, requeued, and by name told of their time limit or without their node. No row is
-lost, and the digest is that of one process.
+"""A study on a real Slurm of one node: tasks that are killed, requeued, told of their time limit, or whose node is taken away
+or lost. No row is lost, and the digest is that of one process.
 
-usage: slurm_test.py PROGRAM [--figures FILE] [NAME ...]      names: killed requeued (both without a name) limit node
+usage: slurm_test.py PROGRAM [--figures FILE] [NAME ...]      names: killed requeued drained lost limit (all without a name)
 """
 import argparse
+import math
 import os
 import re
 import shutil
@@ -20,6 +21,18 @@ from small_studies import masses  # pylint: disable=wrong-import-position
 from slurm import Slurm, missing  # pylint: disable=wrong-import-position
 
 TASKS = 4
+TASK_S = 90  # of a task that meets its time limit: it is told after a minute or later
+
+
+def scenarios_of(program, seconds, task_s):
+    """How many keep a task of one core busy for so long on this machine."""
+    count = 8
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "study.toml").write_text(masses(seconds, count))
+        start = time.monotonic()
+        subprocess.run([program, "run", "study.toml", "-q", "--no-replay", "--threads", "1", "-o", "run"], cwd=folder, capture_output=True,
+                       check=True)
+    return TASKS * max(10, math.ceil(count * task_s / (time.monotonic() - start)))
 
 
 class Trial:
@@ -108,17 +121,18 @@ def requeued(trial):
 
 def limit(trial):
     """Tasks are told a minute before their limit, stop, and put themselves back into the queue."""
-    trial.submit()
+    array, _ = trial.submit()
     trial.slurm.wait_for_jobs(900)
     logs = "".join(path.read_text() for path in (trial.folder / "run.slurm").glob("task_*.log"))
     stopped = logs.count("stopping; once more ends at once")
-    assert stopped > 0, logs
-    return f"{stopped} times stopped by the time limit"
+    restarts = trial.slurm.restarts(array)
+    assert stopped > 0 and restarts > 0, (restarts, logs)
+    return f"{stopped} times told of the time limit, {restarts} times put back into the queue"
 
 
-def node(trial):
-    """The node goes down in mid-run and comes back: its tasks are put back by Slurm itself."""
-    trial.submit()
+def drained(trial):
+    """The node is said to be down in mid-run, and comes back: Slurm ends its tasks and puts them back."""
+    array, _ = trial.submit()
     trial.wait_for_rows()
     slurm = trial.slurm
     running = len(slurm.jobs("RUNNING"))
@@ -126,14 +140,27 @@ def node(trial):
     slurm.wait_until(lambda: not trial.programs(), "the end of all tasks", 90)
     slurm.say("scontrol", "update", f"nodename={slurm.host}", "state=resume", check=False)  # it may be back by itself
     slurm.wait_for_jobs(400)
-    return f"the node down under {running} tasks"
+    restarts = slurm.restarts(array)
+    assert restarts > 0, slurm.logs()
+    return f"the node set down under {running} tasks, {restarts} put back into the queue"
 
 
-TRIALS = {"killed": (killed, 60, 240, ()), "requeued": (requeued, 60, 240, ()), "node": (node, 60, 240, ()),
-          "limit": (limit, 1000, 400, ("--time", "2"))}
+def lost(trial):
+    """The node is gone from one moment to the next, all that ran on it too; it is started again when Slurm has seen that."""
+    array, _ = trial.submit()
+    trial.wait_for_rows()
+    slurm, victims = trial.slurm, trial.programs()
+    assert victims
+    slurm.lose_node(victims)
+    slurm.start_node()
+    slurm.wait_for_jobs(400)
+    restarts = slurm.restarts(array)
+    assert restarts > 0, slurm.logs()
+    return f"the node lost with {len(victims)} tasks, {restarts} put back into the queue"
 
 
-TRIED = ("killed", "requeued")  # the others are called by name: limits take minutes, and a node that goes down has not passed yet
+TRIALS = {"killed": (killed, 60, 240, ()), "requeued": (requeued, 60, 240, ()), "drained": (drained, 60, 240, ()),
+          "lost": (lost, 60, 240, ()), "limit": (limit, 1000, None, ("--time", "2"))}
 
 
 def main():
@@ -147,10 +174,10 @@ def main():
         return 77
     lines = []
     with Slurm(cpus=2) as slurm:
-        for name in words.names or TRIED:
+        for name in words.names or TRIALS:
             trial_of, seconds, count, options = TRIALS[name]
-            start = time.monotonic()
-            trial = Trial(str(words.program.resolve()), slurm, name, seconds, count, options)
+            start, program = time.monotonic(), str(words.program.resolve())
+            trial = Trial(program, slurm, name, seconds, count or scenarios_of(program, seconds, TASK_S), options)
             what = trial_of(trial)
             lines.append(f"slurm, {name}: {what}; {trial.end()}; {time.monotonic() - start:.0f} s")
             print(lines[-1], flush=True)

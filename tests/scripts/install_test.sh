@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # `cmake --install` puts below a prefix all that the program needs: from an empty folder it finds what ships, and shells complete its words.
+# A project outside builds an example against it; it inherits no flag.
 # usage: install_test.sh BUILD_FOLDER
 set -euo pipefail
 build=$1
+tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source=$(cd "$tests/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() { echo "install_test: $1" >&2; exit 1; }
@@ -43,3 +46,30 @@ _unbruised
 COMP_WORDS=("$program" run --thr) COMP_CWORD=2
 _unbruised
 [[ ${COMPREPLY[*]} == --threads ]] || fail "run --thr is completed to '${COMPREPLY[*]}'"
+
+# The same in zsh and fish, with a new user's settings.
+export PATH="$folder/usr/bin:$PATH"
+for shell in zsh fish; do command -v "$shell" >/dev/null || echo "install_test: no $shell, so its completions were not tried"; done
+if command -v fish >/dev/null; then
+  in_fish() { fish --no-config --command "source '$folder/usr/share/fish/vendor_completions.d/unbruised.fish'; complete --do-complete '$1'"; }
+  [[ $(in_fish 'unbruised che') == check* ]] || fail "fish completes che to '$(in_fish 'unbruised che')'"
+  [[ $(in_fish 'unbruised run --thr') == --threads* ]] || fail "fish completes run --thr to '$(in_fish 'unbruised run --thr')'"
+fi
+if command -v zsh >/dev/null; then
+  for words in "unbruised che|check" "unbruised run --thr|--threads"; do
+    zsh -f "$tests/completion.zsh" "$folder/usr/share/zsh/vendor-completions" "${words%|*}" "${words#*|}" >said ||
+      fail "zsh completes ${words%|*} to '$(tail -n 1 said)'"
+  done
+fi
+
+# Built like this a project outside has the library and its headers, and neither -march nor -Werror.
+if [[ -n $(find "$folder/usr/lib" -name libunbruised_core.a) ]]; then
+  cp -r "$(dirname "$(find "$folder/usr/share" -name one_scenario.cpp)")" "$folder/examples"
+  cmake -S "$folder/examples" -B "$folder/outside" -DCMAKE_PREFIX_PATH="$folder/usr" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >log 2>&1 &&
+    cmake --build "$folder/outside" >>log 2>&1 || { cat log >&2; fail "a project outside does not build"; }
+  if grep -E -e "-march|-Werror|$source" "$folder/outside/compile_commands.json"; then fail "a project outside inherits flags or folders of ours"; fi
+  "$folder/outside/one_scenario" >said || fail "the example ended with $?: $(cat said)"
+  grep -q "^held after" said || fail "the example says $(cat said)"
+else
+  echo "install_test: no library was built, so no project outside was tried"
+fi

@@ -1,0 +1,8 @@
+#include "too_old.hpp"
+
+#include <cstdio>
+
+extern "C" int unbruised_program(int, char**) {
+  std::fprintf(stderr, "unbruised: %s\n", kTooOld);
+  return 1;
+}

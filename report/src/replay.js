@@ -70,7 +70,7 @@ class Replay {
     if (study.trace && this.models.length === 1) study.clock = this.clock;
     this.look = { scale: Math.min(...this.models.map((model) => model.niceScale)), field: "", most: 0, arrows: true, ghost: false };
     this.field = chooseField(this.models);
-    this.theatre = hasWebGL() ? new Theatre(this.clock, this.look) : null;
+    this.theatre = hasWebGL() ? new Theatre(this.clock, this.look, "scene", this.models.some((model) => model.armPlaces > 0)) : null;
     this.small = this.theatre ? new Theatre(this.clock, this.look, "preview") : null;
     this.line = timeLine(this.clock);
     this.legend = h("div", { class: "field-legend" });

@@ -11,6 +11,7 @@
 #include "studies/cli/commands.hpp"
 #include "studies/cli/interrupt.hpp"
 #include "studies/estimate/cost_estimate.hpp"
+#include "studies/execution/arm_run.hpp"
 #include "studies/execution/lone_run.hpp"
 #include "studies/findings/replay_choice.hpp"
 #include "studies/kinds/kind_table.hpp"
@@ -72,7 +73,11 @@ std::optional<std::vector<ScenarioReplay>> run_group(const std::vector<Planned>&
   }
   const auto results = run_side_by_side(core_simulator(), scenarios, kept, &interrupt_requested());
   if (!results) return std::nullopt;
-  for (std::size_t i = 0; i < group.size(); ++i) seen[i].result = (*results)[i];
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    seen[i].result = (*results)[i];
+    if (has_robot(group[i].scenario))
+      seen[i].arm_m = ArmRun(group[i].scenario).links_m(seen[i].result, seen[i].replay.time_s);
+  }
   return seen;
 }
 

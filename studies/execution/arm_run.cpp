@@ -54,4 +54,19 @@ void ArmRun::add_joints(const ScenarioResult& result, Trace& trace) const {
   for (TraceSignal* signal : {&position, &speed, &torque}) trace.signals.push_back(std::move(*signal));
 }
 
+std::vector<double> ArmRun::links_m(const ScenarioResult& result, const std::vector<double>& time_s) const {
+  const MotionPlan plan = followed_plan(timed_.scenario, result.metrics[Metric::lift_time_s]);
+  const Arm arm(timed_.scenario.robot);
+  std::vector<double> links;
+  for (const ArmSample& sample : ride_at(timed_.scenario, plan, time_s)) {
+    const std::array<double, 3> palm_m = arm.palm(sample.motion.angle_rad).place_m;
+    const auto append = [&](const std::array<double, 3>& place_m) {
+      for (std::size_t d = 0; d < 3; ++d) links.push_back(place_m[d] - palm_m[d]);
+    };
+    append(timed_.scenario.robot.base_place_m);
+    for (const Pose& frame : arm.frames(sample.motion.angle_rad)) append(frame.place_m);
+  }
+  return links;
+}
+
 }  // namespace unbruised::studies

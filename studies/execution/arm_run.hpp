@@ -24,6 +24,9 @@ class ArmRun {
   void judge(ScenarioResult& result) const;
   /// Adds joint_position_rad, joint_speed_rad_s and joint_torque_N_m.
   void add_joints(const ScenarioResult& result, Trace& trace) const;
+  /// Where base, joints and flange are at these times, which ascend: [time, joints + 2, 3], from the middle of the
+  /// palm along x, y, z of the cell [m]. Empty where the arm gets stuck.
+  [[nodiscard]] std::vector<double> links_m(const ScenarioResult& result, const std::vector<double>& time_s) const;
 
  private:
   TimedScenario timed_;

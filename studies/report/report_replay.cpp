@@ -246,6 +246,7 @@ json replay_json(PackedColumns& packed, const ScenarioReplay& seen, std::optiona
   page["force_N"] = numbers(packed, replay.force_N);
   page["force_place_m"] = numbers(packed, replay.force_place_m);
   page["wrist_wrench"] = numbers(packed, replay.wrist_wrench);
+  page["arm_m"] = numbers(packed, seen.arm_m);
   page["deformation_m"] = coded_json(packed, replay.deformation_m, 3 * vertices, kPlaceSteps);
   page["fields"] = {{"plastic_strain", coded_json(packed, replay.plastic_strain, vertices, kFieldSteps)},
                     {"von_mises_Pa", coded_json(packed, replay.von_mises_Pa, vertices, kFieldSteps)},

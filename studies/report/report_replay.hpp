@@ -38,6 +38,8 @@ struct ScenarioReplay {
   ReplayStage stage;
   Replay replay;
   Trace trace;  ///< may be without the motion of particles
+  /// [frame, place, 3]; base, joints and flange of the arm from the middle of the palm. Empty: there is none.
+  std::vector<double> arm_m;
 };
 
 /// Does the palm leave its upright attitude in any frame?

@@ -134,7 +134,7 @@ test("views, drags, keys, colours and factors change the scene", async () => {
   const { page, close } = await open();
   await goTo(page, 0.5);
   await drawn(page, 0);
-  for (const name of ["View: top", "View: side", "Nearer", "Reset the view"]) {
+  for (const name of ["View: top", "View: side", "View: arm", "Nearer", "Reset the view"]) {
     assert.ok(await changes(page, () => page.getByRole("button", { name }).click()), name);
   }
   const canvas = page.locator("canvas.scene");

@@ -5,12 +5,11 @@ import { phasesOf } from "../trace_strips.js";
 import { number } from "../words.js";
 import { SPEEDS } from "./clock.js";
 import { eventTicks } from "./events.js";
-import { VIEWS } from "./orbit.js";
 
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 const FRAMES = 130;
 
-export const KEYS_TEXT = "Space plays and pauses; arrow keys turn; plus and minus come nearer; comma and full stop go a frame back and on; 1 to 4 choose a view, 0 resets it.";
+export const KEYS_TEXT = "Space plays and pauses; arrow keys turn; plus and minus come nearer; comma and full stop go a frame back and on; figures from 1 on choose a view, 0 resets it.";
 
 /** The time line: a slider with the phases below it and the events on it. */
 export function timeLine(clock) {
@@ -52,7 +51,7 @@ export function playControls(clock, readout) {
 }
 
 export function keyboard(theatre, clock, canvas) {
-  const views = Object.keys(VIEWS);
+  const { views } = theatre.orbit;
   const acts = {
     " ": () => clock.toggle(), ArrowLeft: () => theatre.orbit.turn(-0.12, 0), ArrowRight: () => theatre.orbit.turn(0.12, 0), ArrowUp: () => theatre.orbit.turn(0, 0.1), ArrowDown: () => theatre.orbit.turn(0, -0.1),
     "+": () => theatre.orbit.zoom(0.85), "=": () => theatre.orbit.zoom(0.85), "-": () => theatre.orbit.zoom(1.18), 0: () => theatre.orbit.reset(),
@@ -79,7 +78,7 @@ export function playWhenSeen(element, clock) {
 }
 
 export function viewControls(theatre) {
-  const views = Object.keys(VIEWS).map((name) => button(name, `View: ${name}`, () => theatre.orbit.view(name)));
+  const views = theatre.orbit.views.map((name) => button(name, `View: ${name}`, () => theatre.orbit.view(name)));
   return h("div", { class: "views", role: "group", "aria-label": "View" }, views, button("+", "Nearer", () => theatre.orbit.zoom(0.85)), button("−", "Further", () => theatre.orbit.zoom(1.18)), button("reset", "Reset the view", () => theatre.orbit.reset()));
 }
 

@@ -2,7 +2,7 @@
 
 import { between, decodeTable, frameAt, rotationBetween } from "./decode.js";
 
-const TABLES = ["vertex_m", "triangle", "line", "permanent_m", "time_s", "product_m", "attitude", "palm_m", "palm_attitude", "finger_way_m", "support_m", "listed_m", "force_N", "force_place_m", "wrist_wrench"];
+const TABLES = ["vertex_m", "triangle", "line", "permanent_m", "time_s", "product_m", "attitude", "palm_m", "palm_attitude", "finger_way_m", "support_m", "listed_m", "force_N", "force_place_m", "wrist_wrench", "arm_m"];
 
 export const FIELDS = [
   { name: "plastic_strain", label: "plastic strain", units: "1" },
@@ -28,6 +28,7 @@ export class ReplayModel {
     this.pads = this.surfaces.filter((surface) => surface.kind === "pad");
     this.listed = this.surfaces.filter((surface) => surface.kind === "listed");
     this.end = this.time_s[this.frames - 1];
+    this.armPlaces = this.frames ? this.arm_m.length / (3 * this.frames) : 0;
     const low = [0, 1, 2].map((axis) => Math.min(...this.every(axis)));
     const high = [0, 1, 2].map((axis) => Math.max(...this.every(axis)));
     this.extent = Math.max(...[0, 1, 2].map((axis) => high[axis] - low[axis])) || 0.05;
@@ -36,6 +37,21 @@ export class ReplayModel {
     this.placeError = 0.5 * this.deformation_m.step;
     this.ranges = {};
     this.tables = {};
+  }
+
+  /** What holds the arm wherever it goes: { middle, radius }; null where there is none. */
+  get armRoom() {
+    if (!this.armPlaces) return null;
+    const low = [0, 0, 0].fill(Infinity);
+    const high = [0, 0, 0].fill(-Infinity);
+    for (let i = 0; i < this.arm_m.length; i += 1) {
+      const axis = i % 3;
+      const frame = Math.floor(i / (3 * this.armPlaces));
+      const palm = this.grip_m[axis] + this.palm_m[3 * frame + axis];
+      low[axis] = Math.min(low[axis], palm, palm + this.arm_m[i]);
+      high[axis] = Math.max(high[axis], palm, palm + this.arm_m[i]);
+    }
+    return { middle: low.map((each, axis) => 0.5 * (each + high[axis])), radius: 0.5 * Math.hypot(...low.map((each, axis) => high[axis] - each)) };
   }
 
   every(axis) {

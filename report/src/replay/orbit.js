@@ -1,13 +1,17 @@
 // A camera that turns around what is looked at: by dragging, by wheel or two fingers, by keys.
 
-export const VIEWS = { angled: [-0.98, 0.27], front: [-Math.PI / 2, 0.02], side: [0, 0.02], top: [-Math.PI / 2, 1.55] };
+const VIEWS = { angled: [-0.98, 0.27], front: [-Math.PI / 2, 0.02], side: [0, 0.02], top: [-Math.PI / 2, 1.55] };
+/** Of the whole arm, where there is one. */
+const ARM_VIEW = "arm";
+const ARM_ANGLES = [-0.75, 0.35];
 const MOST_UP = 1.55;
 const TURN = 0.0075;
 
 export class Orbit {
-  /** @param element which is dragged; null: none is */
-  constructor(element, changed) {
+  /** @param element which is dragged; null: none is @param withArm is there an arm to be seen? */
+  constructor(element, changed, withArm) {
     this.changed = changed;
+    this.views = withArm ? [...Object.keys(VIEWS), ARM_VIEW] : Object.keys(VIEWS);
     this.reset();
     if (element) this.follow(element);
   }
@@ -44,11 +48,15 @@ export class Orbit {
   reset() {
     [this.azimuth, this.elevation] = VIEWS.angled;
     this.near = 1;
+    this.wide = false;
     this.changed();
   }
 
   view(name) {
-    [this.azimuth, this.elevation] = VIEWS[name];
+    // Coming from the other kind of view, what was nearer there is not meant here.
+    if (this.wide !== (name === ARM_VIEW)) this.near = 1;
+    this.wide = name === ARM_VIEW;
+    [this.azimuth, this.elevation] = this.wide ? ARM_ANGLES : VIEWS[name];
     this.changed();
   }
 

@@ -1,9 +1,10 @@
 // What stands around the product: pads with their fingers, the palm, floor, belt, listed surfaces, arrows.
 
-import { BoxGeometry, BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, CylinderGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, Vector3 } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, CylinderGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, SphereGeometry, Vector3 } from "three";
 import { flatMaterial } from "./materials.js";
 
 const FACE_SIDE = 17;
+const UP = new Vector3(0, 1, 0);
 
 /** Are the axes of a surface those of a mirror? A turn cannot make them: their first is taken the other way. */
 function isMirrored(axes) {
@@ -81,7 +82,7 @@ export function makePad(surface, extent, materials) {
   return { holder, top: upright ? surface.origin[2] + height / 2 + arm : null, depth: back + plate };
 }
 
-/** The bar that the fingers run on. */
+/** The bar that the fingers run on, and the flange on top of it. */
 export function makePalm(pads, tops, extent, materials) {
   const top = Math.max(...tops.filter((each) => each !== null));
   if (!Number.isFinite(top)) return null;
@@ -93,7 +94,37 @@ export function makePalm(pads, tops, extent, materials) {
   flange.position.z = top + 0.35 * extent;
   const group = new Group();
   group.add(palm, flange);
-  return group;
+  return { group, flangeTop: top + 0.5 * extent };
+}
+
+/** An arm as its links between base, joints, flange and gripper, thinner from link to link. */
+export class ArmBody {
+  /** @param places base, joints and flange @param radius of what holds the arm */
+  constructor(places, radius, extent, materials) {
+    this.group = new Group();
+    const last = 0.22 * extent;
+    const first = Math.max(last, 0.045 * radius);
+    const thickness = (i) => first + ((last - first) * i) / Math.max(1, places - 1);
+    this.foot = new Mesh(new CylinderGeometry(1.5 * first, 1.8 * first, first, 32).rotateX(Math.PI / 2), materials.palm);
+    this.links = Array.from({ length: places }, (_, i) => new Mesh(new CylinderGeometry(thickness(i + 1), thickness(i), 1, 20).translate(0, 0.5, 0), materials.finger));
+    this.joints = Array.from({ length: places }, (_, i) => new Mesh(new SphereGeometry(1.25 * thickness(i), 20, 14), materials.palm));
+    this.group.add(this.foot, ...this.links, ...this.joints);
+  }
+
+  /** @param points as many as places, and where the gripper hangs on it */
+  set(points) {
+    this.foot.position.copy(points[0]);
+    this.links.forEach((link, i) => {
+      const way = points[i + 1].clone().sub(points[i]);
+      const length = way.length();
+      link.visible = length > 1e-6;
+      if (!link.visible) return;
+      link.position.copy(points[i]);
+      link.quaternion.setFromUnitVectors(UP, way.divideScalar(length));
+      link.scale.y = length;
+    });
+    this.joints.forEach((joint, i) => joint.position.copy(points[i]));
+  }
 }
 
 function lines(points, material) {
@@ -103,8 +134,7 @@ function lines(points, material) {
 }
 
 /** A floor with lines on it, so that whoever is carried over it is seen to move. */
-export function makeFloor(extent, materials) {
-  const half = 9 * extent;
+export function makeFloor(extent, half, materials) {
   const spacing = 0.75 * extent;
   const plane = new Mesh(new CircleGeometry(half, 64), materials.floor);
   const points = [];
@@ -140,8 +170,6 @@ export function makeListed(surface, extent, materials) {
 export function makeShadow(extent) {
   return new Mesh(new CircleGeometry(0.5 * extent, 40), flatMaterial(0x000000, 0.25));
 }
-
-const UP = new Vector3(0, 1, 0);
 
 /** An arrow whose tip is set to a place; drawn over everything, since forces act inside of what is seen. */
 export class Arrow {

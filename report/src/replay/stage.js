@@ -3,9 +3,11 @@
 import { BufferAttribute, BufferGeometry, Color, Group, InstancedMesh, LineSegments, Matrix4, Mesh, Quaternion, Scene, SphereGeometry, Vector3 } from "three";
 import { COLOUR_STEPS, colourTable } from "./colour_map.js";
 import { litMaterial, makeMaterials } from "./materials.js";
-import { Arrow, makeFloor, makeListed, makePad, makePalm, makeShadow, makeTarget } from "./parts.js";
+import { ArmBody, Arrow, makeFloor, makeListed, makePad, makePalm, makeShadow, makeTarget } from "./parts.js";
 import { addNormals } from "./normals.js";
 
+/** So many extents of the product the floor reaches. */
+const FLOOR_EXTENTS = 9;
 /** Within so much of the product's extent a face goes with the scaled deformation. */
 const NEAR_PART = 0.15;
 
@@ -70,10 +72,16 @@ export class Stage {
     for (const pad of this.pads) this.palm.add(pad.holder);
     if (this.pads.length) {
       const palm = makePalm(model.pads, this.pads.map((pad) => pad.top), extent, materials);
-      if (palm) this.palm.add(palm);
+      if (palm) this.palm.add(palm.group);
+      this.flangeTop = palm?.flangeTop ?? 0.5 * extent;
+    }
+    const room = model.armRoom;
+    if (room) {
+      this.arm = new ArmBody(model.armPlaces, room.radius, extent, materials);
+      scene.add(this.arm.group);
     }
     if (model.support) {
-      this.floor = makeFloor(extent, materials);
+      this.floor = makeFloor(extent, Math.max(FLOOR_EXTENTS * extent, 1.6 * (room?.radius ?? 0)), materials);
       this.shadow = makeShadow(extent);
       scene.add(this.floor.group, this.shadow);
       const target = model.target_m;
@@ -103,6 +111,7 @@ export class Stage {
     this.colour(look);
     if (this.ghost) this.ghost.visible = look.ghost;
     this.movePads(look.scale);
+    this.moveArm();
     this.moveFloor();
     this.moveListed();
     this.moveArrows(look);
@@ -160,6 +169,15 @@ export class Stage {
       const inCell = at.clone().applyQuaternion(palm).add(this.middle);
       holder.position.copy(at).addScaledVector(normal, this.shiftAt(inCell, normal.clone().applyQuaternion(palm), scale));
     });
+  }
+
+  moveArm() {
+    if (!this.arm) return;
+    const { model, place, middle } = this;
+    const from = model.rowAt(model.arm_m, 3 * model.armPlaces, place);
+    const points = Array.from({ length: model.armPlaces }, (_, i) => new Vector3(from[3 * i], from[3 * i + 1], from[3 * i + 2]).add(middle));
+    points.push(new Vector3(0, 0, this.flangeTop).applyQuaternion(this.palm.quaternion).add(middle));
+    this.arm.set(points);
   }
 
   moveFloor() {

@@ -49,15 +49,15 @@ function statusOf(model, time) {
 }
 
 export class Theatre {
-  /** @param kind "scene", or "preview": smaller, and not to be turned */
-  constructor(clock, look, kind = "scene") {
+  /** @param kind "scene", or "preview": smaller, and not to be turned @param withArm is there an arm in any scene? */
+  constructor(clock, look, kind = "scene", withArm = false) {
     this.clock = clock;
     this.look = look;
     this.stages = [];
     this.canvas = h("canvas", { class: kind, tabindex: kind === "scene" ? "0" : null, role: "img" });
     this.names = h("div", { class: "scene-names", "aria-hidden": "true" });
     this.element = h("div", { class: "theatre" }, this.canvas, this.names);
-    this.orbit = new Orbit(kind === "scene" ? this.canvas : null, () => this.ask());
+    this.orbit = new Orbit(kind === "scene" ? this.canvas : null, () => this.ask(), withArm);
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 10);
     this.camera.up.set(0, 0, 1);
     this.seen = true;
@@ -171,12 +171,14 @@ export class Theatre {
     const { model, centre } = stage;
     const { camera } = this;
     const start = model.product_m[2];
-    const target = new Vector3(centre.x, centre.y, start + FOLLOW_UP * (centre.z - start) + 0.3 * model.extent * (model.pads.length ? 1 : 0));
+    const room = this.orbit.wide ? model.armRoom : null;
+    const extent = room ? (2.2 * room.radius) / SHOWN_EXTENTS : model.extent;
+    const target = room ? new Vector3(...room.middle) : new Vector3(centre.x, centre.y, start + FOLLOW_UP * (centre.z - start) + 0.3 * model.extent * (model.pads.length ? 1 : 0));
     const half = Math.tan((FIELD_OF_VIEW / 360) * Math.PI);
-    const distance = (0.5 * SHOWN_EXTENTS * model.extent) / (half * Math.min(1, aspect * 1.05));
+    const distance = (0.5 * SHOWN_EXTENTS * extent) / (half * Math.min(1, aspect * 1.05));
     camera.aspect = aspect;
-    camera.near = 0.02 * model.extent;
-    camera.far = 60 * model.extent;
+    camera.near = 0.02 * extent;
+    camera.far = 60 * Math.max(extent, model.extent);
     camera.position.copy(target).add(new Vector3(...this.orbit.offset(distance)));
     camera.lookAt(target);
     camera.updateProjectionMatrix();

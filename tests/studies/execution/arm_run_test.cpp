@@ -73,6 +73,26 @@ TEST(ArmRun, ATraceHasTheJointsOfThePlanThatWasFollowed) {
   for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(arm.palm(then).place_m[d], wanted.place_m[d], 1e-10);
 }
 
+TEST(ArmRun, ItsLinksReachFromTheBaseThatStandsToThePalmThatMoves) {
+  const Scenario scenario = carried_grip();
+  ScenarioResult result;
+  result.metrics[Metric::lift_time_s] = 0.5;
+  const std::vector<double> times_s = {0.0, 0.5, 0.75, 1.0};
+  const std::vector<double> links_m = ArmRun(scenario).links_m(result, times_s);
+  ASSERT_EQ(links_m.size(), 4U * 8U * 3U) << "base, six joints and flange";
+  const MotionPlan plan(scenario, 0.5 - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s);
+  const double tool_m =
+      std::hypot(scenario.robot.tool_place_m[0], scenario.robot.tool_place_m[1], scenario.robot.tool_place_m[2]);
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const Pose palm = palm_pose(scenario, plan.palm(times_s[i]));
+    const double* base_m = links_m.data() + 24 * i;
+    const double* flange_m = base_m + 21;
+    for (std::size_t d = 0; d < 3; ++d)
+      EXPECT_NEAR(palm.place_m[d] + base_m[d], scenario.robot.base_place_m[d], 1e-9);
+    EXPECT_NEAR(std::hypot(flange_m[0], flange_m[1], flange_m[2]), tool_m, 1e-9);
+  }
+}
+
 TEST(ArmRun, IsJudgedOnceBesideScenariosWithoutAnArm) {
   Scenario stuck = carried_grip();
   stuck.robot.base_place_m = {-3.0, 0.0, 0.0};  // out of reach from the start

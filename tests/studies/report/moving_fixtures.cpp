@@ -1,13 +1,16 @@
 #include <utility>
 
+#include "studies/execution/arm_run.hpp"
 #include "studies/execution/lone_run.hpp"
 #include "studies/findings/replay_choice.hpp"
+#include "tests/core/robot/arms.hpp"
 #include "tests/studies/report/fixture_parts.hpp"
 
 namespace unbruised::studies::testing {
 namespace {
 
-/// A coarse kiwi in a jaw with a six-axis sensor at the wrist, carried a short way: all of it runs in a second.
+/// A coarse kiwi in a jaw with a six-axis sensor at the wrist, carried a short way by an arm: all of it runs in a
+/// second.
 Scenario carried_kiwi(double grip_force_N) {
   Scenario scenario;
   LatticeParameters product;
@@ -30,6 +33,8 @@ Scenario carried_kiwi(double grip_force_N) {
   scenario.strategy.recover_s = 0.1;
   scenario.limits.contact_yield_ratio = 1.0;
   scenario.limits.plastic_strain = 0.01;
+  scenario.robot = unbruised::testing::six_joints();
+  scenario.robot.base_place_m = {-0.55, 0.1, 0.0};
   return scenario;
 }
 
@@ -50,6 +55,7 @@ std::vector<ReportFixture> moving_fixtures() {
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     seen[i].id = i;
     seen[i].result = (*results)[i];
+    seen[i].arm_m = ArmRun(scenarios[i]).links_m(seen[i].result, seen[i].replay.time_s);
     seen[i].stage = replay_stage(scenarios[i]);
     fixture.content.rows.push_back(
         {.id = i, .result = seen[i].result, .inputs = {scenarios[i].strategy.grip_force_N}, .place = {}});

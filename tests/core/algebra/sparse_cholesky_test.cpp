@@ -1,47 +1,21 @@
 #include "core/algebra/sparse_cholesky.hpp"
 
-#include <random>
 #include <thread>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "tests/core/algebra/random_matrix.hpp"
+
 namespace unbruised {
 namespace {
 
-/// A random sparse symmetric matrix that diagonal dominance makes positive definite, and its dense copy.
-struct Sample {
-  SymmetricMatrix sparse;
-  Eigen::MatrixXd dense;
-};
-
-Sample sample(int size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1.0, 1.0);
-  std::uniform_int_distribution<int> place(0, size - 1);
-  std::vector<MatrixEntry> entries;
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
-  for (int k = 0; k < 4 * size; ++k) {
-    const int i = place(random), j = place(random);
-    if (i == j) continue;
-    const double x = value(random);
-    entries.push_back({std::max(i, j), std::min(i, j), x});
-    dense(i, j) += x;
-    dense(j, i) += x;
-  }
-  for (int i = 0; i < size; ++i) {
-    const double diagonal = dense.row(i).cwiseAbs().sum() + 0.1 + value(random) * 0.05;
-    // In two parts: duplicates are summed.
-    entries.push_back({i, i, 0.25 * diagonal});
-    entries.push_back({i, i, 0.75 * diagonal});
-    dense(i, i) = 0.25 * diagonal + 0.75 * diagonal;
-  }
-  return {symmetric_from_entries(size, entries), dense};
-}
+using testing::random_matrix;
+using testing::RandomMatrix;
 
 TEST(SparseCholesky, SolvesLikeDenseEigen) {
   for (int size : {1, 2, 17, 120}) {
-    const Sample made = sample(size, static_cast<unsigned>(size));
+    const RandomMatrix made = random_matrix(size, static_cast<unsigned>(size));
     std::string error;
     const auto factor = SparseCholesky::factor(made.sparse, error);
     ASSERT_NE(factor, nullptr) << error;
@@ -58,7 +32,7 @@ TEST(SparseCholesky, SolvesLikeDenseEigen) {
 }
 
 TEST(SparseCholesky, SolvesManyRightHandSidesLikeOne) {
-  const Sample made = sample(60, 3);
+  const RandomMatrix made = random_matrix(60, 3);
   std::string error;
   const auto factor = SparseCholesky::factor(made.sparse, error);
   ASSERT_NE(factor, nullptr) << error;
@@ -73,7 +47,7 @@ TEST(SparseCholesky, SolvesManyRightHandSidesLikeOne) {
 }
 
 TEST(SparseCholesky, HandsOutItsFactorAndOrdering) {
-  const Sample made = sample(40, 5);
+  const RandomMatrix made = random_matrix(40, 5);
   std::string error;
   const auto factor = SparseCholesky::factor(made.sparse, error);
   ASSERT_NE(factor, nullptr) << error;
@@ -98,7 +72,7 @@ TEST(SparseCholesky, HandsOutItsFactorAndOrdering) {
 }
 
 TEST(SparseCholesky, GivesTheSameBitsTwice) {
-  const Sample made = sample(200, 11);
+  const RandomMatrix made = random_matrix(200, 11);
   std::string error;
   EXPECT_EQ(SparseCholesky::factor(made.sparse, error)->extract().value,
             SparseCholesky::factor(made.sparse, error)->extract().value);

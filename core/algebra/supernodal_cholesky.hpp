@@ -3,7 +3,8 @@
 /// @file
 /// The factor of a body's effective stiffness, made where it is used: supernode by supernode, in the layout of the
 /// lane solve. CHOLMOD orders. (Of its own factorisations the supernodal one calls whatever BLAS a machine has,
-/// with other bits on each, and is under the GPL; the simplicial one takes ten times as long: `SparseCholesky`.)
+/// with other bits on each, and is under the GPL; the simplicial one takes two to four times as long:
+/// `SparseCholesky`.)
 
 #include <optional>
 #include <string>

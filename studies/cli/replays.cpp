@@ -75,8 +75,7 @@ std::optional<std::vector<ScenarioReplay>> run_group(const std::vector<Planned>&
   if (!results) return std::nullopt;
   for (std::size_t i = 0; i < group.size(); ++i) {
     seen[i].result = (*results)[i];
-    if (has_robot(group[i].scenario))
-      seen[i].arm_m = ArmRun(group[i].scenario).links_m(seen[i].result, seen[i].replay.time_s);
+    seen[i].arm_m = arm_links_m(group[i].scenario, seen[i].result, seen[i].replay.time_s);
   }
   return seen;
 }

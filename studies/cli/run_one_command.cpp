@@ -12,6 +12,7 @@
 #include "studies/cli/replays.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/warnings.hpp"
+#include "studies/execution/arm_run.hpp"
 #include "studies/execution/lone_run.hpp"
 #include "studies/findings/claims.hpp"
 #include "studies/findings/contact_table.hpp"
@@ -96,7 +97,9 @@ std::vector<ScenarioReplay> seen_once(std::uint64_t id, const Scenario& scenario
                       .result = result,
                       .stage = replay_stage(scenario),
                       .replay = std::move(replay),
-                      .trace = {}};
+                      .trace = {},
+                      .arm_m = {}};
+  seen.arm_m = arm_links_m(scenario, result, seen.replay.time_s);
   seen.trace.time_s = trace.time_s;
   seen.trace.signals = trace.signals;
   seen.trace.events = trace.events;

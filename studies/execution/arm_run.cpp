@@ -69,4 +69,9 @@ std::vector<double> ArmRun::links_m(const ScenarioResult& result, const std::vec
   return links;
 }
 
+std::vector<double> arm_links_m(const Scenario& scenario, const ScenarioResult& result,
+                                const std::vector<double>& time_s) {
+  return has_robot(scenario) ? ArmRun(scenario).links_m(result, time_s) : std::vector<double>{};
+}
+
 }  // namespace unbruised::studies

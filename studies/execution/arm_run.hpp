@@ -32,4 +32,8 @@ class ArmRun {
   TimedScenario timed_;
 };
 
+/// Its links_m; empty where the scenario has no arm.
+std::vector<double> arm_links_m(const Scenario& scenario, const ScenarioResult& result,
+                                const std::vector<double>& time_s);
+
 }  // namespace unbruised::studies

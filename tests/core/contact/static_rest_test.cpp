@@ -38,10 +38,6 @@ TEST(StaticSolver, FreeShapeRecoversTheShapeThatMadeTheForces) {
   for (std::size_t i = 0; i < shape.size(); ++i) EXPECT_NEAR(found[i], shape[i], 1e-10);
 }
 
-// What threads share may not hold a factorisation that writes when it solves.
-static_assert(
-    !std::is_invocable_v<decltype(&SparseCholesky::solve), const SparseCholesky&, std::span<const double>>);
-
 TEST(StaticSolver, AnswersManyThreadsAtATimeWithTheSameBits) {
   const auto model = body(Shape::sphere, 5);
   const auto& parts = model->parts();

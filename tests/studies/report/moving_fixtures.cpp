@@ -55,7 +55,7 @@ std::vector<ReportFixture> moving_fixtures() {
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     seen[i].id = i;
     seen[i].result = (*results)[i];
-    seen[i].arm_m = ArmRun(scenarios[i]).links_m(seen[i].result, seen[i].replay.time_s);
+    seen[i].arm_m = arm_links_m(scenarios[i], seen[i].result, seen[i].replay.time_s);
     seen[i].stage = replay_stage(scenarios[i]);
     fixture.content.rows.push_back(
         {.id = i, .result = seen[i].result, .inputs = {scenarios[i].strategy.grip_force_N}, .place = {}});

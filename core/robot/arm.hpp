@@ -73,7 +73,7 @@ class Arm {
 std::optional<Joints> posture_for(const Arm& arm, const Pose& palm, Joints from, bool keep_limits);
 
 /// What the Jacobian says of a posture: joint rates x of least size with J x = twist, and the smallest over the
-/// largest singular value of J, lengths in m.
+/// largest singular value of J, lengths in m. Rates of six joints are those of a J that is not singular.
 struct JointRates {
   Joints rate;
   double residual = 0.0;  ///< |J x - twist| over |twist|, 0 where the arm can

@@ -10,6 +10,9 @@ namespace {
 
 /// No memory is asked for: an arm has kMostArmJoints at most.
 using Matrix = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, static_cast<int>(kMostArmJoints)>;
+using Rates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, static_cast<int>(kMostArmJoints), 1>;
+using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+using Square = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kAgreement = 1e-10;  // m and rad
@@ -57,9 +60,9 @@ std::optional<Joints> posture_for(const Arm& arm, const Pose& palm, Joints from,
   for (int step = 0; step < kMostSteps && damping < kMostDamping; ++step) {
     if (error.head<3>().norm() < kAgreement && error.tail<3>().norm() < kAgreement) return from;
     const Matrix J = matrix_of(arm.jacobian(from));
-    Eigen::Matrix<double, 6, 6> damped = J * J.transpose();
+    Square damped = J * J.transpose();
     damped.diagonal().array() += damping;
-    Eigen::VectorXd way = J.transpose() * damped.ldlt().solve(error);
+    Rates way = J.transpose() * damped.ldlt().solve(error);
     const double size = way.norm();
     if (size > kLargestStep_rad) way *= kLargestStep_rad / size;
     Joints next = from;
@@ -78,7 +81,13 @@ std::optional<Joints> posture_for(const Arm& arm, const Pose& palm, Joints from,
 JointRates rates_for(const std::vector<Twist>& jacobian, const Twist& twist) {
   const Matrix J = matrix_of(jacobian);
   const Vector6 wanted = vector_of(twist);
-  const Eigen::VectorXd rate = J.completeOrthogonalDecomposition().solve(wanted);
+  Rates rate;
+  if (J.cols() == 6) {
+    const Square all = J;
+    rate = all.partialPivLu().solve(wanted);
+  } else {
+    rate = J.completeOrthogonalDecomposition().solve(wanted);
+  }
   JointRates out;
   out.rate.assign(rate.data(), rate.data() + rate.size());
   const double size = wanted.norm();
@@ -88,6 +97,13 @@ JointRates rates_for(const std::vector<Twist>& jacobian, const Twist& twist) {
 
 double manipulability(const std::vector<Twist>& jacobian) {
   const Matrix J = matrix_of(jacobian);
+  // Squares of the singular values are right to rounding of the largest: quick, and enough where none is small.
+  constexpr double kSmall = 0.01;
+  const Gram squares = J.cols() < 6 ? Gram(J.transpose() * J) : Gram(J * J.transpose());
+  const Eigen::SelfAdjointEigenSolver<Gram> solver(squares, Eigen::EigenvaluesOnly);
+  const auto& square = solver.eigenvalues();
+  const double ratio = std::sqrt(std::max(0.0, square[0] / square[square.size() - 1]));
+  if (ratio > kSmall) return ratio;
   const Eigen::JacobiSVD<Matrix> svd(J);
   const auto& values = svd.singularValues();
   return values[0] > 0.0 ? values[values.size() - 1] / values[0] : 0.0;

@@ -78,7 +78,11 @@ class Rider {
   }
 
   [[nodiscard]] std::vector<PointLoad> loads_at(double time_s) const {
-    return flange_loads(scenario_, time_s >= plan_.lift_start_s() && time_s < plan_.release_start_s());
+    return flange_loads(scenario_, is_loaded(time_s));
+  }
+  /// Does the product hang on it?
+  [[nodiscard]] bool is_loaded(double time_s) const {
+    return time_s >= plan_.lift_start_s() && time_s < plan_.release_start_s();
   }
 
   /// The first limit that a sample breaks.
@@ -122,16 +126,14 @@ class Rider {
 
   /// The least stretch with which a sample keeps every limit.
   [[nodiscard]] double stretch_of(const ArmSample& sample) const {
-    ArmMotion still = sample.motion;
-    still.speed_rad_s.assign(arm_.joint_count(), 0.0);
-    still.acceleration_rad_s2.assign(arm_.joint_count(), 0.0);
-    const Joints weight = joint_torques(arm_, still, loads_at(sample.time_s), scenario_.cell.gravity_m_s2);
+    Joints weight;  // of the arm at rest there, where it is asked for
     double stretch = 1.0;
     for (std::size_t j = 0; j < arm_.joint_count(); ++j) {
       stretch =
           std::max({stretch, speed_use(sample, j) / limit_, std::sqrt(acceleration_use(sample, j) / limit_)});
       const double most = limit_ * arm_.robot().joint[j].torque_N_m;
       if (std::abs(sample.torque_N_m[j]) <= most) continue;
+      if (weight.empty()) weight = weight_at(sample);
       const double sign = sample.torque_N_m[j] > 0.0 ? 1.0 : -1.0;
       const double room = most - sign * weight[j];
       if (!(room > 0.0)) return kNever;
@@ -141,6 +143,12 @@ class Rider {
   }
 
  private:
+  [[nodiscard]] Joints weight_at(const ArmSample& sample) const {
+    const Joints none(arm_.joint_count(), 0.0);
+    return joint_torques(arm_, {sample.motion.angle_rad, none, none}, loads_at(sample.time_s),
+                         scenario_.cell.gravity_m_s2);
+  }
+
   const Scenario& scenario_;
   const MotionPlan& plan_;
   Arm arm_;
@@ -160,6 +168,22 @@ std::vector<double> sample_times(const MotionPlan& plan) {
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
+}
+
+/// Where the arm will be about: near enough that the posture is found at once.
+Joints foreseen(const ArmSample& last, double time_s) {
+  Joints angle = last.motion.angle_rad;
+  const double h = time_s - last.time_s;
+  for (std::size_t j = 0; j < angle.size(); ++j) {
+    angle[j] += h * (last.motion.speed_rad_s[j] + 0.5 * h * last.motion.acceleration_rad_s2[j]);
+  }
+  return angle;
+}
+
+bool is_same(const PalmState& a, const PalmState& b) {
+  return a.position_m == b.position_m && a.velocity_m_s == b.velocity_m_s &&
+         a.acceleration_m_s2 == b.acceleration_m_s2 && a.rotation_rad == b.rotation_rad &&
+         a.spin_rad_s == b.spin_rad_s && a.spin_acceleration_rad_s2 == b.spin_acceleration_rad_s2;
 }
 
 void raise(ArmUse& most, double use, std::size_t joint, double time_s) {
@@ -264,17 +288,26 @@ ArmRide ride(const Scenario& scenario, const MotionPlan& plan) {
     out.breach = out.stuck = ArmBreach{ArmLimit::reach, 0.0};
     return out;
   }
-  Joints from = *begin;
+  PalmState palm_before;
   for (const double time_s : sample_times(plan)) {
-    Rider::Stop stop = rider.at(time_s, from);
     const ArmSample* last = out.samples.empty() ? nullptr : &out.samples.back();
+    const PalmState palm = plan.palm(time_s);
+    if (last != nullptr && is_same(palm, palm_before) &&
+        rider.is_loaded(time_s) == rider.is_loaded(last->time_s)) {
+      ArmSample again = *last;
+      again.time_s = time_s;
+      again.phase = plan.phase_after_contact(time_s);
+      out.samples.push_back(std::move(again));
+      continue;
+    }
+    palm_before = palm;
+    Rider::Stop stop = rider.at(time_s, last == nullptr ? *begin : foreseen(*last, time_s));
     take_breach(rider, last, time_s, stop, Broken::anything, out.breach);
     take_breach(rider, last, time_s, stop, Broken::for_good, out.stuck);
     if (!stop.sample) break;
     out.least_manipulability = std::min(out.least_manipulability, stop.manipulability);
     take_in(rider, *stop.sample, out);
-    take_need(rider, *stop.sample, plan.palm(time_s), out);
-    from = stop.sample->motion.angle_rad;
+    take_need(rider, *stop.sample, palm, out);
     out.samples.push_back(std::move(*stop.sample));
   }
   const double payload_use = payload_kg / scenario.robot.max_payload_kg.value_or(kNever);

@@ -84,7 +84,7 @@ def make(program, folder, count, journals):
 
 
 def measured(memory_gb, *command, cwd):
-    """(seconds, peak memory in bytes of the largest process, what it said)."""
+    """(seconds, seconds of processor time, peak memory in bytes of the largest process, what it said)."""
 
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (int(memory_gb * 1e9), int(memory_gb * 1e9)))
@@ -98,7 +98,7 @@ def measured(memory_gb, *command, cwd):
         said = words.read()
     if process.returncode != 0:
         raise SystemExit(f"{' '.join(map(str, command))} ended with {process.returncode}: {said[-2000:]}")
-    return time.monotonic() - start, 1024 * used.ru_maxrss, said
+    return time.monotonic() - start, used.ru_utime + used.ru_stime, 1024 * used.ru_maxrss, said
 
 
 def main():
@@ -116,9 +116,9 @@ def main():
         bytes_per_row = make(program, folder, words.rows, words.journals)
         print(f"{words.rows:,} rows in {words.journals} journals, {bytes_per_row:.0f} bytes a row, made in {time.monotonic() - start:.0f} s", flush=True)
         for command in (["info", "run"], ["merge", "run", "--threads", "1", "--quiet"], ["info", "run"], ["report", "run", "--no-replay"]):
-            seconds, peak, said = measured(words.memory, program, *command, cwd=folder)
+            seconds, busy, peak, said = measured(words.memory, program, *command, cwd=folder)
             digest = re.search(r"^digest (\w+)", said, re.M)
-            print(f"{command[0]}: {seconds:.1f} s, {peak / 1e9:.2f} GB, {peak / words.rows:.0f} bytes a row"
+            print(f"{command[0]}: {seconds:.1f} s ({busy:.1f} s of one core), {peak / 1e9:.2f} GB, {peak / words.rows:.0f} bytes a row"
                   f"{', digest ' + digest.group(1) if digest else ''}", flush=True)
         for file in ("results.h5", "report.html"):
             size = (folder / "run" / file).stat().st_size

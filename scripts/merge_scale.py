@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Measures `merge`, `info` and `report` on journals of a study that was not run: rows of the right form with made-up numbers.
+"""Measures `merge`, `info` and `report` on journals of a study that was not run: rows of the right form with made-up numbers. From that and
+what a scenario of kiwi_first takes it says what many nodes would do (docs/cluster.md).
 
-usage: scripts/merge_scale.py ROWS [--program FILE] [--journals N] [--folder FOLDER] [--memory GB]
+usage: scripts/merge_scale.py ROWS [--program FILE] [--journals N] [--folder FOLDER] [--memory GB] [--nodes N] [--cores N]
 """
 import argparse
 import os
@@ -21,6 +22,7 @@ from small_studies import masses  # pylint: disable=wrong-import-position
 
 HEADER_BYTES = 40
 ROWS_AT_ONCE = 100_000
+KIWI = Path(__file__).resolve().parent.parent / "configs" / "kiwi_first.toml"
 
 
 def crc_table():
@@ -84,7 +86,7 @@ def make(program, folder, count, journals):
 
 
 def measured(memory_gb, *command, cwd):
-    """(seconds, peak memory in bytes of the largest process, what it said)."""
+    """(seconds, seconds of processor time, peak memory in bytes of the largest process, what it said)."""
 
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (int(memory_gb * 1e9), int(memory_gb * 1e9)))
@@ -98,7 +100,22 @@ def measured(memory_gb, *command, cwd):
         said = words.read()
     if process.returncode != 0:
         raise SystemExit(f"{' '.join(map(str, command))} ended with {process.returncode}: {said[-2000:]}")
-    return time.monotonic() - start, 1024 * used.ru_maxrss, said
+    return time.monotonic() - start, used.ru_utime + used.ru_stime, 1024 * used.ru_maxrss, said
+
+
+def core_seconds(program, folder):
+    """Of one scenario of kiwi_first, its share of the factorisation included."""
+    _, busy, _, said = measured(1000.0, program, "run", KIWI, "--threads", "1", "--quiet", "--no-replay", "-o", "kiwi", cwd=folder)
+    return busy / int(re.search(r"([\d,]+) scenarios", said).group(1).replace(",", ""))
+
+
+def say_of_nodes(words, each_s, bytes_per_row, merge_s, merge_bytes):
+    """What all nodes make in an hour, and what merging that would take, by row."""
+    rows = words.nodes * words.cores * 3600.0 / each_s
+    print(f"{words.nodes:,} nodes of {words.cores} cores, {each_s:.2f} core-seconds a scenario (kiwi_first, measured): {rows / 1e6:.0f} million scenarios in "
+          f"an hour, journals of {rows * bytes_per_row / 1e9:.0f} GB, {rows * bytes_per_row / words.nodes / 1e6:.0f} MB a node; one merge of them "
+          f"would take {rows * merge_s / words.rows / 60:.0f} minutes of one core and {rows * merge_bytes / words.rows / 1e9:.0f} GB of memory")
+    print(f"what {words.rows:,} of them take: {words.rows * each_s / words.nodes / words.cores:.0f} s of all nodes")
 
 
 def main():
@@ -108,6 +125,8 @@ def main():
     parser.add_argument("--journals", type=int, default=100)
     parser.add_argument("--folder", type=Path)
     parser.add_argument("--memory", type=float, default=1000.0, help="GB of address space that a command may take")
+    parser.add_argument("--nodes", type=int, default=1000)
+    parser.add_argument("--cores", type=int, default=16)
     words = parser.parse_args()
     program = words.program.resolve()
     with tempfile.TemporaryDirectory(prefix="unbruised-merge-", dir=words.folder) as name:
@@ -115,14 +134,17 @@ def main():
         start = time.monotonic()
         bytes_per_row = make(program, folder, words.rows, words.journals)
         print(f"{words.rows:,} rows in {words.journals} journals, {bytes_per_row:.0f} bytes a row, made in {time.monotonic() - start:.0f} s", flush=True)
+        used = {}
         for command in (["info", "run"], ["merge", "run", "--threads", "1", "--quiet"], ["info", "run"], ["report", "run", "--no-replay"]):
-            seconds, peak, said = measured(words.memory, program, *command, cwd=folder)
+            seconds, busy, peak, said = measured(words.memory, program, *command, cwd=folder)
+            used[command[0]] = (busy, peak)
             digest = re.search(r"^digest (\w+)", said, re.M)
-            print(f"{command[0]}: {seconds:.1f} s, {peak / 1e9:.2f} GB, {peak / words.rows:.0f} bytes a row"
+            print(f"{command[0]}: {seconds:.1f} s ({busy:.1f} s of one core), {peak / 1e9:.2f} GB, {peak / words.rows:.0f} bytes a row"
                   f"{', digest ' + digest.group(1) if digest else ''}", flush=True)
         for file in ("results.h5", "report.html"):
             size = (folder / "run" / file).stat().st_size
             print(f"{file}: {size / 1e6:.1f} MB, {size / words.rows:.0f} bytes a row")
+        say_of_nodes(words, core_seconds(program, folder), bytes_per_row, *used["merge"])
     return 0
 
 

@@ -1,7 +1,6 @@
 #include "studies/cli/recorded.hpp"
 
 #include <algorithm>
-#include <map>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -71,7 +70,7 @@ void look_at(const fs::path& file, const JournalScan& scan, JournalContents& con
 
 Expected<JournalContents> journal_contents(const fs::path& directory, const std::string& config_sha256) {
   JournalContents contents;
-  std::map<std::uint64_t, ScenarioRow> rows;
+  std::vector<ScenarioRow>& rows = contents.rows;
   for (const fs::path& file : journal_files(directory)) {
     auto scan = scan_journal(file, config_hash_prefix(config_sha256));
     if (!scan) return scan.error();
@@ -79,13 +78,15 @@ Expected<JournalContents> journal_contents(const fs::path& directory, const std:
     for (const JournalRecord& record : scan->records) {
       if (record.kind != RecordKind::scenario) continue;
       if (auto row = decode_scenario_row(record.id, record.payload)) {
-        rows.try_emplace(record.id, std::move(*row));
+        rows.push_back(std::move(*row));
       } else {
         contents.damage.push_back(joined({file.string(), ": ", row.error().message}));
       }
     }
   }
-  for (auto& [id, row] : rows) contents.rows.push_back(std::move(row));
+  std::ranges::stable_sort(rows, {}, &ScenarioRow::id);
+  const auto twice = std::ranges::unique(rows, {}, &ScenarioRow::id);
+  rows.erase(twice.begin(), twice.end());
   return contents;
 }
 
@@ -111,6 +112,9 @@ void compact(const fs::path& directory, const Study& study, RecordedStudy& recor
   recorded.notes.push_back(joined({"brought ", (*run)->results_path().string(), " up to date from the journal"}));
 }
 
+/// Bringing results.h5 up to date holds all rows twice more; of millions that waits for the end of the study.
+constexpr std::size_t kCompactedRowsMost = 500000;
+
 /// @param known rows that results.h5 holds
 Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t known) {
   const auto config = read_text_file(directory / "config.toml");
@@ -132,7 +136,8 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   recorded.source = directory;
   recorded.from_journal = true;
   if (has_fixed_scenarios(study->kind())) recorded.wanted = scenario_set(*study).count;
-  if (recorded.tables.rows.size() > known && recorded.damage.empty()) compact(directory, *study, recorded);
+  const std::size_t rows = recorded.tables.rows.size();
+  if (rows > known && rows <= kCompactedRowsMost && recorded.damage.empty()) compact(directory, *study, recorded);
   return recorded;
 }
 

@@ -67,6 +67,19 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
   return line;
 }
 
+/// Reading results back for a page holds all rows twice more; of millions that is for a process of its own.
+constexpr std::size_t kRowsWithPageMost = 500000;
+
+std::optional<fs::path> page_of_run(const RunArguments& arguments, const RunDirectory& run,
+                                    const StudyReport& report) {
+  if (report.tables.rows.size() <= kRowsWithPageMost) {
+    return write_report_of_run(run.directory(), arguments.program, arguments.moving && !report.interrupted);
+  }
+  print_note(joined({"so many scenarios are on no page yet; `", shell_word(arguments.program), " report ",
+                     shell_word(run.directory().string()), "` writes one of a choice of them"}));
+  return std::nullopt;
+}
+
 int report_finished(const RunArguments& arguments, const Study& study, const RunDirectory& run,
                     const StudyReport& report, int threads, const std::optional<fs::path>& page) {
   const std::size_t count = report.tables.rows.size();
@@ -177,8 +190,7 @@ int run_here(const RunArguments& arguments, FirstRank* first) {
   progress.close();
   if (!report) return report_failed(arguments, run, report.error());
   print_warnings(report->warnings);
-  const std::optional<fs::path> page =
-      write_report_of_run(run.directory(), arguments.program, arguments.moving && !report->interrupted);
+  const std::optional<fs::path> page = page_of_run(arguments, run, *report);
   return report->interrupted ? report_interrupted(arguments, run, *report)
                              : report_finished(arguments, *study, run, *report, threads, page);
 }

@@ -210,7 +210,11 @@ Expected<std::string> results_image(const fs::path& path, const ResultsContent& 
   const Hdf5Silence silence;
   try {
     Hdf5File file = Hdf5File::create(path);
-    write_content(file, sorted_by_id(content));
+    if (std::ranges::is_sorted(content.rows, {}, &ScenarioRow::id)) {
+      write_content(file, content);
+    } else {
+      write_content(file, sorted_by_id(content));
+    }
     return file.image();
   } catch (const std::exception& failure) {
     return ResultsError{ResultsErrorKind::io, failure.what(), {}};

@@ -55,6 +55,36 @@ TEST(ArmRun, AnArmThatCannotEndsTheRunThereWithItsCause) {
   EXPECT_EQ(diverged.outcome, Outcome::diverged) << "that came before";
 }
 
+/// The cause of a run that is out_of_range from the start; empty: it is not.
+std::string cause_at_start(const Scenario& scenario) {
+  const ArmRun run(scenario);
+  ScenarioResult result;
+  run.judge(result);
+  return result.outcome == Outcome::out_of_range && result.outcome_time_s == 0.0 ? result.cause : "";
+}
+
+TEST(ArmRun, AStartThatItCannotTakeIsOutOfRangeThere) {
+  Scenario far = carried_grip();
+  far.robot.base_place_m = {-3.0, 0.0, 0.0};
+  EXPECT_EQ(cause_at_start(far), "the palm is out of the arm's reach");
+  // Within its reach, but for the range of a joint.
+  Scenario bound = carried_grip();
+  for (ArmJointParameters& joint : bound.robot.joint) joint.lower_rad = -0.05;
+  for (ArmJointParameters& joint : bound.robot.joint) joint.upper_rad = 0.05;
+  bound.robot.seed_posture_rad.clear();
+  EXPECT_EQ(cause_at_start(bound), "the palm is out of the arm's reach");
+  // Two of its joints turn about one axis: the tool is mounted so that it stands like that.
+  Scenario straight = carried_grip();
+  RobotParameters& robot = straight.robot;
+  robot.seed_posture_rad[4] = 0.0;
+  robot.tool_place_m = robot.tool_rotation_rad = {};
+  const Pose flange = Arm(robot).palm(robot.seed_posture_rad);
+  const Pose tool = inverse(flange) * palm_pose(straight, planned_motion(straight).palm(0.0));
+  robot.tool_place_m = tool.place_m;
+  robot.tool_rotation_rad = rotation_to(tool.attitude);
+  EXPECT_EQ(cause_at_start(straight), "the arm is singular on the palm's way");
+}
+
 TEST(ArmRun, ATraceHasTheJointsOfThePlanThatWasFollowed) {
   const Scenario scenario = carried_grip();
   const ArmRun run(scenario);

@@ -121,13 +121,15 @@ test("the scene goes by the time of the sound, also after a jump and at another 
     const from = await timeOf(page);
     await page.evaluate(() => { window.began = undefined; });
     await playAt(page, speed);
+    let heard = 0;
     for (let look = 0; look < 3; look += 1) {
-      await page.waitForTimeout(250);
+      // However late a busy machine begins.
+      await page.waitForFunction((least) => window.heard - window.began > least, heard + 0.1);
       const seen = await page.evaluate(() => ({ sound: window.heard - window.began, time: parseFloat(document.querySelector("#replay .time-now").textContent) }));
       const wanted = from + Math.max(0, seen.sound) * Number(speed);
       // Both readouts have milliseconds.
       assert.ok(Math.abs(seen.time - wanted) < 0.0011, `${seen.time} s shown, ${wanted} s heard at speed ${speed}`);
-      assert.ok(seen.sound > 0.1, `${seen.sound} s heard`);
+      heard = seen.sound;
     }
     await page.getByRole("button", { name: "Pause" }).click();
   }

@@ -20,8 +20,8 @@ export function eventWords({ kind, where }) {
   return `${listed(where.map(surfaceWords))} ${where.length > 1 ? many : one}`;
 }
 
-/** Events of one kind that stand nearer than a hundredth of the time line are one. */
-export function mergedEvents(events, end) {
+/** Events of one kind that stand nearer than a hundredth of the time line are one, of its surfaces in their order. */
+function mergedEvents({ events, surfaces }, end) {
   const merged = [];
   for (const event of events) {
     const near = merged.find((each) => each.kind === event.kind && event.time_s - each.time_s < 0.01 * end);
@@ -29,12 +29,14 @@ export function mergedEvents(events, end) {
       if (!near.where.includes(event.where)) near.where.push(event.where);
     } else merged.push({ ...event, where: [event.where] });
   }
+  const order = surfaces.map(({ name }) => name);
+  for (const event of merged) event.where.sort((a, b) => order.indexOf(a) - order.indexOf(b));
   return merged;
 }
 
 /** @param pick (time) => called for a click */
 export function eventTicks(model, end, pick) {
-  return mergedEvents(model.events, end).map((event) => {
+  return mergedEvents(model, end).map((event) => {
     const text = `${eventWords(event)} at ${number(event.time_s, 4)} s`;
     return h("button", { type: "button", class: `tick ${event.kind}`, style: `left:${(100 * event.time_s) / end}%`, title: text, "aria-label": text, onclick: () => pick(event.time_s) }, h("span", { "aria-hidden": "true" }, MARKS[event.kind]));
   });

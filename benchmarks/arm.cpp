@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
+#include "benchmarks/stopwatch.hpp"
 #include "studies/config/study.hpp"
 #include "studies/execution/simulator.hpp"
 
@@ -50,13 +50,6 @@ const std::vector<Scene>& scenes() {
        with_arm({"robot.timing=fit", "strategy.transfer_acceleration_m_s2=20.0", "strategy.speed_m_s=2.0"})},
   };
   return all;
-}
-
-/// Of this thread: what the machine does beside it is not in it.
-double processor_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 struct Cost {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -285,9 +284,9 @@ ThreadedRun run_threads(const std::shared_ptr<const Model>& model, const std::ve
     });
   }
   ready.arrive_and_wait();
-  const std::clock_t start = std::clock();
+  const double start_s = benchmarks::processor_s();
   run.wall_s = seconds_of([&] { threads.clear(); });  // joins
-  run.processor_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  run.processor_s = benchmarks::processor_s() - start_s;
   return run;
 }
 

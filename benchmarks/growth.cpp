@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "benchmarks/cube512_scene.hpp"
 #include "benchmarks/part_times.hpp"
+#include "benchmarks/stopwatch.hpp"
 #include "core/simulation/simulation.hpp"
 
 namespace unbruised::benchmarks {
@@ -21,8 +21,6 @@ constexpr int kParticlesAcross[] = {8, 10, 13, 16, 20};  // 512, 1,000, 2,197, 4
 constexpr double kTimeStep_s = 1e-3;
 /// Of the scene's second: closing, pressing and settling.
 constexpr double kSimulated_s = 0.2;
-
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Scenario cube(int across) {
   Scenario scene = cube512_scene(kTimeStep_s);

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string>
 #include <vector>
 
 #include "benchmarks/cube512_scene.hpp"
 #include "benchmarks/part_times.hpp"
+#include "benchmarks/stopwatch.hpp"
 #include "core/simulation/simulation.hpp"
 #include "studies/config/study.hpp"
 
@@ -30,7 +30,7 @@ struct Run {
 
 void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scenario>& scenarios, LevelUse levels,
               Run& run) {
-  const std::clock_t start = std::clock();
+  const double start_s = benchmarks::processor_s();
   LevelSimulation simulation(model);
   simulation.enable_timing();
   std::size_t next = 0, left = scenarios.size();
@@ -51,7 +51,7 @@ void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scena
     }
   }
   const double count = static_cast<double>(scenarios.size());
-  run.processor_s = std::min(run.processor_s, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / count);
+  run.processor_s = std::min(run.processor_s, (benchmarks::processor_s() - start_s) / count);
   run.steps = steps / count;
   run.busy = steps / (calls * lane_count());
   run.simulated_s = simulated_s / count;

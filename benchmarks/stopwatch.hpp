@@ -1,14 +1,18 @@
 #pragma once
 
 /// @file
-/// Wall-clock samples and what a table says of them: the best and the median.
+/// Processor time, wall-clock samples, and what a table says of them: the best and the median.
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <vector>
 
 namespace unbruised::benchmarks {
+
+/// Of this process so far: what the machine does beside it is not in it.
+inline double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Seconds that `work()` takes.
 template <class Work>

@@ -10,12 +10,11 @@ import argparse
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
-from window_tables import Unsuitable, text_list
+from window_tables import Unsuitable, opened, text_list
 
 GUARD, SPEED, FORCE = "strategy.guard", "strategy.approach_speed_m_s", "strategy.grip_force_N"
 LOOKS = {"none": ("no guard", "#b3461f", "s"), "range": ("guard by range", "#1b9e77", "o"),
@@ -25,11 +24,7 @@ HELD = 0
 
 def read(path):
     """Of every guard a table [speed, force] of safe, cycle time and peak force; the speeds, the forces."""
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
-    with file:
+    with opened(path) as file:
         scenarios = file["scenarios"]
         if any(key not in scenarios["input"] for key in (GUARD, SPEED, FORCE)):
             raise Unsuitable(f"{path}: not the results of configs/guarded_approach.toml")

@@ -12,24 +12,19 @@ import sys
 import tomllib
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_instruments import words_of
 from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
-from window_tables import Unsuitable
+from window_tables import Unsuitable, opened
 
 COLOURS = ["#1b9e77", "#d95f02", "#7570b3", "#e7298a", "#66a61e", "#a6761d", "#22303c", "#8695a3"]
 
 
 def read(path):
     """Time, torques and speeds as shares of their limits, phases as (begin, word)."""
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
-    with file:
+    with opened(path) as file:
         trace = file.get("trace")
         if trace is None or "joint_torque_N_m" not in trace:
             raise Unsuitable(f"{path} holds no /trace/joint_torque_N_m: `run --scenario ID` of a study with a [robot] "

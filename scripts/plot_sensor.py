@@ -11,12 +11,11 @@ import argparse
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_pictures import INK, SOFT, save  # which sets the looks of the pictures
-from window_tables import Unsuitable
+from window_tables import Unsuitable, opened
 
 GRAVITY = 9.80665
 READ = "#1b9e77"
@@ -25,11 +24,7 @@ BESIDE = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "frameon": False}
 
 def trace_of(path):
     """Time, the reading and the compensated reading of /trace, or of the scenario's own file."""
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
-    with file:
+    with opened(path) as file:
         trace = file.get("trace")
         if trace is None or "sensor_wrench" not in trace:
             raise Unsuitable(f"{path} holds no /trace/sensor_wrench: a study of kind = \"simulate\" with a [sensor], or "

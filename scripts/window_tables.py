@@ -13,6 +13,14 @@ class Unsuitable(Exception):
 
 # --- reading ---
 
+def opened(path):
+    """An HDF5 file, to be read."""
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
+
+
 def text_list(dataset):
     return [value.decode() if isinstance(value, bytes) else str(value) for value in dataset[...]]
 
@@ -33,11 +41,7 @@ def read_results(path):
     """Everything the drawings need, as plain arrays."""
     if not os.path.exists(path):
         raise Unsuitable(f"{path}: no such file")
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise Unsuitable(f"{path}: not a readable HDF5 file ({str(error).splitlines()[0]})") from error
-    with file:
+    with opened(path) as file:
         if "format_version" not in file.attrs or "scenarios" not in file:
             raise Unsuitable(f"{path}: not a results file of unbruised")
         kind = file.attrs["study_kind"]

@@ -9,15 +9,6 @@
 namespace unbruised {
 namespace {
 
-std::array<double, 3> times(double factor, std::array<double, 3> x) {
-  for (double& component : x) component *= factor;
-  return x;
-}
-
-std::array<double, 3> between(const std::array<double, 3>& from, const std::array<double, 3>& to) {
-  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-}
-
 /// Limits along an arc with which those of all directions hold: half of the square of the acceleration goes along
 /// it and half across. The jerk is (j - v^3 / r^2, 3 v a / r) along and across: j and v^3 / r^2 a quarter of the
 /// limit each and 3 v a / r four fifths come to 0.95 of it.

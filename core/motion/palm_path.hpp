@@ -23,6 +23,8 @@ struct PalmState {
   std::array<double, 3> rotation_rad{};
   std::array<double, 3> spin_rad_s{};
   std::array<double, 3> spin_acceleration_rad_s2{};
+
+  bool operator==(const PalmState&) const = default;
 };
 
 /// On a leg the palm goes straight, or on an arc, and turns about a fixed axis by the shortest way. Both follow

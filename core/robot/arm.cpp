@@ -11,9 +11,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector less(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector times(double factor, const Vector& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
-
 }  // namespace
 
 Pose operator*(const Pose& first, const Pose& second) {
@@ -66,7 +63,7 @@ std::vector<Twist> Arm::jacobian(const Joints& angle_rad) const {
   columns.reserve(joint_count());
   for (std::size_t i = 0; i < joint_count(); ++i) {
     const Vector z = turned(all[i].attitude, axis_[i]);
-    columns.push_back({cross(z, less(palm.place_m, all[i].place_m)), z});
+    columns.push_back({cross(z, between(all[i].place_m, palm.place_m)), z});
   }
   return columns;
 }
@@ -76,7 +73,7 @@ Twist Arm::bias(const Joints& angle_rad, const Joints& speed_rad_s) const {
   Vector place = all.front().place_m, w{};
   Twist a;
   const auto go_to = [&](const Vector& to) {
-    const Vector r = less(to, place);
+    const Vector r = between(place, to);
     a.linear = sum(a.linear, sum(cross(a.angular, r), cross(w, cross(w, r))));
     place = to;
   };

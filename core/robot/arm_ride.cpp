@@ -180,12 +180,6 @@ Joints foreseen(const ArmSample& last, double time_s) {
   return angle;
 }
 
-bool is_same(const PalmState& a, const PalmState& b) {
-  return a.position_m == b.position_m && a.velocity_m_s == b.velocity_m_s &&
-         a.acceleration_m_s2 == b.acceleration_m_s2 && a.rotation_rad == b.rotation_rad &&
-         a.spin_rad_s == b.spin_rad_s && a.spin_acceleration_rad_s2 == b.spin_acceleration_rad_s2;
-}
-
 void raise(ArmUse& most, double use, std::size_t joint, double time_s) {
   if (use > most.use) most = {use, static_cast<int>(joint), time_s};
 }
@@ -292,8 +286,7 @@ ArmRide ride(const Scenario& scenario, const MotionPlan& plan) {
   for (const double time_s : sample_times(plan)) {
     const ArmSample* last = out.samples.empty() ? nullptr : &out.samples.back();
     const PalmState palm = plan.palm(time_s);
-    if (last != nullptr && is_same(palm, palm_before) &&
-        rider.is_loaded(time_s) == rider.is_loaded(last->time_s)) {
+    if (last != nullptr && palm == palm_before && rider.is_loaded(time_s) == rider.is_loaded(last->time_s)) {
       ArmSample again = *last;
       again.time_s = time_s;
       again.phase = plan.phase_after_contact(time_s);

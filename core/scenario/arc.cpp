@@ -12,10 +12,6 @@ using Vector = std::array<double, 3>;
 
 constexpr double kInLine = 1e-6;
 
-Vector between(const Vector& from, const Vector& to) {
-  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-}
-
 }  // namespace
 
 double Arc::radius_m() const { return length(from_center_m); }

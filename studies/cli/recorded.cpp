@@ -112,9 +112,6 @@ void compact(const fs::path& directory, const Study& study, RecordedStudy& recor
   recorded.notes.push_back(joined({"brought ", (*run)->results_path().string(), " up to date from the journal"}));
 }
 
-/// Bringing results.h5 up to date holds all rows twice more; of millions that waits for the end of the study.
-constexpr std::size_t kCompactedRowsMost = 500000;
-
 /// @param known rows that results.h5 holds
 Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t known) {
   const auto config = read_text_file(directory / "config.toml");
@@ -137,7 +134,7 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   recorded.from_journal = true;
   if (has_fixed_scenarios(study->kind())) recorded.wanted = scenario_set(*study).count;
   const std::size_t rows = recorded.tables.rows.size();
-  if (rows > known && rows <= kCompactedRowsMost && recorded.damage.empty()) compact(directory, *study, recorded);
+  if (rows > known && rows <= kRowsHeldAgainMost && recorded.damage.empty()) compact(directory, *study, recorded);
   return recorded;
 }
 

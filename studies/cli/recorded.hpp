@@ -27,6 +27,10 @@ struct RecordedStudy {
   std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
 };
 
+/// Bringing results.h5 up to date, and reading it back for a page, hold all rows twice more: of millions the one
+/// waits for the end of the study, the other for a process of its own.
+inline constexpr std::size_t kRowsHeldAgainMost = 500000;
+
 /// Reads a results file, or a run directory: its complete results.h5, else its config and journals. Where no
 /// process holds the directory and the journals know more than results.h5, that one is brought up to date.
 Expected<RecordedStudy> read_recorded(const std::filesystem::path& path);

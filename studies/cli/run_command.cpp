@@ -67,12 +67,9 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
   return line;
 }
 
-/// Reading results back for a page holds all rows twice more; of millions that is for a process of its own.
-constexpr std::size_t kRowsWithPageMost = 500000;
-
 std::optional<fs::path> page_of_run(const RunArguments& arguments, const RunDirectory& run,
                                     const StudyReport& report) {
-  if (report.tables.rows.size() <= kRowsWithPageMost) {
+  if (report.tables.rows.size() <= kRowsHeldAgainMost) {
     return write_report_of_run(run.directory(), arguments.program, arguments.moving && !report.interrupted);
   }
   print_note(joined({"so many scenarios are on no page yet; `", shell_word(arguments.program), " report ",

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -11,7 +10,7 @@
 #include "core/scenario/attitude.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/vectors.hpp"
-#include "studies/config/csv_rows.hpp"
+#include "studies/config/number_table.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -32,95 +31,68 @@ constexpr double kLeastLift_m = 0.005;
 /// Peak acceleration of a motion of minimum jerk over D in T is this D / T^2.
 constexpr double kMinimumJerk = 10.0 / std::numbers::sqrt3;
 
-Vector between(const Vector& a, const Vector& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
-
 class Reader {
  public:
   Reader(const DemonstrationText& text, Problems& problems)
-      : csv_(text.content, text.file, text.rank), file_{text.file, text.rank, 1}, problems_(problems) {}
+      : table_(text.content, text.file, text.rank, kDemonstrationKey, problems), problems_(problems) {}
 
   /// Those from closing to opening; empty: a problem was said.
   std::vector<Sample> read() {
-    if (!csv_.next() || !read_header()) {
+    if (!read_header()) {
       return refuse(
           "the first line must name the columns time_s, x_m, y_m, z_m, closed, and of these what there is: "
           "rx_rad, ry_rad, rz_rad or qw, qx, qy, qz; grip_force_N");
     }
     std::vector<Sample> all;
-    while (csv_.next()) {
+    while (table_.next()) {
       const auto sample = read_row();
       if (!sample) return {};
       if (!all.empty() && !(sample->time_s > all.back().time_s)) {
-        problems_.add(csv_.origin(), "time_s", spelled(sample->time_s),
+        problems_.add(table_.origin(), "time_s", spelled(sample->time_s),
                       joined({"must be > ", spelled(all.back().time_s), ", the time before it"}));
         return {};
       }
       all.push_back(*sample);
     }
+    if (table_.failed()) return {};
     return held_part(all);
   }
 
-  [[nodiscard]] bool has(const std::string& name) const {
-    return std::count(columns_.begin(), columns_.end(), name) == 1;
-  }
-  [[nodiscard]] bool has_rotation() const { return has("rx_rad") || has("qw"); }
-  [[nodiscard]] const Origin& file() const { return file_; }
+  [[nodiscard]] bool has_rotation() const { return table_.has("rx_rad") || table_.has("qw"); }
+  [[nodiscard]] const Origin& file() const { return table_.start(); }
 
  private:
   std::vector<Sample> refuse(const std::string& rule) {
-    problems_.add(file_, kDemonstrationKey, rule);
+    problems_.add(table_.start(), kDemonstrationKey, rule);
     return {};
   }
 
   bool read_header() {
-    columns_ = csv_.cells();
-    file_ = csv_.origin();
-    const std::vector<std::vector<std::string>> groups = {{"time_s", "x_m", "y_m", "z_m", "closed"},
-                                                          {"rx_rad", "ry_rad", "rz_rad"},
-                                                          {"qw", "qx", "qy", "qz"},
-                                                          {"grip_force_N"}};
-    std::size_t known = 0;
-    for (const auto& group : groups) {
-      const auto there = static_cast<std::size_t>(
-          std::count_if(group.begin(), group.end(), [&](const std::string& name) { return has(name); }));
-      if (there != 0 && there != group.size()) return false;
-      known += there;
-    }
-    return has("time_s") && known == columns_.size() && !(has("qw") && has("rx_rad"));
+    return table_.read_header({{"time_s", "x_m", "y_m", "z_m", "closed"},
+                               {"rx_rad", "ry_rad", "rz_rad"},
+                               {"qw", "qx", "qy", "qz"},
+                               {"grip_force_N"}}) &&
+           table_.has("time_s") && !(table_.has("qw") && table_.has("rx_rad"));
   }
 
   std::optional<Sample> read_row() {
-    const Origin& origin = csv_.origin();
-    if (csv_.cells().size() != columns_.size()) {
-      problems_.add(origin, kDemonstrationKey,
-                    joined({"a row must have ", std::to_string(columns_.size()), " cells, not ",
-                            std::to_string(csv_.cells().size())}));
+    const Origin& origin = table_.origin();
+    const auto n = [&](const char* column) { return table_.number(column); };
+    if (n("closed") != 0.0 && n("closed") != 1.0) {
+      problems_.add(origin, "closed", spelled(n("closed")), "must be 0, open, or 1, closed");
       return std::nullopt;
     }
-    std::map<std::string, double> n;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const auto value = cell_number(csv_.cells()[i]);
-      if (!value || !std::isfinite(*value)) {
-        problems_.add(origin, columns_[i], csv_.cells()[i], "must be a number");
-        return std::nullopt;
-      }
-      n[columns_[i]] = *value;
-    }
-    if (n["closed"] != 0.0 && n["closed"] != 1.0) {
-      problems_.add(origin, "closed", spelled(n["closed"]), "must be 0, open, or 1, closed");
-      return std::nullopt;
-    }
-    Sample sample{n["time_s"], {n["x_m"], n["y_m"], n["z_m"]}, {}, n["grip_force_N"], n["closed"] == 1.0};
-    if (has("rx_rad")) sample.attitude = attitude_of({n["rx_rad"], n["ry_rad"], n["rz_rad"]});
-    if (has("qw")) {
-      const double size = std::hypot(std::hypot(n["qw"], n["qx"]), std::hypot(n["qy"], n["qz"]));
+    Sample sample{n("time_s"), {n("x_m"), n("y_m"), n("z_m")}, {}, n("grip_force_N"), n("closed") == 1.0};
+    if (table_.has("rx_rad")) sample.attitude = attitude_of({n("rx_rad"), n("ry_rad"), n("rz_rad")});
+    if (table_.has("qw")) {
+      const double size = std::hypot(std::hypot(n("qw"), n("qx")), std::hypot(n("qy"), n("qz")));
       constexpr double kUnitRoom = 1e-3;  // of what was recorded with four digits
       if (!(std::abs(size - 1.0) <= kUnitRoom)) {
-        problems_.add(origin, "qw", spelled(n["qw"]),
+        problems_.add(origin, "qw", spelled(n("qw")),
                       joined({"is of a quaternion of length ", spelled(size), "; a rotation has the length 1"}));
         return std::nullopt;
       }
-      sample.attitude = {n["qw"] / size, {n["qx"] / size, n["qy"] / size, n["qz"] / size}};
+      sample.attitude = {n("qw") / size, {n("qx") / size, n("qy") / size, n("qz") / size}};
     }
     return sample;
   }
@@ -144,10 +116,8 @@ class Reader {
     return held;
   }
 
-  CsvRows csv_;
-  Origin file_;
+  NumberTable table_;
   Problems& problems_;
-  std::vector<std::string> columns_;
 };
 
 /// Straight ways that stay near samples.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "studies/config/demonstration.hpp"
 #include "studies/config/library.hpp"
@@ -7,63 +9,6 @@
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
-
-bool Library::names_file(std::string_view key) {
-  return key == kProfileFileKey || key == kWaypointFileKey || key == "robot.urdf" || key == "robot.tip_link" ||
-         key.starts_with(kDemonstrationKey);
-}
-
-void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
-  const auto named = std::find_if(entries.rbegin(), entries.rend(),
-                                  [](const Entry& entry) { return entry.path == kProfileFileKey; });
-  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
-  const auto text = open(Entry(*named), problems);
-  if (!text) return;
-  for (Entry& entry : profile_entries(text->content, text->file, text->rank, problems)) {
-    entries.push_back(std::move(entry));
-  }
-}
-
-void Library::read_waypoints(std::vector<Entry>& entries, Problems& problems) {
-  const auto named = std::find_if(entries.rbegin(), entries.rend(),
-                                  [](const Entry& entry) { return entry.path == kWaypointFileKey; });
-  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
-  const auto lists = [](const Entry& entry) { return entry.path.starts_with("strategy.waypoint["); };
-  if (std::any_of(entries.begin(), entries.end(), lists)) {
-    problems.add(named->origin, named->path, spelled(named->value),
-                 "excludes [[strategy.waypoint]]; give one of them");
-    return;
-  }
-  const auto text = open(Entry(*named), problems);
-  if (!text) return;
-  for (Entry& entry : waypoint_entries(text->content, text->file, text->rank, problems)) {
-    entries.push_back(std::move(entry));
-  }
-}
-
-void Library::read_arm(std::vector<Entry>& entries, Problems& problems) {
-  const auto last = [&](std::string_view path) {
-    return std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) { return entry.path == path; });
-  };
-  const auto named = last("robot.urdf"), tip = last("robot.tip_link");
-  if (named == entries.rend() && tip != entries.rend()) {
-    problems.add(tip->origin, tip->path, spelled(tip->value),
-                 "not used: there is no robot.urdf whose link it could be");
-  }
-  if (named == entries.rend() || named->value.kind != Value::Kind::text) return;
-  const auto lists = [](const Entry& entry) { return entry.path.starts_with("robot.joint["); };
-  if (std::any_of(entries.begin(), entries.end(), lists)) {
-    problems.add(named->origin, named->path, spelled(named->value), "excludes [[robot.joint]]; give one of them");
-    return;
-  }
-  const std::string tip_link = tip == entries.rend() ? "" : tip->value.text;
-  const auto text = open(Entry(*named), problems);
-  if (!text) return;
-  for (Entry& entry : urdf_entries({text->content, tip_link, text->file, text->rank}, problems)) {
-    if (last(entry.path) == entries.rend()) entries.push_back(std::move(entry));
-  }
-}
-
 namespace {
 
 /// The last of that path; nullptr: there is none.
@@ -72,6 +17,68 @@ const Entry* last_of(const std::vector<Entry>& entries, std::string_view path) {
       std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) { return entry.path == path; });
   return found == entries.rend() ? nullptr : &*found;
 }
+
+/// The last that names a file under a key.
+std::optional<Entry> file_named(const std::vector<Entry>& entries, std::string_view key) {
+  const Entry* named = last_of(entries, key);
+  return named != nullptr && named->value.kind == Value::Kind::text ? std::optional(*named) : std::nullopt;
+}
+
+/// Says that a list stands beside the file that is given in its place.
+bool excludes_list(const Entry& named, const std::string& list, const std::vector<Entry>& entries,
+                   Problems& problems) {
+  const auto lists = [&](const Entry& entry) { return entry.path.starts_with(list + "["); };
+  if (std::ranges::none_of(entries, lists)) return false;
+  problems.add(named.origin, named.path, spelled(named.value),
+               joined({"excludes [[", list, "]]; give one of them"}));
+  return true;
+}
+
+void append(std::vector<Entry> more, std::vector<Entry>& entries) {
+  std::ranges::move(more, std::back_inserter(entries));
+}
+
+/// Those whose keys are not said yet.
+void append_unsaid(std::vector<Entry> more, std::vector<Entry>& entries) {
+  for (Entry& entry : more) {
+    if (last_of(entries, entry.path) == nullptr) entries.push_back(std::move(entry));
+  }
+}
+
+}  // namespace
+
+bool Library::names_file(std::string_view key) {
+  return key == kProfileFileKey || key == kWaypointFileKey || key == "robot.urdf" || key == "robot.tip_link" ||
+         key.starts_with(kDemonstrationKey);
+}
+
+void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
+  const auto named = file_named(entries, kProfileFileKey);
+  const auto text = named ? open(*named, problems) : std::nullopt;
+  if (text) append(profile_entries(text->content, text->file, text->rank, problems), entries);
+}
+
+void Library::read_waypoints(std::vector<Entry>& entries, Problems& problems) {
+  const auto named = file_named(entries, kWaypointFileKey);
+  if (!named || excludes_list(*named, "strategy.waypoint", entries, problems)) return;
+  const auto text = open(*named, problems);
+  if (text) append(waypoint_entries(text->content, text->file, text->rank, problems), entries);
+}
+
+void Library::read_arm(std::vector<Entry>& entries, Problems& problems) {
+  const Entry* tip = last_of(entries, "robot.tip_link");
+  if (last_of(entries, "robot.urdf") == nullptr && tip != nullptr) {
+    problems.add(tip->origin, tip->path, spelled(tip->value),
+                 "not used: there is no robot.urdf whose link it could be");
+  }
+  const auto named = file_named(entries, "robot.urdf");
+  if (!named || excludes_list(*named, "robot.joint", entries, problems)) return;
+  const std::string tip_link = tip == nullptr ? "" : tip->value.text;
+  const auto text = open(*named, problems);
+  if (text) append_unsaid(urdf_entries({text->content, tip_link, text->file, text->rank}, problems), entries);
+}
+
+namespace {
 
 /// How a demonstration is taken. @return false: a problem was said
 bool read_settings(const std::vector<Entry>& entries, DemonstrationText& text, Problems& problems) {
@@ -117,9 +124,7 @@ void Library::read_demonstration(std::vector<Entry>& entries, Problems& problems
   settings.content = text->content;
   settings.file = text->file;
   settings.rank = text->rank;
-  for (Entry& entry : demonstration_entries(settings, problems)) {
-    if (last_of(entries, entry.path) == nullptr) entries.push_back(std::move(entry));
-  }
+  append_unsaid(demonstration_entries(settings, problems), entries);
 }
 
 }  // namespace unbruised::studies

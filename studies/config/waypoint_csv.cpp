@@ -1,11 +1,6 @@
 #include "studies/config/waypoint_csv.hpp"
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
-
-#include "studies/config/csv_rows.hpp"
+#include "studies/config/number_table.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -31,20 +26,29 @@ class WaypointReader {
  public:
   WaypointReader(std::string_view content, const std::shared_ptr<const std::string>& file, int rank,
                  Problems& problems)
-      : csv_(content, file, rank), start_{file, rank, 1}, problems_(problems) {}
+      : table_(content, file, rank, kWaypointFileKey, problems), problems_(problems) {}
 
   std::vector<Entry> read() {
-    if (!csv_.next() || !read_header()) return refuse(start_, kWaypointFileKey, header_rule());
-    while (csv_.next()) {
-      if (!read_row()) return {};
+    std::vector<std::vector<std::string>> columns;
+    for (const Group& group : groups()) columns.push_back(group.columns);
+    const bool good = table_.read_header(columns) && table_.has("x_m") &&
+                      !(table_.has("qw") && table_.has("rx_rad")) &&
+                      !(table_.has("time_s") && table_.has("speed_m_s"));
+    if (!good) return refuse(header_rule());
+    while (table_.next()) {
+      for (const Group& group : groups()) {
+        if (table_.has(group.columns.front()) && !add(group)) return {};
+      }
+      ++rows_;
     }
-    if (rows_ == 0) return refuse(start_, kWaypointFileKey, "the file must have a row at least");
+    if (table_.failed()) return {};
+    if (rows_ == 0) return refuse("the file must have a row at least");
     return std::move(entries_);
   }
 
  private:
-  std::vector<Entry> refuse(const Origin& origin, std::string_view what, const std::string& rule) {
-    problems_.add(origin, what, rule);
+  std::vector<Entry> refuse(const std::string& rule) {
+    problems_.add(table_.start(), kWaypointFileKey, rule);
     return {};
   }
 
@@ -54,60 +58,18 @@ class WaypointReader {
            "qw, qx, qy, qz; time_s or speed_m_s; blend_m; wait_s";
   }
 
-  bool read_header() {
-    columns_ = csv_.cells();
-    start_ = csv_.origin();
-    std::size_t known = 0;
-    for (const Group& group : groups()) {
-      const auto there = static_cast<std::size_t>(
-          std::count_if(group.columns.begin(), group.columns.end(), [&](const auto& name) { return has(name); }));
-      if (there != 0 && there != group.columns.size()) return false;
-      known += there;
-    }
-    const bool excludes = (has("qw") && has("rx_rad")) || (has("time_s") && has("speed_m_s"));
-    return has("x_m") && known == columns_.size() && !excludes;
-  }
-
-  [[nodiscard]] bool has(const std::string& name) const {
-    return std::count(columns_.begin(), columns_.end(), name) == 1;
-  }
-
-  bool read_row() {
-    const Origin& origin = csv_.origin();
-    if (csv_.cells().size() != columns_.size()) {
-      refuse(origin, kWaypointFileKey,
-             joined({"a row must have ", std::to_string(columns_.size()), " cells, not ",
-                     std::to_string(csv_.cells().size())}));
-      return false;
-    }
-    std::map<std::string, double> number;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const auto value = cell_number(csv_.cells()[i]);
-      if (!value) {
-        problems_.add(origin, columns_[i], csv_.cells()[i], "must be a number");
-        return false;
-      }
-      number[columns_[i]] = *value;
-    }
-    for (const Group& group : groups()) {
-      if (has(group.columns.front()) && !add(group, number)) return false;
-    }
-    ++rows_;
-    return true;
-  }
-
-  bool add(const Group& group, const std::map<std::string, double>& number) {
+  bool add(const Group& group) {
     Value value;
     if (group.columns.size() > 1) {
       value.kind = Value::Kind::array;
-      for (const std::string& name : group.columns) value.items.push_back(number_value(number.at(name)));
+      for (const std::string& name : group.columns) value.items.push_back(number_value(table_.number(name)));
     } else {
-      value = number_value(number.at(group.columns.front()));
+      value = number_value(table_.number(group.columns.front()));
     }
     std::string leaf(group.leaf);
     if (leaf == "time_s") {
       if (!(value.number > before_s_)) {
-        problems_.add(csv_.origin(), leaf, spelled(value),
+        problems_.add(table_.origin(), leaf, spelled(value),
                       joined({"must be > ", spelled(before_s_),
                               rows_ == 0 ? ", when the lift ends" : ", the time of the waypoint before it"}));
         return false;
@@ -115,17 +77,15 @@ class WaypointReader {
       leaf = "duration_s";
       const double time_s = value.number;
       value = number_value(time_s - before_s_);
-      before_s_ = time_s + (has("wait_s") ? number.at("wait_s") : 0.0);
+      before_s_ = time_s + table_.number("wait_s");
     }
     entries_.push_back(
-        {joined({"strategy.waypoint[", std::to_string(rows_), "].", leaf}), std::move(value), csv_.origin()});
+        {joined({"strategy.waypoint[", std::to_string(rows_), "].", leaf}), std::move(value), table_.origin()});
     return true;
   }
 
-  CsvRows csv_;
-  Origin start_;
+  NumberTable table_;
   Problems& problems_;
-  std::vector<std::string> columns_;
   std::vector<Entry> entries_;
   std::size_t rows_ = 0;
   double before_s_ = 0.0;

@@ -69,7 +69,9 @@ std::string_view word_of(GripCommand::Kind kind) {
 }
 
 HandlingProgram::HandlingProgram(const Scenario& scenario, double lift_time_s)
-    : scenario_(scenario), plan_(followed_plan(scenario, lift_time_s)) {
+    : scenario_(scenario),
+      plan_(followed_plan(scenario, lift_time_s)),
+      grip_s_(ramp_start_s(scenario, lift_time_s)) {
   require(std::isfinite(lift_time_s), "HandlingProgram: nothing was lifted");
   end_s_ = plan_.release_end_s() < kNever ? plan_.release_end_s() : plan_.end_s();
   add_commands();
@@ -79,10 +81,9 @@ HandlingProgram::HandlingProgram(const Scenario& scenario, double lift_time_s)
 void HandlingProgram::add_commands() {
   using Kind = GripCommand::Kind;
   const StrategyParameters& s = scenario_.strategy;
-  const double ramp_start_s = plan_.lift_start_s() - s.settle_s - s.grip_ramp_s;
   commands_.push_back({.kind = Kind::close, .speed_m_s = s.approach_speed_m_s, .force_N = s.contact_force_N});
   commands_.push_back({.kind = Kind::grip,
-                       .time_s = std::max(0.0, ramp_start_s),
+                       .time_s = std::max(0.0, grip_s_),
                        .force_N = s.grip_force_N,
                        .ramp_s = s.grip_ramp_s,
                        .waits_for_contact = !s.ramp_from_start});
@@ -155,9 +156,8 @@ std::vector<ProgramPoint> HandlingProgram::points(const std::vector<double>& tim
   std::vector<ProgramPoint> points;
   for (const double t : time_s) {
     const PalmState palm = plan_.palm(t);
-    const bool grips = t >= plan_.lift_start_s() - scenario_.strategy.settle_s - scenario_.strategy.grip_ramp_s;
     points.push_back({t,
-                      grips ? plan_.phase_after_contact(t) : CyclePhase::approach,
+                      t >= grip_s_ ? plan_.phase_after_contact(t) : CyclePhase::approach,
                       palm_pose(scenario_, palm),
                       {palm.velocity_m_s, palm.spin_rad_s},
                       {}});

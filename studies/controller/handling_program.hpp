@@ -75,6 +75,7 @@ class HandlingProgram {
 
   Scenario scenario_;
   MotionPlan plan_;
+  double grip_s_;  ///< when the force begins to rise
   std::vector<GripCommand> commands_;
   std::vector<ProgramMove> moves_;
   double end_s_ = 0.0;

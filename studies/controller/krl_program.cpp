@@ -77,7 +77,7 @@ class Module {
   void add_rest(double rest_s, bool waits_for_contact) {
     if (waits_for_contact) {
       source += joined({"  grip_wait_for_contact()  ; ", time_text(rest_s), " s as simulated\n"});
-    } else if (rest_s > 5e-7) {
+    } else if (rest_s > kLeastRest_s) {
       source += joined({"  WAIT SEC ", time_text(rest_s), "\n"});
     }
   }

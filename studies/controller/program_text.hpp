@@ -57,6 +57,8 @@ std::vector<ProgramStep> steps_of(const HandlingProgram& program);
 /// Those that are given while it moves.
 std::vector<const GripCommand*> commands_within(const HandlingProgram& program, const ProgramMove& move);
 
+/// Rests that are shorter are not written.
+inline constexpr double kLeastRest_s = 5e-7;
 inline constexpr double kDegrees = 57.295779513082323;
 inline constexpr double kMillimetres = 1e3;
 

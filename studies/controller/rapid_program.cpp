@@ -94,7 +94,7 @@ class Body {
   void add_rest(double rest_s, bool waits_for_contact) {
     if (waits_for_contact) {
       text += joined({"    grip_wait_for_contact;  ! ", time_text(rest_s), " s as simulated\n"});
-    } else if (rest_s > 5e-7) {
+    } else if (rest_s > kLeastRest_s) {
       text += joined({"    WaitTime ", time_text(rest_s), ";\n"});
     }
   }

@@ -102,7 +102,7 @@ ProgramFile urscript_program(const HandlingProgram& program, const ProgramHead& 
     const bool waits = step.command != nullptr && step.command->waits_for_contact;
     if (waits) {
       text += joined({"  grip_wait_for_contact()  # ", time_text(rest_s), " s as simulated\n"});
-    } else if (rest_s > 5e-7) {
+    } else if (rest_s > kLeastRest_s) {
       text += joined({"  sleep(", time_text(rest_s), ")\n"});
     }
     now_s = std::max(now_s, step.move.start_s);
@@ -112,7 +112,8 @@ ProgramFile urscript_program(const HandlingProgram& program, const ProgramHead& 
       text += call_line(*step.command);
     }
   }
-  if (program.end_s() - now_s > 5e-7) text += joined({"  sleep(", time_text(program.end_s() - now_s), ")\n"});
+  if (program.end_s() - now_s > kLeastRest_s)
+    text += joined({"  sleep(", time_text(program.end_s() - now_s), ")\n"});
   return {".script", text + joined({"end\n", head.name, "()\n"})};
 }
 

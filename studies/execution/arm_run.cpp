@@ -5,9 +5,13 @@
 
 namespace unbruised::studies {
 
+double ramp_start_s(const Scenario& scenario, double lift_time_s) {
+  return lift_time_s - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s;
+}
+
 MotionPlan followed_plan(const Scenario& scenario, double lift_time_s) {
   if (std::isnan(lift_time_s)) return MotionPlan(scenario, kNever);
-  return MotionPlan(scenario, lift_time_s - scenario.strategy.grip_ramp_s - scenario.strategy.settle_s);
+  return MotionPlan(scenario, ramp_start_s(scenario, lift_time_s));
 }
 
 ArmRun::ArmRun(const Scenario& scenario) : timed_(timed_for_arm(scenario)) {

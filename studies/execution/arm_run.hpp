@@ -10,6 +10,8 @@
 
 namespace unbruised::studies {
 
+/// When the drive's force began to rise before a lift at this time.
+double ramp_start_s(const Scenario& scenario, double lift_time_s);
 /// The plan that a run followed, from when its lift began; NaN: none did.
 MotionPlan followed_plan(const Scenario& scenario, double lift_time_s);
 

@@ -33,6 +33,7 @@ export class ReplayModel {
     const high = [0, 1, 2].map((axis) => Math.max(...this.every(axis)));
     this.extent = Math.max(...[0, 1, 2].map((axis) => high[axis] - low[axis])) || 0.05;
     this.lowest = low[2];
+    this.armRoom = this.roomOfArm();
     this.deformation = decodeTable(this.deformation_m, buffer, this.frames);
     this.placeError = 0.5 * this.deformation_m.step;
     this.ranges = {};
@@ -40,7 +41,7 @@ export class ReplayModel {
   }
 
   /** What holds the arm wherever it goes: { middle, radius }; null where there is none. */
-  get armRoom() {
+  roomOfArm() {
     if (!this.armPlaces) return null;
     const low = [0, 0, 0].fill(Infinity);
     const high = [0, 0, 0].fill(-Infinity);

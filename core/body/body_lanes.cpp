@@ -10,10 +10,10 @@
 namespace unbruised {
 
 BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame)
-    : body_(body), w_(wilson), reach_(body.factor) {
+    : BodyMotion(3 * body.particle_count), body_(body), w_(wilson), reach_(body.factor) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
-  for (LaneArray* array : {&u_, &v_, &a_, &u_theta_, &viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
+  for (LaneArray* array : {&viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
   for (LaneArray* array : {&rhs_, &x_, &x_reach_}) *array = LaneArray(static_cast<std::size_t>(body.factor.size));
   if (frame == ProductFrame::upright) return;
   require(!body.is_anchored(), "BodyLanes: a body that is held has no floating frame");
@@ -44,9 +44,7 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_a_[i].set(lane, sum_a);
   }
   if (frame_) frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
-  last_step_s_.set(lane, 0.0);
-  damping_power_.set(lane, 0.0);
-  damped_.set(lane, 0.0);
+  clear_damping(lane);
 }
 
 void BodyLanes::archive(LaneArchive& lane) {
@@ -113,10 +111,7 @@ template <class Acceleration>
   }
   Lane power(0.0);
   busy.each([&](int first) { widen(power, power_of[pack_at(first)], first); });
-  // v'Cv by the trapezoid rule over time.
-  damped_ += select(running, Lane(0.5) * (last_step_s_ + Lane(w_.dt)) * power, Lane(0.0));
-  last_step_s_ = Lane(w_.dt);
-  damping_power_ = power;
+  book_damping(w_.dt, power, running);
 }
 
 void BodyLanes::add_forces(int lane, std::span<const double> force_N) {
@@ -379,10 +374,6 @@ double BodyLanes::kinetic_energy_J(int lane) const {
     energy += 0.5 * body_.mass_kg[i / 3] * v_.at(i, lane) * v_.at(i, lane);
   }
   return energy;
-}
-
-double BodyLanes::damped_J(int lane) const {
-  return damped_[lane] + 0.5 * last_step_s_[lane] * damping_power_[lane];
 }
 
 }  // namespace unbruised

@@ -130,13 +130,9 @@ BlockMatrix stiffness_at_rest(const BodyModel& body) {
 }
 
 /// K + a0 M + a1 C, factored and packed.
-bool factor_effective_stiffness(const WilsonTheta& w, BodyModel& body, std::vector<int>& freedom,
+/// @param count of the freedoms that are numbered
+bool factor_effective_stiffness(const WilsonTheta& w, int count, const std::vector<int>& freedom, BodyModel& body,
                                 std::string& error) {
-  const int count = number_freedoms(body, freedom);
-  if (count == 0) {
-    error = "the product has no freedom that can move";
-    return false;
-  }
   BlockMatrix effective = stiffness_theta(body, w);
   for (std::size_t p = 0; p < effective.value.size(); ++p) {
     const double damping = body.C.value.empty() ? body.relaxation_time_s * body.K.value[p] : body.C.value[p];
@@ -147,7 +143,6 @@ bool factor_effective_stiffness(const WilsonTheta& w, BodyModel& body, std::vect
   if (!factor) return false;
   body.factor = std::move(*factor);
   body.slot = elimination_positions(body.factor, freedom);
-  body.max_frequency_Hz = frequency_bound(body, freedom);
   return true;
 }
 
@@ -172,11 +167,19 @@ double BodyModel::smallest_extent_m() const {
 namespace {
 
 /// What its particles, their masses and what holds them make of it.
-std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std::string& error) {
+std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, BodyUse use, std::string& error) {
   body.particle_count = body.position_m.size();
   add_inertia(body);
   std::vector<int> freedom;
-  if (!factor_effective_stiffness(wilson, body, freedom, error)) return std::nullopt;
+  const int count = number_freedoms(body, freedom);
+  if (count == 0) {
+    error = "the product has no freedom that can move";
+    return std::nullopt;
+  }
+  body.max_frequency_Hz = frequency_bound(body, freedom);
+  const bool factored =
+      use == BodyUse::by_modes || factor_effective_stiffness(wilson, count, freedom, body, error);
+  if (!factored) return std::nullopt;
   const bool rests = body.is_solid || can_yield(body.springs) || can_relax(body.springs);
   if (rests && !body.statics) {
     body.statics = StaticSolver::build(stiffness_at_rest(body), body.mass_kg, freedom, static_shift(body), error);
@@ -189,11 +192,11 @@ std::optional<BodyModel> complete(BodyModel body, const WilsonTheta& wilson, std
 
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
                                     std::string& error, MassSpread spread,
-                                    std::shared_ptr<const StaticSolver> statics) {
+                                    std::shared_ptr<const StaticSolver> statics, BodyUse use) {
   BodyModel body;
   body.statics = std::move(statics);
   std::visit([&](const auto& kind) { add_product(kind, spread, wilson, body); }, product);
-  return complete(std::move(body), wilson, error);
+  return complete(std::move(body), wilson, use, error);
 }
 
 std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,
@@ -203,7 +206,7 @@ std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, co
   for (const SurfacePoint& point : body.lattice->side[0]) {
     body.fixed[static_cast<std::size_t>(point.node)] = {true, true, true};
   }
-  return complete(std::move(body), wilson, error);
+  return complete(std::move(body), wilson, BodyUse::by_particles, error);
 }
 
 }  // namespace unbruised

@@ -44,7 +44,7 @@ struct BodyModel {
   std::vector<SpringGeometry> springs;  ///< networks
   std::vector<double> rest_force_N;     ///< networks, [3n]
 
-  SupernodalFactor factor;  ///< of K at t + theta dt + a0 M + a1 C
+  SupernodalFactor factor;  ///< of K at t + theta dt + a0 M + a1 C; of a body that moves by modes empty
   std::vector<int> slot;    ///< freedom (3 per particle) -> elimination position, -1: fixed
   /// Of K as it rests; solids, and networks that can yield or flow.
   std::shared_ptr<const StaticSolver> statics;
@@ -61,12 +61,16 @@ struct BodyModel {
   }
 };
 
+/// Is the matrix of a step asked for?
+enum class BodyUse { by_particles, by_modes };
+
 /// Assembles and factors. @return nothing, with `error` set, when the matrix cannot be factored.
 /// @param statics of the same product, which do not depend on the step; null: they are made
 /// @throws std::invalid_argument for products that break a rule
 std::optional<BodyModel> build_body(const ProductParameters& product, const WilsonTheta& wilson,
                                     std::string& error, MassSpread spread = MassSpread::cells,
-                                    std::shared_ptr<const StaticSolver> statics = nullptr);
+                                    std::shared_ptr<const StaticSolver> statics = nullptr,
+                                    BodyUse use = BodyUse::by_particles);
 
 /// A lattice whose particles on its side -x are held.
 std::optional<BodyModel> build_held_body(const LatticeParameters& parameters, const WilsonTheta& wilson,

@@ -6,7 +6,6 @@
 #include "core/algebra/shifted_entries.hpp"
 #include "core/algebra/supernodal_cholesky.hpp"
 #include "core/door/require.hpp"
-#include "core/lanes/lane.hpp"
 
 namespace unbruised {
 
@@ -26,21 +25,28 @@ std::unique_ptr<StaticSolver> StaticSolver::build(const BlockMatrix& K, std::vec
   return self;
 }
 
-std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
-  require(force_N.size() == slot_.size(), "StaticSolver: forces on another body");
-  // One lane of all: these solves are few.
+void StaticSolver::shifted_solve(const LaneArray& force_N, LaneArray& displacement_m) const {
+  require(force_N.rows() == slot_.size() && displacement_m.rows() == slot_.size(),
+          "StaticSolver: forces on another body");
   LaneArray x(static_cast<std::size_t>(factor_.size));
-  x.fill(0.0);
-  for (std::size_t i = 0; i < force_N.size(); ++i) {
-    if (slot_[i] >= 0) x.at(static_cast<std::size_t>(slot_[i]), 0) = force_N[i];
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    if (slot_[i] >= 0) x.put(static_cast<std::size_t>(slot_[i]), force_N.get(i));
   }
   solve_forward(factor_, x.data());
   solve_backward(factor_, x.data());
-  std::vector<double> displacement(force_N.size(), 0.0);
-  for (std::size_t i = 0; i < displacement.size(); ++i) {
-    if (slot_[i] >= 0) displacement[i] = x.at(static_cast<std::size_t>(slot_[i]), 0);
+  for (std::size_t i = 0; i < slot_.size(); ++i) {
+    displacement_m.put(i, slot_[i] >= 0 ? x.get(static_cast<std::size_t>(slot_[i])) : Lane(0.0));
   }
-  return displacement;
+}
+
+std::vector<double> StaticSolver::shifted_solve(std::span<const double> force_N) const {
+  // One lane of all: these solves are few.
+  LaneArray force(force_N.size()), displacement(slot_.size());
+  for (std::size_t i = 0; i < force_N.size(); ++i) force.at(i, 0) = force_N[i];
+  shifted_solve(force, displacement);
+  std::vector<double> of_lane(force_N.size());
+  for (std::size_t i = 0; i < of_lane.size(); ++i) of_lane[i] = displacement.at(i, 0);
+  return of_lane;
 }
 
 std::vector<double> StaticSolver::compliance(std::span<const std::size_t> freedoms) const {

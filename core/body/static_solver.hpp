@@ -10,6 +10,7 @@
 
 #include "core/algebra/block_matrix.hpp"
 #include "core/algebra/supernodes.hpp"
+#include "core/lanes/lane.hpp"
 
 namespace unbruised {
 
@@ -34,6 +35,8 @@ class StaticSolver {
 
   /// (K + shift M)^-1 f, [3n]; zero at fixed freedoms.
   [[nodiscard]] std::vector<double> shifted_solve(std::span<const double> force_N) const;
+  /// The same for all lanes; rows 3 x particle + axis of both.
+  void shifted_solve(const LaneArray& force_N, LaneArray& displacement_m) const;
   /// The entries of (K + shift M)^-1 in these freedoms (3 x particle + axis), row-major [k, k]; zero where one is
   /// fixed.
   [[nodiscard]] std::vector<double> compliance(std::span<const std::size_t> freedoms) const;

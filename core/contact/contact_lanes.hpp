@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/body/body_lanes.hpp"
+#include "core/body/body_motion.hpp"
 #include "core/contact/contact_event.hpp"
 #include "core/contact/contact_events.hpp"
 #include "core/contact/contact_model.hpp"
@@ -75,7 +75,7 @@ struct LayerLosses {
 /// The step whose events are asked for, and the state at its end.
 struct EventStep {
   double start_s, end_s;
-  const BodyLanes& body;
+  const BodyMotion& body;
   const CarrierMotion& now;
 };
 
@@ -191,7 +191,7 @@ class ContactLanes {
   }
   /// Torque of each surface on the product about its centre of mass, along x, y, z, in one lane: that of its
   /// forces where they act on the product's particles and places.
-  [[nodiscard]] std::array<std::array<double, 3>, kSurfaceCount> surface_torques(int lane, const BodyLanes& body,
+  [[nodiscard]] std::array<std::array<double, 3>, kSurfaceCount> surface_torques(int lane, const BodyMotion& body,
                                                                                  const CarrierMotion& now) const;
 
  private:
@@ -277,7 +277,7 @@ class ContactLanes {
   struct ContactPoint {
     std::array<double, 3> place_m, velocity_m_s;
   };
-  [[nodiscard]] ContactPoint contact_point(std::size_t candidate, int lane, const BodyLanes& body) const;
+  [[nodiscard]] ContactPoint contact_point(std::size_t candidate, int lane, const BodyMotion& body) const;
   [[nodiscard]] std::array<double, 3> in_cell(int surface, int lane, const std::array<double, 3>& along_axes,
                                               const CarrierMotion& now) const;
   void note_layer_strain(std::size_t candidate, const CandidateStep& step);

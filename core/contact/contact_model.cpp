@@ -296,13 +296,18 @@ ContactModel candidates_of(const NetworkParameters& parameters, const BodyModel&
 
 }  // namespace
 
-ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson) {
+ContactModel contact_candidates(const Scenario& scenario, const BodyModel& body) {
   const ContactChoice choice = contact_choice(scenario);
   ContactModel contact =
       std::visit([&](const auto& kind) { return candidates_of(kind, body, choice); }, scenario.product);
   if (compliance_bytes(contact.node_count()) > kMostComplianceBytes) {
     throw std::invalid_argument("so many particles may touch that their compliance takes more than 4 GB");
   }
+  return contact;
+}
+
+ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson) {
+  ContactModel contact = contact_candidates(scenario, body);
   NodeCompliance compliance = node_compliance(body.factor, body.slot, contact.node);
   contact.compliance = std::move(compliance.block);
   contact.reach = std::move(compliance.reach);

@@ -145,6 +145,10 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
 /// Candidates of a network: the particles with a contact stiffness, against the support.
 ContactModel network_contact(const NetworkParameters& parameters);
 
+/// Its candidates, without their compliance.
+/// @throws std::invalid_argument where that would be larger than kMostComplianceBytes
+ContactModel contact_candidates(const Scenario& scenario, const BodyModel& body);
+
 /// The contact model of a factored body, with its compliance W and reach.
 /// @throws std::invalid_argument where W would be larger than kMostComplianceBytes
 ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson);

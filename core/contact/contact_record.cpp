@@ -59,7 +59,7 @@ ContactStep ContactLanes::contact_step(std::size_t c, int lane, const CandidateS
   return seen;
 }
 
-ContactLanes::ContactPoint ContactLanes::contact_point(std::size_t c, int lane, const BodyLanes& body) const {
+ContactLanes::ContactPoint ContactLanes::contact_point(std::size_t c, int lane, const BodyMotion& body) const {
   const ContactCandidate& candidate = model_.candidate[c];
   const auto p = static_cast<std::size_t>(candidate.node);
   LaneVector moved = get_vector(body.u(), p), velocity = get_vector(body.v(), p);
@@ -113,7 +113,7 @@ void ContactLanes::append_events(int lane, const EventStep& step, std::vector<Co
   }
 }
 
-std::array<std::array<double, 3>, kSurfaceCount> ContactLanes::surface_torques(int lane, const BodyLanes& body,
+std::array<std::array<double, 3>, kSurfaceCount> ContactLanes::surface_torques(int lane, const BodyMotion& body,
                                                                                const CarrierMotion& now) const {
   std::array<double, 3> center_m = body_.center_of_mass_m;
   for (std::size_t i = 0; i < 3; ++i) center_m[i] += body.mass_u()[i][lane] / body_.total_mass_kg;

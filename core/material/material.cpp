@@ -12,21 +12,29 @@ namespace {
 /// Adds nothing to K and C.
 class ElasticMaterial final : public Material {
  public:
-  explicit ElasticMaterial(std::size_t particle_count) : particle_count_(particle_count) {}
+  ElasticMaterial(std::size_t particle_count, const Lane* strain)
+      : particle_count_(particle_count), strain_(strain) {}
 
-  void load(int, const Scenario&) override {}
+  void load(int lane, const Scenario&) override { clear_account(lane); }
   [[nodiscard]] const LaneArray* load_theta() const override { return nullptr; }
   void begin_step(const LaneArray&) override {}
-  Mask update(const LaneArray&, const Mask&) override { return Mask(false); }
+  Mask update(const LaneArray&, const Mask& active) override {
+    if (strain_ != nullptr) largest_strain_ = select(active, *strain_, largest_strain_);
+    return Mask(false);
+  }
   void end_step(const LaneArray&, const WilsonTheta&, const Mask&) override {}
   [[nodiscard]] double self_energy(int, const LaneArray&) const override { return 0.0; }
   [[nodiscard]] std::vector<double> plastic_load_N(int) const override {
     return std::vector<double>(3 * particle_count_, 0.0);
   }
-  [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override { return std::nullopt; }
+  /// Of a solid that is watched: nothing flows within.
+  [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override {
+    return strain_ != nullptr ? std::optional(0.0) : std::nullopt;
+  }
 
  private:
   std::size_t particle_count_;
+  const Lane* strain_;
 };
 
 }  // namespace
@@ -36,7 +44,11 @@ std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta
   if (can_yield(body.springs) || can_relax(body.springs)) {
     return std::make_unique<SpringPlasticity>(body, wilson);
   }
-  return std::make_unique<ElasticMaterial>(body.particle_count);
+  return make_elastic_material(body.particle_count);
+}
+
+std::unique_ptr<Material> make_elastic_material(std::size_t particle_count, const Lane* largest_strain) {
+  return std::make_unique<ElasticMaterial>(particle_count, largest_strain);
 }
 
 }  // namespace unbruised

@@ -112,4 +112,7 @@ class Material {
 std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta& wilson,
                                         ProductFrame frame = ProductFrame::upright);
 
+/// One that adds nothing. @param largest_strain where not null, what somebody else has measured; outlives it
+std::unique_ptr<Material> make_elastic_material(std::size_t particle_count, const Lane* largest_strain = nullptr);
+
 }  // namespace unbruised

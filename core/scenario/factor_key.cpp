@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "core/scenario/body_modes.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/gripper.hpp"
@@ -83,6 +84,7 @@ std::string factor_key(const Scenario& scenario) {
   visit_parameters(scenario,
                    [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, key); });
   key.add(product_frame(scenario));
+  key.add(mode_count(scenario));
   const ContactSet set = contact_set(scenario);
   key.add(set);
   // Every surface that the cell lists has candidates of its own, and so has the pad of every finger.

@@ -276,7 +276,7 @@ void visit_fields(T& p, Visit&& visit) {
 template <FieldsOf<SimulationParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [time_step_s, theta, duration_s, initial_acceleration, trace_interval_s, pressure_patch_m, max_strain,
-         max_rotation_rad, contact_set, levels] = p;
+         max_rotation_rad, contact_set, levels, body, mode_count] = p;
   visit({"time_step_s", Decides::model, kPositive}, time_step_s);
   visit({"theta", Decides::model, kTheta}, theta);
   visit({"duration_s", Decides::run, kPositive}, duration_s);
@@ -287,6 +287,8 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"max_rotation_rad", Decides::run, kPositive}, max_rotation_rad);
   visit({"contact_set", Decides::run}, contact_set);  // what it comes to enters the key: contact_set.hpp
   visit({"levels", Decides::run}, levels);
+  visit({"body", Decides::run}, body);  // what they come to enters the key: body_modes.hpp
+  visit({"mode_count", Decides::run, kModeCount}, mode_count);
 }
 
 /// Calls visit(prefix, index, parameters) for each struct of parameters that a scenario has: under which path its

@@ -295,6 +295,12 @@ enum class LevelUse {
   off,        ///< time_step_s throughout
 };
 
+/// How the motion of a product is computed.
+enum class ProductBody {
+  full,   ///< every particle
+  modes,  ///< its slowest modes; what they leave out answers at once (body_modes.hpp)
+};
+
 struct SimulationParameters {
   /// > 0
   double time_step_s = 1e-3;
@@ -313,6 +319,9 @@ struct SimulationParameters {
   double max_rotation_rad = 0.2;
   ContactSet contact_set = ContactSet::automatic;
   LevelUse levels = LevelUse::automatic;
+  ProductBody body = ProductBody::full;
+  /// >= 1; of the modes in which it deforms, with `body = modes`
+  int mode_count = 60;
 };
 
 /// One fully specified run.

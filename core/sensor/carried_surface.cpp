@@ -28,7 +28,7 @@ Vector along(const Vector& start, const Vector& shift, double way, const Vector&
 
 }  // namespace
 
-BodyPose pose_of(const BodyLanes& body, const BodyModel& model, int lane) {
+BodyPose pose_of(const BodyMotion& body, const BodyModel& model, int lane) {
   BodyPose pose;
   pose.center_m = model.center_m();
   const FrameLanes* frame = body.frame();

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/body/body_lanes.hpp"
+#include "core/body/body_motion.hpp"
 #include "core/body/lattice.hpp"
 #include "core/scenario/true_shape.hpp"
 
@@ -30,7 +30,7 @@ struct BodyPose {
 };
 
 /// Of one lane, at the end of a step.
-BodyPose pose_of(const BodyLanes& body, const BodyModel& model, int lane);
+BodyPose pose_of(const BodyMotion& body, const BodyModel& model, int lane);
 
 class CarriedSurface {
  public:

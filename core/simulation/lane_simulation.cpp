@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/body_lanes.hpp"
+#include "core/body/modal_lanes.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
 #include "core/simulation/curve_recorder.hpp"
@@ -16,6 +18,17 @@ namespace {
 /// Plastic flow is solved again at most this often within a step; deep flow needs some ten.
 constexpr int kMaxPlasticRounds = 60;
 
+std::unique_ptr<BodyMotion> make_motion(const Model::Parts& parts) {
+  if (parts.modes) return std::make_unique<ModalLanes>(parts.body, *parts.modes, *parts.wilson);
+  return std::make_unique<BodyLanes>(parts.body, *parts.wilson, parts.frame);
+}
+
+std::unique_ptr<Material> make_material(const Model::Parts& parts, const BodyMotion& motion) {
+  if (!parts.modes) return unbruised::make_material(parts.body, *parts.wilson, parts.frame);
+  return make_elastic_material(parts.body.particle_count,
+                               &static_cast<const ModalLanes&>(motion).largest_strain());
+}
+
 }  // namespace
 
 int lane_count() { return kLanes; }
@@ -26,8 +39,9 @@ LaneSimulation::Impl::Impl(std::shared_ptr<const Model> shared)
       w(*parts.wilson),
       clock(parts.clock),
       initial(parts),
-      body(parts.body, w, parts.frame),
-      material(make_material(parts.body, w, parts.frame)),
+      own_body(make_motion(parts)),
+      body(*own_body),
+      material(make_material(parts, body)),
       contact(parts.contact, parts.body, w, parts.frame),
       view{parts, body, *material, contact, gripper, mounts, now, yield_ratio, pads},
       base(3 * parts.contact.node_count()) {

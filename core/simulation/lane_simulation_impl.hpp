@@ -68,7 +68,8 @@ struct LaneSimulation::Impl {
   std::vector<Finished> finished;
 
   InitialStates initial;
-  BodyLanes body;
+  std::unique_ptr<BodyMotion> own_body;
+  BodyMotion& body;
   std::unique_ptr<Material> material;
   ContactLanes contact;
   GripperLanes gripper;

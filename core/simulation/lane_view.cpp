@@ -33,21 +33,26 @@ void turn_by_palm(const CarrierMotion& carriers, int lane, std::array<double, 3>
 }  // namespace
 
 StoredEnergy LaneView::stored_energy(int lane, const Scenario& scenario) const {
-  const BodyModel& product = model.body;
-  const std::size_t freedoms = 3 * product.particle_count;
-  std::vector<double> displacement(freedoms), force(freedoms);
-  for (std::size_t i = 0; i < freedoms; ++i) displacement[i] = body.u().at(i, lane);
-  multiply(product.K, std::span<const double>(displacement), std::span<double>(force));
-  const std::vector<double> plastic = material.plastic_load_N(lane);
   StoredEnergy energy;
   const auto add = [&energy](double StoredEnergy::*part, double value) {
     energy.total += value;
     energy.*part += value;
   };
-  for (std::size_t i = 0; i < freedoms; ++i) {
-    add(&StoredEnergy::kinetic, 0.5 * product.mass_kg[i / 3] * body.v().at(i, lane) * body.v().at(i, lane));
-    add(&StoredEnergy::elastic, displacement[i] * (0.5 * force[i] - plastic[i]));
-    if (!product.rest_force_N.empty()) add(&StoredEnergy::elastic, -displacement[i] * product.rest_force_N[i]);
+  if (const std::optional<BodyEnergy> known = body.energy(lane)) {
+    add(&StoredEnergy::kinetic, known->kinetic);
+    add(&StoredEnergy::elastic, known->elastic);
+  } else {
+    const BodyModel& product = model.body;
+    const std::size_t freedoms = 3 * product.particle_count;
+    std::vector<double> displacement(freedoms), force(freedoms);
+    for (std::size_t i = 0; i < freedoms; ++i) displacement[i] = body.u().at(i, lane);
+    multiply(product.K, std::span<const double>(displacement), std::span<double>(force));
+    const std::vector<double> plastic = material.plastic_load_N(lane);
+    for (std::size_t i = 0; i < freedoms; ++i) {
+      add(&StoredEnergy::kinetic, 0.5 * product.mass_kg[i / 3] * body.v().at(i, lane) * body.v().at(i, lane));
+      add(&StoredEnergy::elastic, displacement[i] * (0.5 * force[i] - plastic[i]));
+      if (!product.rest_force_N.empty()) add(&StoredEnergy::elastic, -displacement[i] * product.rest_force_N[i]);
+    }
   }
   const double self_energy = material.self_energy(lane, body.u());
   energy.elastic += self_energy;

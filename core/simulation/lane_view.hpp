@@ -3,7 +3,7 @@
 /// @file
 /// What observers of a step may look at: the parts of a lane simulation, read-only, and what they say of one lane.
 
-#include "core/body/body_lanes.hpp"
+#include "core/body/body_motion.hpp"
 #include "core/body/mount_lanes.hpp"
 #include "core/contact/contact_lanes.hpp"
 #include "core/gripper/gripper_lanes.hpp"
@@ -19,7 +19,7 @@ namespace unbruised {
 
 struct LaneView {
   const Model::Parts& model;
-  const BodyLanes& body;
+  const BodyMotion& body;
   const Material& material;
   const ContactLanes& contact;
   const GripperLanes& gripper;

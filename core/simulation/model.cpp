@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "core/scenario/body_modes.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/factor_key.hpp"
 #include "core/scenario/pad_lattice.hpp"
@@ -46,6 +47,16 @@ bool add_pads(const Scenario& scenario, Model::Parts& parts, std::string& error)
   return true;
 }
 
+/// @param shorter the same for shorter steps, whose modes serve these too; null: they are made
+void touch_by_modes(const Scenario& scenario, std::size_t modes, const Model::Parts* shorter,
+                    Model::Parts& parts) {
+  parts.contact = contact_candidates(scenario, parts.body);
+  parts.modes = shorter != nullptr
+                    ? shorter->modes
+                    : std::make_shared<const ModalBasis>(modal_basis(parts.body, modes, parts.contact.node));
+  parts.contact.compliance = modal_compliance(*parts.modes, parts.body, *parts.wilson);
+}
+
 }  // namespace
 
 Model::Model() : parts_(std::make_unique<Parts>()) {}
@@ -64,12 +75,18 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
   const SimulationParameters& simulation = scenario.simulation;
   parts.clock = {simulation.time_step_s, ticks, simulation.theta};
   parts.wilson.emplace(parts.clock.step_s(), simulation.theta);
+  const int modes = mode_count(scenario);
   try {
     std::optional<BodyModel> body = build_body(scenario.product, *parts.wilson, error, mass_spread(scenario),
-                                               shorter != nullptr ? shorter->body.statics : nullptr);
+                                               shorter != nullptr ? shorter->body.statics : nullptr,
+                                               modes > 0 ? BodyUse::by_modes : BodyUse::by_particles);
     if (!body) return nullptr;
     parts.body = std::move(*body);
-    parts.contact = product_contact(scenario, parts.body, *parts.wilson);
+    if (modes > 0) {
+      touch_by_modes(scenario, static_cast<std::size_t>(modes), shorter, parts);
+    } else {
+      parts.contact = product_contact(scenario, parts.body, *parts.wilson);
+    }
     if (!add_pads(scenario, parts, error)) return nullptr;
   } catch (const std::invalid_argument& refused) {
     error = refused.what();
@@ -89,7 +106,9 @@ std::shared_ptr<const Model> Model::with_ticks(int ticks, const Scenario& scenar
 }
 
 std::size_t Model::particle_count() const { return parts_->body.particle_count; }
-std::size_t Model::freedom_count() const { return static_cast<std::size_t>(parts_->body.factor.size); }
+std::size_t Model::freedom_count() const {
+  return parts_->modes ? parts_->modes->modes.count() : static_cast<std::size_t>(parts_->body.factor.size);
+}
 std::size_t Model::contact_candidate_count() const { return parts_->contact.candidate.size(); }
 std::size_t Model::factor_entry_count() const { return parts_->body.factor.entry_count; }
 double Model::max_frequency_Hz() const { return parts_->body.max_frequency_Hz; }

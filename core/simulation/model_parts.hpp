@@ -3,10 +3,12 @@
 /// @file
 /// The inside of a `Model`: everything scenarios of one factor key share, read-only once built.
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/body/body_model.hpp"
+#include "core/body/modal_basis.hpp"
 #include "core/contact/contact_model.hpp"
 #include "core/contact/static_rest.hpp"
 #include "core/gripper/pad_body.hpp"
@@ -25,6 +27,7 @@ struct Model::Parts {
   ProductFrame frame = ProductFrame::upright;
   BodyModel body;
   ContactModel contact;
+  std::shared_ptr<const ModalBasis> modes;        ///< null: the particles move
   std::optional<PadBody> pad;                     ///< where the pads are bodies
   std::optional<SupportRest> rest;                ///< solids that scenarios start with here
   std::optional<CarriedSurface> carried_surface;  ///< lattices

@@ -51,7 +51,7 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"motion", {"door", "scenario"}},
     {"robot", {"door", "scenario", "motion"}},
     {"frame", {"door", "lanes", "integration"}},
-    {"body", {"door", "scenario", "lanes", "algebra", "integration", "frame"}},
+    {"body", {"door", "scenario", "lanes", "chance", "algebra", "integration", "frame"}},
     {"material", {"door", "scenario", "lanes", "integration", "body"}},
     {"gripper", {"door", "scenario", "lanes", "algebra", "integration", "surface", "body"}},
     {"contact", {"door", "scenario", "lanes", "algebra", "integration", "frame", "body", "surface", "gripper"}},

@@ -82,6 +82,25 @@ Table simulation_keys() {
        .choices = {"auto", "off"},
        .use = Use::gripper,
        .field = simulation<&S::levels>},
+      {.path = "simulation.body",
+       .type = choice,
+       .meaning =
+           "How the product's motion is computed. \"full\": every particle. \"modes\": its mode_count slowest "
+           "modes "
+           "of vibration; what they leave out answers at once, so that statics are those of the full body, at a "
+           "fraction of the time. It serves a lattice that stays upright and does not fade; it does not flow "
+           "within: "
+           "permanent set, plastic strain, bruises and absorbed energy are those below the contact patches alone. "
+           "All others are computed with every particle, which `check` and the run say.",
+       .choices = {"full", "modes"},
+       .use = Use::lattice,
+       .field = simulation<&S::body>},
+      {.path = "simulation.mode_count",
+       .type = integer,
+       .meaning = "How many modes the product deforms in, with body = \"modes\"; its six rigid motions are extra. "
+                  "`check` says what share of the patch's give they leave to answer at once.",
+       .use = Use::lattice,
+       .field = simulation<&S::mode_count>},
   };
 }
 

@@ -415,6 +415,8 @@ std::vector<Arrival> surface_arrivals() {
       {"simulation.contact_set", "\"six sides\"",
        [](S s) { return s.simulation.contact_set == ContactSet::six_sides; }},
       {"simulation.levels", "\"off\"", [](S s) { return s.simulation.levels == LevelUse::off; }},
+      {"simulation.body", "\"modes\"", [](S s) { return s.simulation.body == ProductBody::modes; }},
+      {"simulation.mode_count", "48", [](S s) { return s.simulation.mode_count == 48; }},
   };
 }
 

@@ -1,0 +1,182 @@
+#include "core/body/modal_basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/door/require.hpp"
+
+namespace unbruised {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Shapes = Eigen::Map<const Matrix>;
+
+Shapes shapes_of(const ModeShapes& modes) {
+  return {modes.shape.data(), static_cast<Eigen::Index>(modes.shape.size() / modes.count()),
+          static_cast<Eigen::Index>(modes.count())};
+}
+
+/// Answers of the body without its modes to up to kLanes columns of forces: (1 - S S' M) K^-1 (1 - M S S').
+Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& force_N) {
+  const Shapes S = shapes_of(modes);
+  Eigen::VectorXd mass(S.rows());
+  for (Eigen::Index i = 0; i < mass.size(); ++i) mass[i] = body.mass_kg[static_cast<std::size_t>(i) / 3];
+  const Matrix taken = S * (S.transpose() * force_N).eval();
+  const Matrix load = force_N - mass.asDiagonal() * taken;
+  LaneArray rows(static_cast<std::size_t>(S.rows())), moved(rows.rows());
+  rows.fill(0.0);
+  for (Eigen::Index j = 0; j < load.cols(); ++j) {
+    for (Eigen::Index i = 0; i < load.rows(); ++i) {
+      rows.at(static_cast<std::size_t>(i), static_cast<int>(j)) = load(i, j);
+    }
+  }
+  body.statics->shifted_solve(rows, moved);
+  Matrix shape(load.rows(), load.cols());
+  for (Eigen::Index j = 0; j < load.cols(); ++j) {
+    for (Eigen::Index i = 0; i < load.rows(); ++i) {
+      shape(i, j) = moved.at(static_cast<std::size_t>(i), static_cast<int>(j));
+    }
+  }
+  const Matrix weighed = S.transpose() * (mass.asDiagonal() * shape).eval();
+  shape -= S * weighed;
+  return shape;
+}
+
+/// The freedom of the body behind a row of nodes.
+Eigen::Index freedom_of(const std::vector<int>& node, std::size_t row) {
+  return 3 * static_cast<Eigen::Index>(node[row / 3]) + static_cast<Eigen::Index>(row % 3);
+}
+
+/// Cells with a corner among the nodes.
+std::vector<std::size_t> cells_at(const Lattice& lattice, const std::vector<int>& node) {
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < lattice.cell.size(); ++cell) {
+    const auto& corners = lattice.cell[cell];
+    if (std::ranges::any_of(corners, [&](int corner) { return std::ranges::binary_search(node, corner); })) {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+/// Mean strains of some cells under shapes, one column each.
+Matrix strains_of(const BodyModel& body, const std::vector<std::size_t>& cells, const Matrix& shapes) {
+  const auto& B = body.cell->B;
+  Matrix strain = Matrix::Zero(static_cast<Eigen::Index>(6 * cells.size()), shapes.cols());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double tensor = i < 3 ? 1.0 : 0.5;  // B gives engineering shears
+      for (std::size_t j = 0; j < 24; ++j) {
+        const Eigen::Index freedom =
+            3 * static_cast<Eigen::Index>(body.lattice->cell[cells[c]][j / 3]) + static_cast<Eigen::Index>(j % 3);
+        strain.row(static_cast<Eigen::Index>(6 * c + i)) += tensor * B[24 * i + j] * shapes.row(freedom);
+      }
+    }
+  }
+  return strain;
+}
+
+DenseMatrix packed(const Matrix& values) {
+  return {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols()),
+          [&](std::size_t i, std::size_t j) {
+            return values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+          }};
+}
+
+}  // namespace
+
+ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node) {
+  ModalBasis basis;
+  basis.modes = slowest_modes(body, deforming);
+  basis.node = std::move(node);
+  const Shapes S = shapes_of(basis.modes);
+  const std::size_t rows = basis.node_freedoms();
+  const auto count = static_cast<Eigen::Index>(rows);
+  Matrix at_nodes(count, S.cols());
+  for (std::size_t i = 0; i < rows; ++i) {
+    at_nodes.row(static_cast<Eigen::Index>(i)) = S.row(freedom_of(basis.node, i));
+  }
+  basis.at_nodes = packed(at_nodes);
+  basis.from_nodes = packed(at_nodes.transpose());
+  const std::vector<std::size_t> cells = cells_at(*body.lattice, basis.node);
+  basis.strain_of_modes = packed(strains_of(body, cells, S));
+  Matrix rest(count, count), strain(static_cast<Eigen::Index>(6 * cells.size()), count);
+  for (Eigen::Index first = 0; first < count; first += kLanes) {
+    const Eigen::Index width = std::min<Eigen::Index>(kLanes, count - first);
+    Matrix force = Matrix::Zero(S.rows(), width);
+    for (Eigen::Index j = 0; j < width; ++j) {
+      force(freedom_of(basis.node, static_cast<std::size_t>(first + j)), j) = 1.0;
+    }
+    const Matrix shape = left_out(body, basis.modes, force);
+    for (std::size_t i = 0; i < rows; ++i) {
+      rest.block(static_cast<Eigen::Index>(i), first, 1, width) = shape.row(freedom_of(basis.node, i));
+    }
+    strain.middleCols(first, width) = strains_of(body, cells, shape);
+  }
+  rest = 0.5 * (rest + rest.transpose()).eval();
+  basis.rest = packed(rest);
+  basis.rest_m_N.assign(rest.data(), rest.data() + rest.size());
+  basis.strain_of_rest = packed(strain);
+  return basis;
+}
+
+std::vector<double> effective_square_1_s2(const ModalBasis& basis, const BodyModel& body, const WilsonTheta& w) {
+  std::vector<double> effective = basis.modes.square_1_s2;
+  for (double& square : effective) square = w.a0 + square * (1.0 + body.relaxation_time_s * w.a1);
+  return effective;
+}
+
+std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& body, const WilsonTheta& w) {
+  const std::vector<double> effective = effective_square_1_s2(basis, body, w);
+  const Shapes S = shapes_of(basis.modes);
+  const std::size_t rows = basis.node_freedoms(), m = basis.node.size();
+  Matrix at_nodes(static_cast<Eigen::Index>(rows), S.cols());
+  for (std::size_t i = 0; i < rows; ++i) {
+    at_nodes.row(static_cast<Eigen::Index>(i)) = S.row(freedom_of(basis.node, i));
+  }
+  const Eigen::Map<const Eigen::VectorXd> square(effective.data(), static_cast<Eigen::Index>(effective.size()));
+  const Eigen::Map<const Matrix> rest(basis.rest_m_N.data(), static_cast<Eigen::Index>(rows),
+                                      static_cast<Eigen::Index>(rows));
+  const double viscous = 1.0 + body.relaxation_time_s * w.a1;
+  const Matrix W = at_nodes * square.cwiseInverse().asDiagonal() * at_nodes.transpose() + rest / viscous;
+  std::vector<double> block(9 * m * m);
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < rows; ++j) {
+      block[9 * (i / 3 * m + j / 3) + 3 * (i % 3) + j % 3] =
+          W(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+  return block;
+}
+
+double share_left_out(const ModalBasis& basis, std::span<const int> which, std::size_t axis) {
+  const std::size_t rows = basis.node_freedoms();
+  const Shapes S = shapes_of(basis.modes);
+  double left = 0.0, kept = 0.0;
+  for (const int i : which) {
+    for (const int j : which) {
+      left +=
+          basis.rest_m_N[(3 * static_cast<std::size_t>(i) + axis) * rows + 3 * static_cast<std::size_t>(j) + axis];
+    }
+  }
+  for (std::size_t mode = kRigidModes; mode < basis.modes.count(); ++mode) {
+    double sum = 0.0;
+    for (const int i : which) {
+      sum += S(freedom_of(basis.node, 3 * static_cast<std::size_t>(i) + axis), static_cast<Eigen::Index>(mode));
+    }
+    kept += sum * sum / basis.modes.square_1_s2[mode];
+  }
+  return left / (left + kept);
+}
+
+std::vector<double> rest_shape(const ModalBasis& basis, const BodyModel& body, std::span<const double> force_N) {
+  require(force_N.size() == basis.node_freedoms(), "rest_shape: forces on other particles");
+  Matrix force = Matrix::Zero(static_cast<Eigen::Index>(3 * body.particle_count), 1);
+  for (std::size_t i = 0; i < force_N.size(); ++i) force(freedom_of(basis.node, i), 0) = force_N[i];
+  const Matrix shape = left_out(body, basis.modes, force);
+  return {shape.data(), shape.data() + shape.size()};
+}
+
+}  // namespace unbruised

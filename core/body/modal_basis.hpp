@@ -1,0 +1,52 @@
+#pragma once
+
+/// @file
+/// A body by its slowest modes (docs/theory.md, "Modes"): u = S y + G f. The modes S move as the equations of
+/// motion say, y'' + tau omega^2 y' + omega^2 y = S' (forces). What they leave out has no mass: G, the static give
+/// of the body without them, answers to the contact forces as their own damping lets it, f + tau f' = contact
+/// forces. Statics are exact whatever the number of modes, and with all of them everything is.
+
+#include <span>
+#include <vector>
+
+#include "core/algebra/lane_dense.hpp"
+#include "core/body/body_model.hpp"
+#include "core/body/mode_shapes.hpp"
+#include "core/integration/wilson_theta.hpp"
+
+namespace unbruised {
+
+/// Read-only once built; for steps of any length.
+struct ModalBasis {
+  ModeShapes modes;
+  std::vector<int> node;         ///< particles that can be touched, ascending
+  DenseMatrix at_nodes;          ///< S there, [3 x nodes, modes]
+  DenseMatrix from_nodes;        ///< its transpose
+  DenseMatrix rest;              ///< G there, symmetric [3 x nodes, 3 x nodes; m/N]
+  std::vector<double> rest_m_N;  ///< the same, row-major
+  DenseMatrix strain_of_modes;   ///< of the cells at these nodes, 6 rows each (Voigt, tensor shears)
+  DenseMatrix strain_of_rest;    ///< per contact force
+
+  [[nodiscard]] std::size_t node_freedoms() const { return 3 * node.size(); }
+};
+
+/// @param deforming how many modes beside the rigid ones
+/// @param node particles that can be touched, ascending
+/// @throws std::invalid_argument where the modes cannot be found
+ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node);
+
+/// a0 + omega^2 (1 + tau a1) of each mode.
+std::vector<double> effective_square_1_s2(const ModalBasis& basis, const BodyModel& body,
+                                          const WilsonTheta& wilson);
+
+/// How far the nodes move, within a step, under forces on each other, as blocks (NodeCompliance::block).
+std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& body, const WilsonTheta& wilson);
+
+/// Of the static give along the axis under a force on these nodes that is spread evenly, the part which the modes
+/// leave out. @param which indices into `node`
+double share_left_out(const ModalBasis& basis, std::span<const int> which, std::size_t axis);
+
+/// G f of every particle, [3n]. @param force_N rows of `node`
+std::vector<double> rest_shape(const ModalBasis& basis, const BodyModel& body, std::span<const double> force_N);
+
+}  // namespace unbruised

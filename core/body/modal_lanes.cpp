@@ -1,0 +1,313 @@
+#include "core/body/modal_lanes.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/door/require.hpp"
+
+namespace unbruised {
+namespace {
+
+/// Strains are measured anew once the contact forces have grown by this factor: half a percent is nothing beside
+/// what bounds the strain (simulation.max_strain, 30 %).
+constexpr double kForceStep = 1.02;
+
+}  // namespace
+
+ModalLanes::ModalLanes(const BodyModel& body, const ModalBasis& basis, const WilsonTheta& wilson)
+    : BodyMotion(3 * body.particle_count),
+      body_(body),
+      basis_(basis),
+      w_(wilson),
+      relaxation_s_(body.relaxation_time_s),
+      viscous_(1.0 + body.relaxation_time_s * wilson.a1),
+      inverse_effective_(effective_square_1_s2(basis, body, wilson)),
+      root_mass_(std::sqrt(body.total_mass_kg)),
+      every_mode_(basis.modes.count()),
+      mode_(basis.modes.count()),
+      rest_(basis.node_freedoms()),
+      force_(basis.node_freedoms()),
+      base_(basis.modes.count()),
+      rest_base_(basis.node_freedoms()),
+      pushed_(basis.modes.count()),
+      yielded_(basis.node_freedoms()),
+      by_modes_(basis.node_freedoms()),
+      strain_(basis.strain_of_modes.rows()),
+      strain_of_rest_(basis.strain_of_modes.rows()) {
+  for (double& square : inverse_effective_) square = 1.0 / square;
+  std::iota(every_mode_.begin(), every_mode_.end(), 0);
+}
+
+void ModalLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
+  const std::size_t freedoms = 3 * body_.particle_count;
+  require(is_lane(lane), "ModalLanes::load: there is no such lane");
+  require(state.displacement_m.size() == freedoms && state.velocity_m_s.size() == freedoms &&
+              state.acceleration_m_s2.size() == freedoms,
+          "ModalLanes::load: the state of another body");
+  for (LaneArray* rows : {&u_, &v_, &a_, &u_theta_}) rows->clear_lane(lane);
+  for (Motion* motion : {&mode_, &rest_, &force_}) motion->clear(lane);
+  const std::array<const std::vector<double>*, 3> from = {&state.displacement_m, &state.velocity_m_s,
+                                                          &state.acceleration_m_s2};
+  const std::array<LaneArray*, 3> to = {&mode_.now, &mode_.rate, &mode_.second};
+  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+    const double* shape = basis_.modes.of(mode);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < freedoms; ++i) sum += shape[i] * body_.mass_kg[i / 3] * (*from[k])[i];
+      to[k]->at(mode, lane) = sum;
+    }
+  }
+  // The body begins in balance, but for what accelerates all of it: contact forces are what is left of K u.
+  std::vector<double> elastic(freedoms);
+  multiply(body_.K, std::span<const double>(state.displacement_m), std::span<double>(elastic));
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    const std::size_t i = freedom_of(row);
+    force_.now.at(row, lane) =
+        elastic[i] + body_.mass_kg[i / 3] * (state.acceleration_m_s2[i] - gravity_m_s2[i % 3]);
+    u_.at(i, lane) = state.displacement_m[i];
+    v_.at(i, lane) = state.velocity_m_s[i];
+    a_.at(i, lane) = state.acceleration_m_s2[i];
+  }
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < basis_.node_freedoms(); ++k) {
+      sum += basis_.rest_m_N[row * basis_.node_freedoms() + k] * force_.now.at(k, lane);
+    }
+    rest_.now.at(row, lane) = sum;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    gravity_[axis].set(lane, gravity_m_s2[axis]);
+    mass_u_[axis].set(lane, root_mass_ * mode_.now.at(axis, lane));
+    mass_a_[axis].set(lane, root_mass_ * mode_.second.at(axis, lane));
+  }
+  for (Lane* value : {&force_sum_, &strained_by_, &largest_strain_}) value->set(lane, 0.0);
+  clear_damping(lane);
+}
+
+void ModalLanes::archive(LaneArchive& lane) {
+  for (Motion* motion : {&mode_, &rest_, &force_}) motion->archive(lane);
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    const std::size_t i = freedom_of(row);
+    lane(u_.at(i, lane.lane()), v_.at(i, lane.lane()), a_.at(i, lane.lane()));
+  }
+  lane(gravity_, mass_u_, mass_a_, last_step_s_, damping_power_, damped_, strained_by_, largest_strain_);
+}
+
+void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
+  require(remembered == nullptr, "ModalLanes: a body whose stiffness fades has no modes here");
+  running_ = running;
+  columns_.clear();
+  force_sum_ = Lane(0.0);
+  const NarrowPacks busy(running);
+  std::array<NarrowPack, kNarrowPacks> power_of;
+  power_of.fill(NarrowPack(0.0));
+  const double share = relaxation_s_ / viscous_;
+  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+    const double square = basis_.modes.square_1_s2[mode];
+    const NarrowPack damped(relaxation_s_ * square), inverse(inverse_effective_[mode]), stiff(square);
+    busy.each([&](int first) {
+      const NarrowPack y = get_pack(mode_.now, mode, first), rate = get_pack(mode_.rate, mode, first),
+                       second = get_pack(mode_.second, mode, first);
+      NarrowPack load = w_.inertial(y, rate, second) + damped * w_.viscous(y, rate, second);
+      if (mode < 3) load += NarrowPack(root_mass_) * narrow(gravity_[mode], first);
+      put_pack(base_, mode, inverse * load, first);
+      power_of[pack_at(first)] += stiff * rate * rate;
+    });
+  }
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    busy.each([&](int first) {
+      const auto carried = [&](const Motion& motion) {
+        return NarrowPack(share) * w_.viscous(get_pack(motion.now, row, first), get_pack(motion.rate, row, first),
+                                              get_pack(motion.second, row, first));
+      };
+      put_pack(rest_base_, row, carried(rest_), first);
+      put_pack(force_.theta, row, carried(force_), first);
+      power_of[pack_at(first)] += get_pack(force_.rate, row, first) * get_pack(rest_.rate, row, first);
+    });
+  }
+  Lane power(0.0);
+  busy.each([&](int first) { widen(power, NarrowPack(relaxation_s_) * power_of[pack_at(first)], first); });
+  book_damping(w_.dt, power, running);
+}
+
+void ModalLanes::add_forces(int, std::span<const double>) {
+  require(false, "ModalLanes: nothing but contact acts on a lattice");
+}
+
+void ModalLanes::start_solve(const LaneArray* load, LaneVector* moment) {
+  require(load == nullptr && moment == nullptr, "ModalLanes: an elastic body that stays upright was expected");
+}
+
+void ModalLanes::solve_without_contact(std::span<const int>, std::span<const int> particles, LaneArray& base) {
+  require(std::ranges::equal(particles, basis_.node), "ModalLanes: other particles than those of the basis");
+  multiply(basis_.at_nodes, every_mode_, base_, BusyPacks(running_), by_modes_);
+  const NarrowPacks busy(running_);
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    busy.each([&](int first) {
+      put_pack(base, row, get_pack(by_modes_, row, first) + get_pack(rest_base_, row, first), first);
+    });
+  }
+}
+
+void ModalLanes::add_contact(std::span<const int>, const std::vector<int>& active, const LaneArray& force) {
+  columns_.clear();
+  for (const int index : active) {
+    for (int axis = 0; axis < 3; ++axis) columns_.push_back(3 * index + axis);
+  }
+  const BusyPacks busy(running_);
+  multiply(basis_.from_nodes, columns_, force, busy, pushed_);
+  multiply(basis_.rest, columns_, force, busy, yielded_);
+  const double share = 1.0 / viscous_;
+  Lane sum(0.0);
+  for (const int column : columns_) {
+    const auto row = static_cast<std::size_t>(column);
+    busy.narrow.each([&](int first) {
+      const NarrowPack acting = get_pack(force, row, first);
+      put_pack(force_.theta, row, get_pack(force_.theta, row, first) + NarrowPack(share) * acting, first);
+      widen(sum, narrow(sum, first) + abs(acting), first);
+    });
+  }
+  force_sum_ = sum;
+}
+
+void ModalLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
+  require(turn_rad == nullptr, "ModalLanes: a body that stays upright was expected");
+  const BusyPacks busy(running_);
+  const bool touched = !columns_.empty();
+  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+    busy.narrow.each([&](int first) {
+      NarrowPack y = get_pack(base_, mode, first);
+      if (touched) y += NarrowPack(inverse_effective_[mode]) * get_pack(pushed_, mode, first);
+      put_pack(mode_.theta, mode, y, first);
+    });
+  }
+  if (touched) multiply(basis_.at_nodes, every_mode_, mode_.theta, busy, by_modes_);
+  const double share = 1.0 / viscous_;
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    const std::size_t i = freedom_of(row);
+    busy.narrow.each([&](int first) {
+      NarrowPack rest = get_pack(rest_base_, row, first);
+      if (touched) rest += NarrowPack(share) * get_pack(yielded_, row, first);
+      put_pack(rest_.theta, row, rest, first);
+      put_pack(u_theta_, i, get_pack(by_modes_, row, first) + rest, first);
+    });
+  }
+  measure_strain(lanes);
+}
+
+/// Of lanes whose contact forces have grown.
+void ModalLanes::measure_strain(const Mask& lanes) {
+  const Mask due = lanes & (force_sum_ > Lane(kForceStep) * strained_by_);
+  if (none(due)) return;
+  const BusyPacks busy(due);
+  std::vector<int> every_row(basis_.node_freedoms());
+  std::iota(every_row.begin(), every_row.end(), 0);
+  multiply(basis_.strain_of_modes, every_mode_, mode_.theta, busy, strain_);
+  multiply(basis_.strain_of_rest, every_row, force_.theta, busy, strain_of_rest_);
+  Lane largest(0.0);
+  for (std::size_t row = 0; row < strain_.rows(); row += 6) {
+    Lane square(0.0);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Lane e = strain_.get(row + i) + strain_of_rest_.get(row + i);
+      square += (i < 3 ? Lane(1.0) : Lane(2.0)) * e * e;
+    }
+    largest = max(largest, square);
+  }
+  largest_strain_ = select(due, sqrt(largest), largest_strain_);
+  strained_by_ = select(due, force_sum_, strained_by_);
+}
+
+void ModalLanes::advance(const WilsonTheta& wilson, const NarrowPacks& busy, const Mask& running, Motion& motion) {
+  for (std::size_t row = 0; row < motion.now.rows(); ++row) {
+    busy.each([&](int first) {
+      const PackMask moves = narrow(running, first);
+      const NarrowPack old_u = get_pack(motion.now, row, first), old_v = get_pack(motion.rate, row, first),
+                       old_a = get_pack(motion.second, row, first);
+      NarrowPack u = old_u, v = old_v, a = old_a;
+      wilson.advance(get_pack(motion.theta, row, first), u, v, a);
+      put_pack(motion.now, row, select(moves, u, old_u), first);
+      put_pack(motion.rate, row, select(moves, v, old_v), first);
+      put_pack(motion.second, row, select(moves, a, old_a), first);
+    });
+  }
+}
+
+void ModalLanes::advance(const Mask& running, const OuterForces&) {
+  const NarrowPacks busy(running);
+  for (Motion* motion : {&mode_, &rest_, &force_}) advance(w_, busy, running, *motion);
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    const std::size_t i = freedom_of(row);
+    busy.each([&](int first) {
+      const PackMask moves = narrow(running, first);
+      const NarrowPack old_u = get_pack(u_, i, first), old_v = get_pack(v_, i, first),
+                       old_a = get_pack(a_, i, first);
+      NarrowPack u = old_u, v = old_v, a = old_a;
+      w_.advance(get_pack(u_theta_, i, first), u, v, a);
+      put_pack(u_, i, select(moves, u, old_u), first);
+      put_pack(v_, i, select(moves, v, old_v), first);
+      put_pack(a_, i, select(moves, a, old_a), first);
+    });
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    mass_u_[axis] = Lane(root_mass_) * mode_.now.get(axis);
+    mass_a_[axis] = Lane(root_mass_) * mode_.second.get(axis);
+  }
+}
+
+BodyState ModalLanes::state(int lane) const {
+  const std::size_t freedoms = 3 * body_.particle_count;
+  BodyState state;
+  const std::array<std::vector<double>*, 3> to = {&state.displacement_m, &state.velocity_m_s,
+                                                  &state.acceleration_m_s2};
+  const std::array<std::array<const LaneArray*, 2>, 3> from = {
+      {{&mode_.now, &force_.now}, {&mode_.rate, &force_.rate}, {&mode_.second, &force_.second}}};
+  std::vector<double> force(basis_.node_freedoms());
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t row = 0; row < force.size(); ++row) force[row] = from[k][1]->at(row, lane);
+    *to[k] = rest_shape(basis_, body_, force);
+    for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+      const double* shape = basis_.modes.of(mode);
+      const double amount = from[k][0]->at(mode, lane);
+      for (std::size_t i = 0; i < freedoms; ++i) (*to[k])[i] += shape[i] * amount;
+    }
+  }
+  return state;
+}
+
+std::optional<BodyEnergy> ModalLanes::energy(int lane) const {
+  BodyEnergy energy{kinetic_energy_J(lane), 0.0};
+  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+    const double y = mode_.now.at(mode, lane);
+    energy.elastic += 0.5 * basis_.modes.square_1_s2[mode] * y * y;
+  }
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    energy.elastic += 0.5 * force_.now.at(row, lane) * rest_.now.at(row, lane);
+  }
+  return energy;
+}
+
+double ModalLanes::rotation_rad(int lane) const {
+  double square = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double angle = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) angle += basis_.modes.turn[k][axis] * mode_.now.at(3 + k, lane);
+    square += angle * angle;
+  }
+  return std::sqrt(square);
+}
+
+std::array<double, 3> ModalLanes::momentum(int lane) const {
+  std::array<double, 3> sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = root_mass_ * mode_.rate.at(axis, lane);
+  return sum;
+}
+
+double ModalLanes::kinetic_energy_J(int lane) const {
+  double energy = 0.0;
+  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+    energy += 0.5 * mode_.rate.at(mode, lane) * mode_.rate.at(mode, lane);
+  }
+  return energy;
+}
+
+}  // namespace unbruised

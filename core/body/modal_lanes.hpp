@@ -1,0 +1,84 @@
+#pragma once
+
+/// @file
+/// The motion of a product by its slowest modes, all lanes at once. A step costs the modes at the particles that
+/// can be touched, whatever the number of particles.
+
+#include "core/body/body_motion.hpp"
+#include "core/body/modal_basis.hpp"
+
+namespace unbruised {
+
+class ModalLanes final : public BodyMotion {
+ public:
+  /// All have to outlive this.
+  ModalLanes(const BodyModel& body, const ModalBasis& basis, const WilsonTheta& wilson);
+
+  void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) override;
+  void archive(LaneArchive& lane) override;
+
+  void begin_step(const Mask& running, const LaneArray* remembered = nullptr) override;
+  void add_forces(int lane, std::span<const double> force_N) override;
+  void start_solve(const LaneArray* load, LaneVector* moment = nullptr) override;
+  void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base) override;
+  void add_contact(std::span<const int> particles, const std::vector<int>& active,
+                   const LaneArray& force) override;
+  void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr) override;
+  void advance(const Mask& running, const OuterForces& outer = {}) override;
+
+  [[nodiscard]] BodyState state(int lane) const override;
+  [[nodiscard]] std::optional<BodyEnergy> energy(int lane) const override;
+  [[nodiscard]] double rotation_rad(int lane) const override;
+  [[nodiscard]] std::array<double, 3> momentum(int lane) const override;
+  [[nodiscard]] double kinetic_energy_J(int lane) const override;
+  [[nodiscard]] double damped_J(int lane) const override { return booked_damping_J(lane); }
+
+  /// Largest strain, sqrt(e:e), of the cells that can be touched, as of the last time that the contact forces were
+  /// larger than ever before by `kForceStep`.
+  [[nodiscard]] const Lane& largest_strain() const { return largest_strain_; }
+
+ private:
+  /// Three rows that Wilson's method moves, and where they come at t + theta dt.
+  struct Motion {
+    explicit Motion(std::size_t rows) : now(rows), rate(rows), second(rows), theta(rows) {}
+    LaneArray now, rate, second, theta;
+
+    void clear(int lane) {
+      for (LaneArray* row : {&now, &rate, &second, &theta}) row->clear_lane(lane);
+    }
+    void archive(LaneArchive& lane) { lane(now, rate, second); }
+  };
+  static void advance(const WilsonTheta& wilson, const NarrowPacks& busy, const Mask& running, Motion& motion);
+  void measure_strain(const Mask& lanes);
+  void put_rows_of_nodes(const LaneArray& rows, const Mask& lanes);
+  void take_sums();
+  /// Where a row of nodes stands in the rows of all particles.
+  [[nodiscard]] std::size_t freedom_of(std::size_t row) const {
+    return 3 * static_cast<std::size_t>(basis_.node[row / 3]) + row % 3;
+  }
+
+  const BodyModel& body_;
+  const ModalBasis& basis_;
+  const WilsonTheta& w_;
+  double relaxation_s_;                    ///< tau
+  double viscous_;                         ///< 1 + tau a1
+  std::vector<double> inverse_effective_;  ///< of each mode [s2]
+  double root_mass_;
+  std::vector<int> every_mode_;
+
+  Motion mode_;                 ///< y
+  Motion rest_;                 ///< G f at the nodes
+  Motion force_;                ///< f
+  LaneArray base_;              ///< y at t + theta dt without contact
+  LaneArray rest_base_;         ///< G f there
+  LaneArray pushed_, yielded_;  ///< by the contact forces of the step: S' forces, G forces
+  LaneArray by_modes_;          ///< S y at t + theta dt at the nodes
+  std::vector<int> columns_;    ///< rows of nodes that contact forces act on in this step
+  Mask running_{true};
+  Lane force_sum_{0.0};    ///< of the present step, |components|
+  Lane strained_by_{0.0};  ///< for which the strain was measured last
+  Lane largest_strain_{0.0};
+  LaneArray strain_, strain_of_rest_;
+};
+
+}  // namespace unbruised

@@ -1,0 +1,23 @@
+#include "core/scenario/body_modes.hpp"
+
+#include "core/scenario/gripper.hpp"
+#include "core/scenario/product_frame.hpp"
+#include "core/scenario/relaxation.hpp"
+
+namespace unbruised {
+std::string_view needs_full_body_because(const Scenario& scenario) {
+  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+  if (lattice == nullptr) return "only lattices have modes";
+  if (product_frame(scenario) != ProductFrame::upright) return "the product may turn far";
+  if (!relaxation_branches(*lattice).empty()) return "the product's stiffness fades";
+  if (has_range_sensors(scenario)) return "range sensors see all of the product's surface";
+  return {};
+}
+
+int mode_count(const Scenario& scenario) {
+  const SimulationParameters& simulation = scenario.simulation;
+  const bool by_modes = simulation.body == ProductBody::modes && needs_full_body_because(scenario).empty();
+  return by_modes ? simulation.mode_count : 0;
+}
+
+}  // namespace unbruised

@@ -19,6 +19,7 @@ Shapes shapes_of(const ModeShapes& modes) {
 }
 
 /// Answers of the body without its modes to up to kLanes columns of forces: (1 - S S' M) K^-1 (1 - M S S').
+/// Statics know what of K is left at rest.
 Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& force_N) {
   const Shapes S = shapes_of(modes);
   Eigen::VectorXd mass(S.rows());
@@ -36,7 +37,7 @@ Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& fo
   Matrix shape(load.rows(), load.cols());
   for (Eigen::Index j = 0; j < load.cols(); ++j) {
     for (Eigen::Index i = 0; i < load.rows(); ++i) {
-      shape(i, j) = moved.at(static_cast<std::size_t>(i), static_cast<int>(j));
+      shape(i, j) = body.relaxation.rest_share() * moved.at(static_cast<std::size_t>(i), static_cast<int>(j));
     }
   }
   const Matrix weighed = S.transpose() * (mass.asDiagonal() * shape).eval();
@@ -122,9 +123,13 @@ ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector
   return basis;
 }
 
+double viscous_share(const BodyModel& body, const WilsonTheta& w) {
+  return body.relaxation.stiffness_theta + body.relaxation_time_s * w.a1;
+}
+
 std::vector<double> effective_square_1_s2(const ModalBasis& basis, const BodyModel& body, const WilsonTheta& w) {
   std::vector<double> effective = basis.modes.square_1_s2;
-  for (double& square : effective) square = w.a0 + square * (1.0 + body.relaxation_time_s * w.a1);
+  for (double& square : effective) square = w.a0 + square * viscous_share(body, w);
   return effective;
 }
 
@@ -139,8 +144,8 @@ std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& b
   const Eigen::Map<const Eigen::VectorXd> square(effective.data(), static_cast<Eigen::Index>(effective.size()));
   const Eigen::Map<const Matrix> rest(basis.rest_m_N.data(), static_cast<Eigen::Index>(rows),
                                       static_cast<Eigen::Index>(rows));
-  const double viscous = 1.0 + body.relaxation_time_s * w.a1;
-  const Matrix W = at_nodes * square.cwiseInverse().asDiagonal() * at_nodes.transpose() + rest / viscous;
+  const Matrix W =
+      at_nodes * square.cwiseInverse().asDiagonal() * at_nodes.transpose() + rest / viscous_share(body, w);
   std::vector<double> block(9 * m * m);
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < rows; ++j) {

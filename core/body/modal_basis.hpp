@@ -35,7 +35,11 @@ struct ModalBasis {
 /// @throws std::invalid_argument where the modes cannot be found
 ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node);
 
-/// a0 + omega^2 (1 + tau a1) of each mode.
+/// Stiffness of a step over the instantaneous one, 1 + tau a1; of a body whose stiffness fades less than 1 by what
+/// it has faded at t + theta dt.
+double viscous_share(const BodyModel& body, const WilsonTheta& wilson);
+
+/// a0 + omega^2 times that, of each mode.
 std::vector<double> effective_square_1_s2(const ModalBasis& basis, const BodyModel& body,
                                           const WilsonTheta& wilson);
 

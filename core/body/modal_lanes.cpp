@@ -20,13 +20,13 @@ ModalLanes::ModalLanes(const BodyModel& body, const ModalBasis& basis, const Wil
       basis_(basis),
       w_(wilson),
       relaxation_s_(body.relaxation_time_s),
-      viscous_(1.0 + body.relaxation_time_s * wilson.a1),
+      viscous_(viscous_share(body, wilson)),
       inverse_effective_(effective_square_1_s2(basis, body, wilson)),
       root_mass_(std::sqrt(body.total_mass_kg)),
       every_mode_(basis.modes.count()),
-      mode_(basis.modes.count()),
-      rest_(basis.node_freedoms()),
-      force_(basis.node_freedoms()),
+      mode_(basis.modes.count(), body.relaxation),
+      rest_(basis.node_freedoms(), body.relaxation),
+      force_(basis.node_freedoms(), body.relaxation),
       base_(basis.modes.count()),
       rest_base_(basis.node_freedoms()),
       pushed_(basis.modes.count()),
@@ -57,13 +57,15 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
       to[k]->at(mode, lane) = sum;
     }
   }
-  // The body begins in balance, but for what accelerates all of it: contact forces are what is left of K u.
+  // The body begins in balance, but for what accelerates all of it: contact forces are what is left of K u. One
+  // whose stiffness fades has stood for long.
   std::vector<double> elastic(freedoms);
   multiply(body_.K, std::span<const double>(state.displacement_m), std::span<double>(elastic));
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     const std::size_t i = freedom_of(row);
-    force_.now.at(row, lane) =
-        elastic[i] + body_.mass_kg[i / 3] * (state.acceleration_m_s2[i] - gravity_m_s2[i % 3]);
+    force_.now.at(row, lane) = elastic[i] + body_.mass_kg[i / 3] *
+                                                (state.acceleration_m_s2[i] - gravity_m_s2[i % 3]) /
+                                                body_.relaxation.rest_share();
     u_.at(i, lane) = state.displacement_m[i];
     v_.at(i, lane) = state.velocity_m_s[i];
     a_.at(i, lane) = state.acceleration_m_s2[i];
@@ -82,6 +84,8 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
   }
   for (Lane* value : {&force_sum_, &strained_by_, &largest_strain_}) value->set(lane, 0.0);
   clear_damping(lane);
+  deformed_.load(lane);
+  start_energy_J_[static_cast<std::size_t>(lane)] = elastic_J(lane);
 }
 
 void ModalLanes::archive(LaneArchive& lane) {
@@ -90,25 +94,30 @@ void ModalLanes::archive(LaneArchive& lane) {
     const std::size_t i = freedom_of(row);
     lane(u_.at(i, lane.lane()), v_.at(i, lane.lane()), a_.at(i, lane.lane()));
   }
+  deformed_.archive(lane);
+  lane(start_energy_J_[static_cast<std::size_t>(lane.lane())]);
   lane(gravity_, mass_u_, mass_a_, last_step_s_, damping_power_, damped_, strained_by_, largest_strain_);
 }
 
 void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
-  require(remembered == nullptr, "ModalLanes: a body whose stiffness fades has no modes here");
+  require(remembered == nullptr, "ModalLanes: modes remember by themselves");
   running_ = running;
   columns_.clear();
   force_sum_ = Lane(0.0);
+  for (Motion* motion : {&mode_, &rest_, &force_}) {
+    if (motion->memory) motion->memory->begin_step(motion->now);
+  }
   const NarrowPacks busy(running);
   std::array<NarrowPack, kNarrowPacks> power_of;
   power_of.fill(NarrowPack(0.0));
-  const double share = relaxation_s_ / viscous_;
+  const NarrowPack share(1.0 / viscous_);
   for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
     const double square = basis_.modes.square_1_s2[mode];
-    const NarrowPack damped(relaxation_s_ * square), inverse(inverse_effective_[mode]), stiff(square);
+    const NarrowPack inverse(inverse_effective_[mode]), stiff(square);
     busy.each([&](int first) {
       const NarrowPack y = get_pack(mode_.now, mode, first), rate = get_pack(mode_.rate, mode, first),
                        second = get_pack(mode_.second, mode, first);
-      NarrowPack load = w_.inertial(y, rate, second) + damped * w_.viscous(y, rate, second);
+      NarrowPack load = w_.inertial(y, rate, second) + stiff * mode_.carried(w_, relaxation_s_, mode, first);
       if (mode < 3) load += NarrowPack(root_mass_) * narrow(gravity_[mode], first);
       put_pack(base_, mode, inverse * load, first);
       power_of[pack_at(first)] += stiff * rate * rate;
@@ -116,18 +125,27 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   }
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     busy.each([&](int first) {
-      const auto carried = [&](const Motion& motion) {
-        return NarrowPack(share) * w_.viscous(get_pack(motion.now, row, first), get_pack(motion.rate, row, first),
-                                              get_pack(motion.second, row, first));
-      };
-      put_pack(rest_base_, row, carried(rest_), first);
-      put_pack(force_.theta, row, carried(force_), first);
+      put_pack(rest_base_, row, share * rest_.carried(w_, relaxation_s_, row, first), first);
+      put_pack(force_.theta, row, share * force_.carried(w_, relaxation_s_, row, first), first);
       power_of[pack_at(first)] += get_pack(force_.rate, row, first) * get_pack(rest_.rate, row, first);
     });
   }
   Lane power(0.0);
   busy.each([&](int first) { widen(power, NarrowPack(relaxation_s_) * power_of[pack_at(first)], first); });
   book_damping(w_.dt, power, running);
+  if (mode_.memory) book_fading(running);
+}
+
+/// The power that the deformation has on what has not faded.
+void ModalLanes::book_fading(const Mask& running) {
+  Lane power(0.0);
+  for (std::size_t mode = kRigidModes; mode < basis_.modes.count(); ++mode) {
+    power += Lane(basis_.modes.square_1_s2[mode]) * mode_.memory->stressed().get(mode) * mode_.rate.get(mode);
+  }
+  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
+    power += force_.memory->stressed().get(row) * rest_.rate.get(row);
+  }
+  deformed_.book(w_.dt, power, running);
 }
 
 void ModalLanes::add_forces(int, std::span<const double>) {
@@ -234,7 +252,10 @@ void ModalLanes::advance(const WilsonTheta& wilson, const NarrowPacks& busy, con
 
 void ModalLanes::advance(const Mask& running, const OuterForces&) {
   const NarrowPacks busy(running);
-  for (Motion* motion : {&mode_, &rest_, &force_}) advance(w_, busy, running, *motion);
+  for (Motion* motion : {&mode_, &rest_, &force_}) {
+    advance(w_, busy, running, *motion);
+    if (motion->memory) motion->memory->end_step(motion->now, running);
+  }
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     const std::size_t i = freedom_of(row);
     busy.each([&](int first) {
@@ -275,15 +296,32 @@ BodyState ModalLanes::state(int lane) const {
 }
 
 std::optional<BodyEnergy> ModalLanes::energy(int lane) const {
-  BodyEnergy energy{kinetic_energy_J(lane), 0.0};
-  for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
-    const double y = mode_.now.at(mode, lane);
-    energy.elastic += 0.5 * basis_.modes.square_1_s2[mode] * y * y;
-  }
-  for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
-    energy.elastic += 0.5 * force_.now.at(row, lane) * rest_.now.at(row, lane);
+  return BodyEnergy{kinetic_energy_J(lane), elastic_J(lane)};
+}
+
+double ModalLanes::elastic_J(int lane) const {
+  const auto stored = [&](const LaneArray& y, const LaneArray& f, const LaneArray& r) {
+    double energy = 0.0;
+    for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
+      energy += 0.5 * basis_.modes.square_1_s2[mode] * y.at(mode, lane) * y.at(mode, lane);
+    }
+    for (std::size_t row = 0; row < basis_.node_freedoms(); ++row)
+      energy += 0.5 * f.at(row, lane) * r.at(row, lane);
+    return energy;
+  };
+  const RelaxationStep& step = body_.relaxation;
+  double energy = step.long_term * stored(mode_.now, force_.now, rest_.now);
+  for (std::size_t k = 0; k < step.branch.size(); ++k) {
+    energy +=
+        step.branch[k].share * stored(mode_.memory->branch(k), force_.memory->branch(k), rest_.memory->branch(k));
   }
   return energy;
+}
+
+double ModalLanes::damped_J(int lane) const {
+  const double damped = booked_damping_J(lane);
+  if (!mode_.memory) return damped;
+  return damped + deformed_.work_J(lane) - (elastic_J(lane) - start_energy_J_[static_cast<std::size_t>(lane)]);
 }
 
 double ModalLanes::rotation_rad(int lane) const {

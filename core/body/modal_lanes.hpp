@@ -6,6 +6,8 @@
 
 #include "core/body/body_motion.hpp"
 #include "core/body/modal_basis.hpp"
+#include "core/body/relaxing_rows.hpp"
+#include "core/lanes/lane_packs.hpp"
 
 namespace unbruised {
 
@@ -31,7 +33,8 @@ class ModalLanes final : public BodyMotion {
   [[nodiscard]] double rotation_rad(int lane) const override;
   [[nodiscard]] std::array<double, 3> momentum(int lane) const override;
   [[nodiscard]] double kinetic_energy_J(int lane) const override;
-  [[nodiscard]] double damped_J(int lane) const override { return booked_damping_J(lane); }
+  /// With what has faded.
+  [[nodiscard]] double damped_J(int lane) const override;
 
   /// Largest strain, sqrt(e:e), of the cells that can be touched, as of the last time that the contact forces were
   /// larger than ever before by `kForceStep`.
@@ -40,18 +43,32 @@ class ModalLanes final : public BodyMotion {
  private:
   /// Three rows that Wilson's method moves, and where they come at t + theta dt.
   struct Motion {
-    explicit Motion(std::size_t rows) : now(rows), rate(rows), second(rows), theta(rows) {}
+    Motion(std::size_t rows, const RelaxationStep& step) : now(rows), rate(rows), second(rows), theta(rows) {
+      if (!step.branch.empty()) memory.emplace(step, rows);
+    }
     LaneArray now, rate, second, theta;
+    std::optional<RelaxingRows> memory;  ///< where the stiffness fades
 
     void clear(int lane) {
       for (LaneArray* row : {&now, &rate, &second, &theta}) row->clear_lane(lane);
+      if (memory) memory->load(lane);
     }
-    void archive(LaneArchive& lane) { lane(now, rate, second); }
+    void archive(LaneArchive& lane) {
+      lane(now, rate, second);
+      if (memory) memory->archive(lane);
+    }
+    /// tau (a1 u + 2 v + a3 a), less what is remembered: what K multiplies on the right-hand side.
+    [[nodiscard]] NarrowPack carried(const WilsonTheta& w, double relaxation_s, std::size_t row, int first) const {
+      const NarrowPack viscous =
+          w.viscous(get_pack(now, row, first), get_pack(rate, row, first), get_pack(second, row, first));
+      const NarrowPack damped = NarrowPack(relaxation_s) * viscous;
+      return memory ? damped - get_pack(memory->remembered(), row, first) : damped;
+    }
   };
   static void advance(const WilsonTheta& wilson, const NarrowPacks& busy, const Mask& running, Motion& motion);
   void measure_strain(const Mask& lanes);
-  void put_rows_of_nodes(const LaneArray& rows, const Mask& lanes);
-  void take_sums();
+  void book_fading(const Mask& running);
+  [[nodiscard]] double elastic_J(int lane) const;
   /// Where a row of nodes stands in the rows of all particles.
   [[nodiscard]] std::size_t freedom_of(std::size_t row) const {
     return 3 * static_cast<std::size_t>(basis_.node[row / 3]) + row % 3;
@@ -61,7 +78,7 @@ class ModalLanes final : public BodyMotion {
   const ModalBasis& basis_;
   const WilsonTheta& w_;
   double relaxation_s_;                    ///< tau
-  double viscous_;                         ///< 1 + tau a1
+  double viscous_;                         ///< viscous_share
   std::vector<double> inverse_effective_;  ///< of each mode [s2]
   double root_mass_;
   std::vector<int> every_mode_;
@@ -75,6 +92,8 @@ class ModalLanes final : public BodyMotion {
   LaneArray by_modes_;          ///< S y at t + theta dt at the nodes
   std::vector<int> columns_;    ///< rows of nodes that contact forces act on in this step
   Mask running_{true};
+  BookedWork deformed_;  ///< of the deformation on a body whose stiffness fades
+  std::array<double, kLanes> start_energy_J_{};
   Lane force_sum_{0.0};    ///< of the present step, |components|
   Lane strained_by_{0.0};  ///< for which the strain was measured last
   Lane largest_strain_{0.0};

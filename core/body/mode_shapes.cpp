@@ -38,7 +38,7 @@ class ScaledBody {
   }
   [[nodiscard]] const Vector& root_mass() const { return root_; }
 
-  /// M^1/2 (K + shift M)^-1 M^1/2 on up to kLanes columns.
+  /// M^1/2 (share K + shift M)^-1 M^1/2 on up to kLanes columns, share being what of K is left at rest.
   [[nodiscard]] Matrix inverse(const Matrix& columns) const {
     LaneArray force(static_cast<std::size_t>(root_.size())), moved(force.rows());
     force.fill(0.0);
@@ -157,8 +157,14 @@ Matrix random_block(Eigen::Index rows) {
   return block;
 }
 
+/// omega^2 behind an eigenvalue of `ScaledBody::inverse`.
+struct Inverted {
+  double shift_1_s2, share;
+  [[nodiscard]] double square_1_s2(double value) const { return (1.0 / value - shift_1_s2) / share; }
+};
+
 /// The modes in the span of some vectors. @param mapped the inverse of each of them
-Deforming ritz(const ScaledBody& body, double shift_1_s2, const Matrix& vectors, const Matrix& mapped,
+Deforming ritz(const ScaledBody& body, const Inverted& inverted, const Matrix& vectors, const Matrix& mapped,
                Eigen::Index wanted) {
   Matrix projected = vectors.transpose() * mapped;
   projected = 0.5 * (projected + projected.transpose()).eval();
@@ -168,7 +174,7 @@ Deforming ritz(const ScaledBody& body, double shift_1_s2, const Matrix& vectors,
   Matrix weights(vectors.cols(), wanted);
   for (Eigen::Index j = 0; j < wanted; ++j) {
     const Eigen::Index from = vectors.cols() - 1 - j;  // the largest inverse is the slowest mode
-    modes.square_1_s2[j] = 1.0 / solver.eigenvalues()[from] - shift_1_s2;
+    modes.square_1_s2[j] = inverted.square_1_s2(solver.eigenvalues()[from]);
     weights.col(j) = solver.eigenvectors().col(from);
   }
   modes.vectors = vectors * weights;
@@ -176,7 +182,8 @@ Deforming ritz(const ScaledBody& body, double shift_1_s2, const Matrix& vectors,
   return modes;
 }
 
-Deforming by_krylov_vectors(const ScaledBody& body, double shift_1_s2, const Matrix& rigid, Eigen::Index wanted) {
+Deforming by_krylov_vectors(const ScaledBody& body, const Inverted& inverted, const Matrix& rigid,
+                            Eigen::Index wanted) {
   const Eigen::Index most =
       std::min(rigid.rows() - rigid.cols(), static_cast<Eigen::Index>(kMostVectors) * (wanted + kLanes));
   Basis basis(rigid, most);
@@ -186,7 +193,7 @@ Deforming by_krylov_vectors(const ScaledBody& body, double shift_1_s2, const Mat
     const Matrix image = body.inverse(block);
     mapped.middleCols(basis.size() - block.cols(), block.cols()) = image;
     if (basis.size() >= std::min(next, most)) {
-      Deforming modes = ritz(body, shift_1_s2, basis.vectors(), mapped.leftCols(basis.size()), wanted);
+      Deforming modes = ritz(body, inverted, basis.vectors(), mapped.leftCols(basis.size()), wanted);
       if (modes.residual < kTolerance) return modes;
       next = basis.size() + std::max<Eigen::Index>(2 * kLanes, wanted / 4);
     }
@@ -227,8 +234,10 @@ ModeShapes slowest_modes(const BodyModel& body, std::size_t deforming) {
   const Eigen::Index wanted = std::min(all, static_cast<Eigen::Index>(deforming));
   ModeShapes modes;
   const Matrix rigid = scaled.rigid(modes.turn);
-  const Deforming found = 2 * wanted >= all ? by_dense_solve(body, scaled, wanted)
-                                            : by_krylov_vectors(scaled, body.statics->shift_1_s2(), rigid, wanted);
+  const Deforming found =
+      2 * wanted >= all
+          ? by_dense_solve(body, scaled, wanted)
+          : by_krylov_vectors(scaled, {body.statics->shift_1_s2(), body.relaxation.rest_share()}, rigid, wanted);
   modes.residual = found.residual;
   modes.square_1_s2.assign(kRigidModes, 0.0);
   modes.square_1_s2.insert(modes.square_1_s2.end(), found.square_1_s2.begin(), found.square_1_s2.end());

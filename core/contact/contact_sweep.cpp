@@ -83,6 +83,7 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
   live_candidate_.clear();
   near_candidate_.clear();
   first_near_.clear();
+  near_node_.clear();
   has_near_ = Mask(false);
   for (const int c : awake) {
     const auto at = static_cast<std::size_t>(c);
@@ -95,7 +96,9 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
     if (active_node_.empty() || active_node_.back() != node) {
       active_node_.push_back(node);
       first_near_.push_back(near_candidate_.size());
+      near_node_.push_back(near);
     }
+    near_node_.back() = near_node_.back() | near;
     near_candidate_.push_back(c);
   }
   first_near_.push_back(near_candidate_.size());
@@ -346,8 +349,10 @@ Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
   const std::size_t m = model_.node_count();
   for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
     Pass pass{solving, sweep >= kNewtonSweeps ? Slope::steepest : Slope::tangent};
-    const BusyPacks busy(solving);
     for (std::size_t a = 0; a < active_node_.size(); ++a) {
+      const Mask here = solving & near_node_[a];
+      if (none(here)) continue;
+      const BusyPacks busy(here);
       const auto i = static_cast<std::size_t>(active_node_[a]);
       const double* row = model_.compliance.data() + 9 * i * m;
       Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};

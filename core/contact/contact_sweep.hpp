@@ -159,6 +159,7 @@ class ContactSweep {
   std::vector<int> active_node_, live_candidate_;
   std::vector<int> near_candidate_;      ///< those near in any lane, by node
   std::vector<std::size_t> first_near_;  ///< active node -> its first one; one more than active nodes
+  std::vector<Mask> near_node_;          ///< of active nodes: lanes in which some candidate of it is near
   Mask has_near_{false};                 ///< some candidate is near
   Mask unsolved_{false};
   PadForces pad_force_ = without_force();

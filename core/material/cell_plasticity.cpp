@@ -35,7 +35,7 @@ CellPlasticity::CellPlasticity(const BodyModel& body, const WilsonTheta& wilson,
   load_ = LaneArray(3 * lattice_.position_m.size());
   load_theta_ = LaneArray(3 * lattice_.position_m.size());
   if (body.relaxation.branch.empty()) return;
-  relaxation_.emplace(body);
+  relaxation_.emplace(body.relaxation, 3 * body.particle_count);
   share_ = body.relaxation.stiffness_theta;
   branch_strain_.assign(body.relaxation.branch.size(), LaneArray(6 * cells));
   past_strain_ = LaneArray(6 * cells);
@@ -60,12 +60,14 @@ void CellPlasticity::load(int lane, const Scenario& scenario) {
   load_theta_.clear_lane(lane);
   clear_account(lane);
   if (relaxation_) relaxation_->load(lane);
+  deformed_.load(lane);
 }
 
 void CellPlasticity::archive(LaneArchive& lane) {
   Material::archive(lane);
   if (relaxation_) {
     relaxation_->archive(lane);
+    deformed_.archive(lane);
     for (LaneArray& strain : branch_strain_) lane(strain);
     lane(start_energy_J_[static_cast<std::size_t>(lane.lane())]);
   }
@@ -121,7 +123,12 @@ void CellPlasticity::remember(std::size_t cell) {
 }
 
 void CellPlasticity::book_power(const LaneArray& rate, const LaneArray& stiffness_rate, const Mask& running) {
-  if (relaxation_) relaxation_->book_power(time_step_s_, rate, stiffness_rate, load_, running);
+  if (!relaxation_) return;
+  Lane power(0.0);
+  for (std::size_t i = 0; i < rate.rows(); ++i) {
+    power += relaxation_->stressed().get(i) * stiffness_rate.get(i) - load_.get(i) * rate.get(i);
+  }
+  deformed_.book(time_step_s_, power, running);
 }
 
 void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6], LaneArray& load) const {
@@ -316,8 +323,7 @@ double CellPlasticity::self_energy(int lane, const LaneArray& u) const {
 double CellPlasticity::relaxed_J(int lane, const LaneArray& u) const {
   if (!relaxation_) return 0.0;
   const double stored = elastic_energy(lane, u, strain_) + faded_energy(lane, u);
-  return relaxation_->work_J(lane) - plastic_work_[lane] -
-         (stored - start_energy_J_[static_cast<std::size_t>(lane)]);
+  return deformed_.work_J(lane) - plastic_work_[lane] - (stored - start_energy_J_[static_cast<std::size_t>(lane)]);
 }
 
 std::optional<double> CellPlasticity::volume_above_m3(int lane, double threshold) const {

@@ -9,13 +9,13 @@
 /// H = E E_t / (E - E_t), so that uniaxial loading past yield has the tangent modulus E_t.
 ///
 /// Where the stiffness fades, s is the stress that is left: every branch remembers e - e_p in place of e, as the
-/// displacement that `LatticeRelaxation` has and a plastic strain q_p of its own here.
+/// displacement that `RelaxingRows` have and a plastic strain q_p of its own here.
 
 #include <optional>
 #include <vector>
 
 #include "core/body/body_model.hpp"
-#include "core/material/lattice_relaxation.hpp"
+#include "core/body/relaxing_rows.hpp"
 #include "core/material/material.hpp"
 
 namespace unbruised {
@@ -81,7 +81,8 @@ class CellPlasticity final : public Material {
   bool may_yield_ = true;  ///< any lane
   bool measures_rotation_;
   // Where the stiffness fades.
-  std::optional<LatticeRelaxation> relaxation_;
+  std::optional<RelaxingRows> relaxation_;
+  BookedWork deformed_;                   ///< what the deformation does on the body
   double share_ = 1.0;                    ///< of the stiffness at t + theta dt
   std::vector<LaneArray> branch_strain_;  ///< q_p of each branch, rows as of strain_
   LaneArray past_strain_;                 ///< sum g (exp(-theta dt / tau) q_p - xi e_p)

@@ -82,6 +82,7 @@ enum class Metric : std::uint8_t {
   robot_cycle_time_s,
   bruised_area_m2,
   bruised_depth_m,
+  modes_left_out_share,
   count_  // not a metric: the number of them
 };
 
@@ -193,6 +194,9 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "how wide flesh below contact patches is strained by more than limits.plastic_strain, all patches together"},
     {Metric::bruised_depth_m, "bruised_depth_m", "bruised depth", "m",
      "how deep flesh below a contact patch is strained by more than limits.plastic_strain"},
+    {Metric::modes_left_out_share, "modes_left_out_share", "share left out by modes", "1",
+     "of the product's static give under an even push near the poles that the pads meet, the part which its modes "
+     "leave out; it answers at once"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

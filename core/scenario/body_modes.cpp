@@ -9,7 +9,7 @@ std::string_view needs_full_body_because(const Scenario& scenario) {
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   if (lattice == nullptr) return "only lattices have modes";
   if (product_frame(scenario) != ProductFrame::upright) return "the product may turn far";
-  if (!relaxation_branches(*lattice).empty()) return "the product's stiffness fades";
+  if (flows(*lattice)) return "the product flows under every force";
   if (has_range_sensors(scenario)) return "range sensors see all of the product's surface";
   return {};
 }

@@ -320,7 +320,7 @@ struct SimulationParameters {
   ContactSet contact_set = ContactSet::automatic;
   LevelUse levels = LevelUse::automatic;
   ProductBody body = ProductBody::full;
-  /// >= 1; of the modes in which it deforms, with `body = modes`
+  /// >= 0; of the modes in which it deforms, with `body = modes`; 0: every particle moves
   int mode_count = 60;
 };
 

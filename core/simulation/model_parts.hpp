@@ -28,6 +28,7 @@ struct Model::Parts {
   BodyModel body;
   ContactModel contact;
   std::shared_ptr<const ModalBasis> modes;        ///< null: the particles move
+  std::optional<ModeSummary> mode_summary;        ///< of those
   std::optional<PadBody> pad;                     ///< where the pads are bodies
   std::optional<SupportRest> rest;                ///< solids that scenarios start with here
   std::optional<CarriedSurface> carried_surface;  ///< lattices

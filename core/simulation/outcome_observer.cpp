@@ -109,6 +109,8 @@ void OutcomeObserver::end(const LaneStep& last) {
   metrics[Metric::step_count] = static_cast<double>(last.count);
   metrics[Metric::contact_iterations] = contact_sweeps_;
   metrics[Metric::plasticity_iterations] = plastic_rounds_;
+  if (const auto& modes = last.view.model.mode_summary)
+    metrics[Metric::modes_left_out_share] = modes->left_out_share;
   if (const SixAxisInstrument* sensor = last.six_axis) {
     metrics[Metric::peak_sensor_force_N] = sensor->peak_force_N();
     metrics[Metric::peak_sensor_torque_N_m] = sensor->peak_torque_N_m();

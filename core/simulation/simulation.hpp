@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,13 @@ struct ModelSize {
 };
 ModelSize model_size(const Scenario& scenario);
 
+/// How the modes of a product stand for it.
+struct ModeSummary {
+  std::size_t deforming = 0;    ///< beside the six rigid motions
+  double fastest_Hz = 0.0;      ///< of those
+  double left_out_share = 0.0;  ///< Metric::modes_left_out_share
+};
+
 /// The part that all scenarios of one factor key share: particles, springs, the factored effective
 /// stiffness, the compliance of the contact freedoms. Immutable after construction.
 class Model {
@@ -50,6 +58,9 @@ class Model {
   [[nodiscard]] std::size_t contact_candidate_count() const;
   [[nodiscard]] std::size_t factor_entry_count() const;  ///< entries of L
   [[nodiscard]] double max_frequency_Hz() const;         ///< Gershgorin bound on the fastest mode
+
+  /// Of a product that moves by its modes; none: every particle moves.
+  [[nodiscard]] const std::optional<ModeSummary>& modes() const;
 
   /// The same for steps that are longer by this factor. @param scenario of this factor key
   [[nodiscard]] std::shared_ptr<const Model> with_ticks(int ticks, const Scenario& scenario) const;

@@ -7,6 +7,7 @@
 #include "studies/estimate/arm_lines.hpp"
 #include "studies/estimate/cost_estimate.hpp"
 #include "studies/estimate/memory_need.hpp"
+#include "studies/estimate/mode_lines.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/estimate/warnings.hpp"
 #include "studies/execution/machine.hpp"
@@ -70,6 +71,7 @@ void print_check(const Study& study, const StudyCost& cost) {
   print_line(time_line(cost));
   print_contact(study);
   for (const std::string& line : arm_lines(study)) print_line(line);
+  for (const std::string& line : mode_lines(study)) print_line(line);
 }
 
 /// Prints what is wrong with a study as one document.

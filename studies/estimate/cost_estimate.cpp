@@ -5,6 +5,7 @@
 
 #include "core/contact/contact_effort.hpp"
 #include "core/motion/motion_plan.hpp"
+#include "core/scenario/body_modes.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/guard.hpp"
 #include "core/scenario/lattice_cells.hpp"
@@ -101,6 +102,11 @@ double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   const double freedoms =
       std::min(estimated_contact_freedoms(scenario), 3.0 * static_cast<double>(size.contact_node_count));
   const double contact = estimated_sweeps(scenario) * freedoms * freedoms;
+  if (const int modes = mode_count(scenario); modes > 0) {
+    const double at_nodes = 3.0 * static_cast<double>(size.contact_node_count);
+    const double products = modes * (2.0 * at_nodes + freedoms) + at_nodes * freedoms;
+    return rate.seconds_per_contact_entry * (products + contact);
+  }
   // Half of the contacts of a grip face the other pad.
   const double answering = has_lattice_pads(scenario) ? 1.5 * contact : contact;
   return step_factor(scenario) * rate.seconds_per_factor_entry *

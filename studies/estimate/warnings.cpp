@@ -7,6 +7,7 @@
 
 #include "core/contact/contact_effort.hpp"
 #include "core/contact/contact_time.hpp"
+#include "core/scenario/body_modes.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/estimate/guard_warnings.hpp"
 #include "studies/findings/shown_probability.hpp"
@@ -94,6 +95,23 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
               "would hold; a grip window may come out half as wide"}));
 }
 
+/// Scenarios that are computed with every particle although modes are asked for.
+void warn_about_modes(const Study& study, std::vector<std::string>& warnings) {
+  const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
+  std::string_view why;
+  bool all = true;
+  for (std::size_t id = 0; id < study.scenario_count(); id += stride) {
+    const Scenario scenario = study.scenario(id);
+    if (scenario.simulation.body != ProductBody::modes) continue;
+    const std::string_view because = needs_full_body_because(scenario);
+    all = all && !because.empty();
+    if (why.empty()) why = because;
+  }
+  if (why.empty()) return;
+  warnings.push_back(joined({"simulation.body = \"modes\" serves ", all ? "none" : "not all",
+                             " of the scenarios: ", why, "; such are computed with every particle"}));
+}
+
 }  // namespace
 
 std::vector<std::string> study_warnings(const Study& study) {
@@ -101,6 +119,7 @@ std::vector<std::string> study_warnings(const Study& study) {
   warn_about_contact(study, warnings);
   warn_about_light_products(study, warnings);
   warn_about_damping(study, warnings);
+  warn_about_modes(study, warnings);
   for (std::string& warning : guard_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));

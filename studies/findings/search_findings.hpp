@@ -23,7 +23,7 @@ struct SearchRecord {
 
 /// A second look at the best strategy.
 struct Check {
-  std::string name;  ///< "as found", "half the time step", "finer mesh", "other products"
+  std::string name;  ///< "as found", "half the time step", "finer mesh", "every particle", "other products"
   std::string what;  ///< "simulation.time_step_s = 0.0005"; empty: nothing differs
   Candidate candidate;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/scenario/body_modes.hpp"
 #include "studies/findings/balances.hpp"
 #include "studies/findings/check_warnings.hpp"
 #include "studies/findings/front_check.hpp"
@@ -30,6 +31,7 @@ constexpr std::size_t kCheckedProducts = 32;
 constexpr std::size_t kFrontGeneration = 4;
 
 constexpr const char* kCellSizeKey = "product.cell_size_m";
+constexpr const char* kModeCountKey = "simulation.mode_count";  ///< 0: every particle moves
 
 /// Keys of the checks that the study does not vary itself.
 std::vector<std::string> numeric_keys(const Study& study) {
@@ -40,6 +42,7 @@ std::vector<std::string> numeric_keys(const Study& study) {
     const bool is_varied = std::find(keys.begin(), keys.end(), key) != keys.end();
     if (!is_varied && study.base_value(key)) keys.emplace_back(key);
   }
+  if (mode_count(study.scenario(0)) > 0) keys.emplace_back(kModeCountKey);
   return keys;
 }
 
@@ -282,6 +285,9 @@ class SearchStudy {
       going_on =
           check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
     }
+    if (going_on && keys_.back() == kModeCountKey) {
+      going_on = check("every particle", Change{kModeCountKey, 0.0}, points, products, generation++);
+    }
     if (going_on && is_sample) {
       const ProductSample others =
           draw_products(study_, study_.sampling().count, seed_for(study_.seed(), SeedPurpose::other_products));
@@ -321,7 +327,7 @@ std::vector<ColumnInfo> search_columns(const Study& study) {
   for (const RandomVariable& random : study.randoms()) columns.push_back({random.key, random.units, ""});
   const std::vector<std::string> keys = numeric_keys(study);
   for (std::size_t k = columns.size(); k < keys.size(); ++k) {
-    columns.push_back({keys[k], keys[k] == kTimeStepKey ? "s" : "m", ""});
+    columns.push_back({keys[k], keys[k] == kTimeStepKey ? "s" : keys[k] == kCellSizeKey ? "m" : "1", ""});
   }
   return columns;
 }

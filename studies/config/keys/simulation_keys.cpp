@@ -88,7 +88,8 @@ Table simulation_keys() {
            "How the product's motion is computed. \"full\": every particle. \"modes\": its mode_count slowest "
            "modes "
            "of vibration; what they leave out answers at once, so that statics are those of the full body, at a "
-           "fraction of the time. It serves a lattice that stays upright and does not fade; it does not flow "
+           "fraction of the time. It serves a lattice that stays upright and does not creep for ever; it does not "
+           "flow "
            "within: "
            "permanent set, plastic strain, bruises and absorbed energy are those below the contact patches alone. "
            "All others are computed with every particle, which `check` and the run say.",
@@ -97,8 +98,9 @@ Table simulation_keys() {
        .field = simulation<&S::body>},
       {.path = "simulation.mode_count",
        .type = integer,
-       .meaning = "How many modes the product deforms in, with body = \"modes\"; its six rigid motions are extra. "
-                  "`check` says what share of the patch's give they leave to answer at once.",
+       .meaning =
+           "How many modes the product deforms in, with body = \"modes\"; its six rigid motions are extra, and "
+           "with 0 every particle moves. `check` says what share of its give under a pad they leave out.",
        .use = Use::lattice,
        .field = simulation<&S::mode_count>},
   };

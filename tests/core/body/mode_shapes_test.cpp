@@ -109,7 +109,8 @@ TEST(ModalBasis, KeepsTheStaticShape) {
   }
   force[3 * low + 2] = -1.0;
   force[3 * high + 2] = 1.0;
-  for (std::size_t i = 0; i < force.size(); ++i) all[3 * static_cast<std::size_t>(nodes[i / 3]) + i % 3] = force[i];
+  for (std::size_t i = 0; i < force.size(); ++i)
+    all[3 * static_cast<std::size_t>(nodes[i / 3]) + i % 3] = force[i];
   const std::vector<double> exact = body.statics->free_shape(all);
   const auto stretch = [&](const std::vector<double>& u) {
     return u[3 * static_cast<std::size_t>(nodes[high]) + 2] - u[3 * static_cast<std::size_t>(nodes[low]) + 2];

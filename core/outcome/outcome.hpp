@@ -82,6 +82,8 @@ enum class Metric : std::uint8_t {
   robot_cycle_time_s,
   bruised_area_m2,
   bruised_depth_m,
+  robot_jerk_use,
+  robot_sway_max_m,
   count_  // not a metric: the number of them
 };
 
@@ -193,6 +195,10 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
      "how wide flesh below contact patches is strained by more than limits.plastic_strain, all patches together"},
     {Metric::bruised_depth_m, "bruised_depth_m", "bruised depth", "m",
      "how deep flesh below a contact patch is strained by more than limits.plastic_strain"},
+    {Metric::robot_jerk_use, "robot_jerk_use", "use of joint jerk", "1",
+     "largest jerk of an arm's joint over its limit"},
+    {Metric::robot_sway_max_m, "robot_sway_max_m", "sway of the palm", "m",
+     "largest distance of the palm from where its arm was told to have it at that time, by lag and sway"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

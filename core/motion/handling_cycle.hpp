@@ -5,6 +5,7 @@
 /// follow: until a finger touches the fingers only approach, the first contact fixes everything that comes. A
 /// guard slows the approach down; one by force is the first to know of the contact, and fixes what comes.
 
+#include <memory>
 #include <optional>
 
 #include "core/motion/motion_plan.hpp"
@@ -21,7 +22,8 @@ enum class CycleEvent {
 class HandlingCycle {
  public:
   HandlingCycle() = default;
-  explicit HandlingCycle(const Scenario& scenario);
+  /// @param carrier of the palm; nullptr: it goes as planned
+  explicit HandlingCycle(const Scenario& scenario, std::shared_ptr<const PalmCarrier> carrier = nullptr);
 
   /// Takes in the step that ended at `time_s`.
   /// @param touch_s when a finger touched the product; none: no new contact. All but the first are ignored.
@@ -44,11 +46,13 @@ class HandlingCycle {
  private:
   void follow_guard(double guard_s);
   void start_grip();
+  [[nodiscard]] MotionPlan plan_from(double ramp_start_s) const;
 
   Scenario scenario_{};
-  MotionPlan plan_;
+  std::shared_ptr<const PalmCarrier> carrier_;
   double first_contact_s_ = kNever;
   double guard_s_ = kNever;  ///< that the fingers obey
+  MotionPlan plan_;
   double approach_deadline_s_ = kNever;
   bool grip_started_ = false;
   bool lift_started_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/door/require.hpp"
 #include "core/scenario/conveyor.hpp"
@@ -80,7 +81,7 @@ bool crosses_in_motion(const Scenario& scenario) {
 
 }  // namespace
 
-MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s)
+MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s, const PalmCarrier* carrier)
     : strategy_(scenario.strategy),
       guard_s_(guard_s),
       command_step_s_(scenario.simulation.time_step_s),
@@ -89,7 +90,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double gua
       transfer_m_(scenario.cell.transfer_m),
       place_velocity_m_s_(scenario.cell.place_velocity_m_s),
       belt_(scenario.cell.conveyor),
-      tracks_(goes_with_belt(scenario)),
+      tracks_(unbruised::goes_with_belt(scenario)),
       target_differs_(place_height_m_ != 0.0 || has_belt(scenario.cell) || target_moves(scenario.cell) ||
                       !scenario.cell.target_plane),
       ramp_start_s_(ramp_start_s) {
@@ -101,8 +102,7 @@ MotionPlan::MotionPlan(const Scenario& scenario, double ramp_start_s, double gua
     plan_ways(scenario);
     if (crosses_in_motion(scenario)) moving_transfer_.emplace();
     if (ramp_start_s < kNever) schedule(scenario);
-    if (s.stop_time_s && *s.stop_time_s < release_start_s_)
-      stop(*s.stop_time_s, scenario.cell.stop_deceleration_m_s2);
+    if (s.stop_time_s && *s.stop_time_s < release_start_s_) stop(scenario, carrier);
   }
   if (scenario.simulation.duration_s) end_s_ = std::min(end_s_, *scenario.simulation.duration_s);
   find_jumps();
@@ -120,7 +120,9 @@ void MotionPlan::find_jumps() {
   add(hold_end_s_, moving_transfer_ ? moving_transfer_->jumps_s() : transfer_.jumps_s());
   add(level_start_s_, level_.jumps_s());
   add(transfer_end_s_, lower_.jumps_s());
-  if (stop_s_ < kNever) {
+  if (law_) {
+    add(stop_s_, {0.0, law_->duration_s()});
+  } else if (stop_s_ < kNever) {
     add(stop_s_, {0.0, length(stopped_.velocity_m_s) / stop_deceleration_m_s2_,
                   length(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2});
   }
@@ -202,17 +204,26 @@ void MotionPlan::schedule(const Scenario& scenario) {
 }
 
 /// Nothing that is planned for later comes.
-void MotionPlan::stop(double time_s, double deceleration_m_s2) {
+void MotionPlan::stop(const Scenario& scenario, const PalmCarrier* carrier) {
+  const double time_s = *strategy_.stop_time_s;
+  if (carrier != nullptr) law_ = carrier->stop(*this, time_s);
+  if (law_) unstopped_ = std::make_shared<const MotionPlan>(*this);
   stop_s_ = time_s;
-  stop_deceleration_m_s2_ = deceleration_m_s2;
+  stop_deceleration_m_s2_ = scenario.cell.stop_deceleration_m_s2;
   stopped_ = planned_palm(time_s);
   for (double* event_s : {&lift_start_s_, &lift_end_s_, &hold_start_s_, &hold_end_s_, &level_start_s_,
                           &transfer_end_s_, &lower_end_s_, &release_start_s_, &release_end_s_}) {
     if (*event_s > time_s) *event_s = kNever;
   }
-  const double braking_s = std::max(length(stopped_.velocity_m_s) / deceleration_m_s2,
+  const double braking_s = std::max(length(stopped_.velocity_m_s) / stop_deceleration_m_s2_,
                                     length(stopped_.spin_rad_s) / strategy_.tilt_acceleration_rad_s2);
-  end_s_ = time_s + braking_s + kStopWatch_s;
+  end_s_ = time_s + (law_ ? law_->duration_s() : braking_s) + kStopWatch_s;
+}
+
+MotionPlan MotionPlan::tracked(std::shared_ptr<const PalmTrack> track) const {
+  MotionPlan plan = *this;
+  plan.track_ = std::move(track);
+  return plan;
 }
 
 CyclePhase MotionPlan::phase_after_contact(double time_s) const {
@@ -234,10 +245,18 @@ CyclePhase MotionPlan::phase_after_contact(double time_s) const {
 }
 
 PalmState MotionPlan::palm(double time_s) const {
+  return track_ && time_s > track_->start_s() ? track_->at(time_s) : told_palm(time_s);
+}
+
+PalmState MotionPlan::told_palm(double time_s) const {
   return is_stopped(time_s) ? braking_palm(time_s) : planned_palm(time_s);
 }
 
 PalmState MotionPlan::braking_palm(double time_s) const {
+  if (law_) {
+    const StopLaw::State s = law_->at(time_s - stop_s_);
+    return StopLaw::slowed(unstopped_->planned_palm(s.plan_s), s);
+  }
   PalmState palm = stopped_;
   brake(time_s - stop_s_, stop_deceleration_m_s2_, palm.position_m, palm.velocity_m_s, palm.acceleration_m_s2);
   std::array<double, 3> turn_rad{};
@@ -344,9 +363,9 @@ Horizontal MotionPlan::target_m(double time_s) const {
   return {transfer_m_[0] + place_velocity_m_s_[0] * time_s, transfer_m_[1] + place_velocity_m_s_[1] * time_s};
 }
 
-MotionPlan planned_motion(const Scenario& scenario) {
+MotionPlan planned_motion(const Scenario& scenario, const PalmCarrier* carrier) {
   const double contact_s = scenario.strategy.ramp_from_start ? 0.0 : planned_approach(scenario).time_s;
-  return MotionPlan(scenario, contact_s);
+  return MotionPlan(scenario, contact_s, kNever, carrier);
 }
 
 double planned_end_s(const Scenario& scenario) {

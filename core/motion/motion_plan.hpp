@@ -9,12 +9,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "core/motion/belt.hpp"
 #include "core/motion/moving_transfer.hpp"
+#include "core/motion/palm_carrier.hpp"
 #include "core/motion/palm_path.hpp"
 #include "core/motion/profile.hpp"
 #include "core/scenario/scenario.hpp"
@@ -41,13 +43,24 @@ class MotionPlan {
   MotionPlan() = default;
   /// @param ramp_start_s when the drive's force limit begins to rise; kNever: the fingers only approach
   /// @param guard_s when an instrument showed what the guard waits for; kNever: not yet
-  MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s = kNever);
+  /// @param carrier decides how an emergency stop brakes; nullptr: evenly, with cell.stop_deceleration_m_s2
+  MotionPlan(const Scenario& scenario, double ramp_start_s, double guard_s = kNever,
+             const PalmCarrier* carrier = nullptr);
+  /// This plan, whose palm really goes along a track from its start on. @param track nullptr: as planned
+  [[nodiscard]] MotionPlan tracked(std::shared_ptr<const PalmTrack> track) const;
 
   /// The phase at a time after the first contact; lower lasts until the fingers open.
   [[nodiscard]] CyclePhase phase_after_contact(double time_s) const;
   /// Has an emergency stop begun?
   [[nodiscard]] bool is_stopped(double time_s) const { return time_s > stop_s_; }
+  /// Where the palm is.
   [[nodiscard]] PalmState palm(double time_s) const;
+  /// Where it was told to be: what carries it may lag behind that and sway.
+  [[nodiscard]] PalmState told_palm(double time_s) const;
+  /// Does the palm go otherwise than it is told to?
+  [[nodiscard]] bool has_track() const { return track_ != nullptr; }
+  /// Does the palm go with a belt until the lift?
+  [[nodiscard]] bool goes_with_belt() const { return tracks_; }
   /// Largest drive force per finger.
   [[nodiscard]] double force_limit_N(double time_s) const;
   /// For how much of the step with this time, t + theta dt, the drives know what they aim at. Of steps that are
@@ -85,7 +98,7 @@ class MotionPlan {
   void plan_speeds(const Scenario& scenario);
   void plan_ways(const Scenario& scenario);
   void schedule(const Scenario& scenario);
-  void stop(double time_s, double deceleration_m_s2);
+  void stop(const Scenario& scenario, const PalmCarrier* carrier);
   void find_jumps();
   /// How much of the force's ramp has passed, 0 to 1.
   [[nodiscard]] double ramped(double time_s) const;
@@ -119,12 +132,15 @@ class MotionPlan {
   double transfer_end_s_ = kNever, lower_end_s_ = kNever, release_start_s_ = kNever, release_end_s_ = kNever;
   double end_s_ = kNever;
   double stop_s_ = kNever, stop_deceleration_m_s2_ = 0.0;
-  PalmState stopped_;           ///< where the stop begins
+  PalmState stopped_;                            ///< where the stop begins
+  std::optional<StopLaw> law_;                   ///< of a stop along the path
+  std::shared_ptr<const MotionPlan> unstopped_;  ///< that path
+  std::shared_ptr<const PalmTrack> track_;
   std::vector<double> jump_s_;  ///< of the palm's acceleration, ascending
 };
 
 /// The plan where the fingers meet the product as it is planned, but for what they compress.
-MotionPlan planned_motion(const Scenario& scenario);
+MotionPlan planned_motion(const Scenario& scenario, const PalmCarrier* carrier = nullptr);
 
 /// When a scenario ends in which everything goes as planned, but for what the fingers compress [s].
 double planned_end_s(const Scenario& scenario);

@@ -71,6 +71,7 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
   const bool touches_something = has_gripper_ || scenario.cell.support;
   if (has_product_yield_ && touches_something) metrics[Metric::contact_yield_ratio_max] = 0.0;
   if (has_belt_) metrics[Metric::belt_slip_m] = 0.0;
+  if (arm_sways(scenario)) metrics[Metric::robot_sway_max_m] = 0.0;
 }
 
 void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
@@ -178,6 +179,11 @@ void HandlingRecord::observe_belt(const StepObservation& now, const HandlingCycl
 }
 
 void HandlingRecord::observe_places(const StepObservation& now, const HandlingCycle& cycle) {
+  if (cycle.plan().has_track()) {
+    const std::array<double, 3> told_m = cycle.plan().told_palm(now.time_s).position_m;
+    raise(Metric::robot_sway_max_m,
+          norm({now.palm_m[0] - told_m[0], now.palm_m[1] - told_m[1], now.palm_m[2] - told_m[2]}));
+  }
   const auto& [x, y, z] = now.center_motion_m;
   if (cycle.has_contact() && now.time_s <= cycle.plan().lift_start_s()) {
     metrics[Metric::pick_error_m] = std::hypot(x - now.palm_m[0], y - now.palm_m[1]);

@@ -83,6 +83,8 @@ enum class Metric : std::uint8_t {
   bruised_area_m2,
   bruised_depth_m,
   modes_left_out_share,
+  robot_jerk_use,
+  robot_sway_max_m,
   count_  // not a metric: the number of them
 };
 
@@ -197,6 +199,10 @@ inline constexpr std::array<MetricInfo, kMetricCount> kMetricTable = {{
     {Metric::modes_left_out_share, "modes_left_out_share", "share left out by modes", "1",
      "of the product's static give under an even push near the poles that the pads meet, the part which its modes "
      "leave out; it answers at once"},
+    {Metric::robot_jerk_use, "robot_jerk_use", "use of joint jerk", "1",
+     "largest jerk of an arm's joint over its limit"},
+    {Metric::robot_sway_max_m, "robot_sway_max_m", "sway of the palm", "m",
+     "largest distance of the palm from where its arm was told to have it at that time, by lag and sway"},
 }};
 
 constexpr const MetricInfo& info_of(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }

@@ -12,13 +12,12 @@
 #include <vector>
 
 #include "core/motion/motion_plan.hpp"
-#include "core/robot/arm.hpp"
-#include "core/robot/arm_dynamics.hpp"
+#include "core/robot/arm_rider.hpp"
 
 namespace unbruised {
 
 /// What an arm can run into.
-enum class ArmLimit : std::uint8_t { reach, singular, position, speed, acceleration, torque, payload };
+enum class ArmLimit : std::uint8_t { reach, singular, position, speed, acceleration, jerk, torque, payload };
 
 /// The ratio of the Jacobian's singular values below which a posture is called singular.
 inline constexpr double kLeastManipulability = 1e-3;
@@ -39,13 +38,6 @@ struct ArmUse {
   double time_s = 0.0;
 };
 
-struct ArmSample {
-  double time_s = 0.0;
-  CyclePhase phase = CyclePhase::approach;
-  ArmMotion motion;
-  Joints torque_N_m;
-};
-
 /// Phases that one slowing stretches together.
 enum class ArmLeg : std::uint8_t { lift, carry, lower };
 
@@ -54,12 +46,13 @@ struct LegNeed {
   /// The least factor by which its time has to be stretched so that no joint breaks a limit: speeds fall with it,
   /// accelerations and their torques with its square, torques of weight stay. Infinite: weight alone is too much.
   double stretch = 1.0;
+  double jerk_stretch = 1.0;                  ///< the same of jerks, which fall with its cube
   double peak_m_s2 = 0.0, peak_rad_s2 = 0.0;  ///< of the palm
 };
 
 struct ArmRide {
   std::vector<ArmSample> samples;
-  ArmUse position, speed, acceleration, torque;
+  ArmUse position, speed, acceleration, jerk, torque;
   double least_manipulability = 1.0;
   double joint_travel_rad = 0.0;
   double moving_s = 0.0;            ///< from the start of the lift to the end of the lowering
@@ -67,14 +60,9 @@ struct ArmRide {
   std::optional<ArmBreach> stuck;   ///< the first of reach, a singular posture or a range: slowing down mends none
   std::array<LegNeed, 3> need;
 
-  /// The limit of which most is used: of range, speed, acceleration, torque.
+  /// The limit of which most is used: of range, speed, acceleration, jerk, torque.
   [[nodiscard]] ArmBreach binding() const;
 };
-
-/// The arm's frame of the palm at a time: the middle between the pads, x along the grip axis, z up.
-Pose palm_pose(const Scenario& scenario, const PalmState& palm);
-/// What hangs on the flange. @param carried the product too
-std::vector<PointLoad> flange_loads(const Scenario& scenario, bool carried);
 
 /// @param scenario has a robot
 /// @param plan whose palm is followed, from 0 to its end

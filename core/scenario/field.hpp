@@ -33,6 +33,7 @@ inline constexpr Range kTilt{.min = -kHalfTurn_rad, .max = kHalfTurn_rad};
 inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
 inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
+inline constexpr Range kDampingRatio{.min = 0.0, .max = 1.0, .max_open = true};
 
 inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
 

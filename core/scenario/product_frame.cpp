@@ -12,7 +12,8 @@ ProductFrame product_frame(const Scenario& scenario) {
   if (!has_gripper(scenario)) {
     return starts_in_the_air(scenario.product) ? ProductFrame::floating : ProductFrame::upright;
   }
-  return turns_product(scenario) || hangs_off_centre(scenario) ? ProductFrame::floating : ProductFrame::upright;
+  return turns_product(scenario) || arm_sways(scenario) || hangs_off_centre(scenario) ? ProductFrame::floating
+                                                                                      : ProductFrame::upright;
 }
 
 }  // namespace unbruised

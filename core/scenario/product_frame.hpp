@@ -12,8 +12,9 @@ enum class ProductFrame {
   floating,  ///< axes that turn with the product (core/frame)
 };
 
-/// A solid that spins without a gripper, is tilted or turned by one, hangs off-centre in its pads, or may meet the
-/// cell with more than its bottom is followed by a floating frame; every other product is upright.
+/// A solid that spins without a gripper, is tilted or turned by one, hangs on an arm that sways, or off-centre in
+/// its pads, or may meet the cell with more than its bottom is followed by a floating frame; every other product
+/// is upright.
 ProductFrame product_frame(const Scenario& scenario);
 
 }  // namespace unbruised

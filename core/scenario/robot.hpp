@@ -56,18 +56,34 @@ struct RobotParameters {
   /// Empty: all 0, else one angle for each joint, within its limits; the start is the posture that is found from
   /// it.
   std::vector<double> seed_posture_rad;
-  /// Empty: no limits, else > 0, one for each joint.
+  /// Each of these is empty, or has one for each joint or one for all. > 0; empty: no limits
   std::vector<double> acceleration_rad_s2;
+  /// > 0; of an emergency stop. Empty: those of acceleration
+  std::vector<double> deceleration_rad_s2;
+  /// > 0; empty: no limits
+  std::vector<double> jerk_rad_s3;
+  /// > 0; of the joints' gears, as springs between motor and link. Empty: rigid
+  std::vector<double> stiffness_N_m_rad;
+  /// >= 0, < 1; of each mode of an arm with such springs
+  double damping_ratio = 0.05;
+  /// > 0; of each joint's controller, which follows its angle as a lag of first order. Empty: at once
+  std::vector<double> bandwidth_Hz;
   /// >= 0; a point at gripper_center_of_mass_m of the flange
   double gripper_mass_kg = 0.0;
   std::array<double, 3> gripper_center_of_mass_m{0.0, 0.0, 0.05};
   /// > 0; of gripper and product together
   std::optional<double> max_payload_kg;
   RobotTiming timing = RobotTiming::check;
-  /// > 0, <= 1; of each limit of speed, acceleration and torque, so much may be used
+  /// > 0, <= 1; of each limit of speed, acceleration, jerk and torque, so much may be used
   double use_most = 1.0;
   /// None: no arm. At most 8, from the base on.
   std::vector<ArmJointParameters> joint;
 };
+
+/// A joint's number of a list with one for each joint or one for all.
+inline std::optional<double> of_joint(const std::vector<double>& list, std::size_t joint) {
+  if (list.empty()) return std::nullopt;
+  return list.size() == 1 ? list.front() : list[joint];
+}
 
 }  // namespace unbruised

@@ -71,19 +71,38 @@ void reach_is_of_an_arm(const Scenario& s, Violations& out) {
                      " m: centimetres or millimetres taken for metres?"});
 }
 
-void one_for_each_joint(std::string_view field, const std::vector<double>& list, const Scenario& s,
-                        Violations& out) {
-  if (list.empty() || !has_robot(s) || list.size() == s.robot.joint.size()) return;
-  out.push_back({std::string(field), std::to_string(list.size()) + " numbers",
-                 "must have one for each joint, " + std::to_string(s.robot.joint.size())});
-}
-
 void seed_has_all_joints(const Scenario& s, Violations& out) {
-  one_for_each_joint("robot.seed_posture_rad", s.robot.seed_posture_rad, s, out);
+  const std::size_t given = s.robot.seed_posture_rad.size(), joints = s.robot.joint.size();
+  if (given == 0 || !has_robot(s) || given == joints) return;
+  out.push_back({"robot.seed_posture_rad", std::to_string(given) + " numbers",
+                 "must have one for each joint, " + std::to_string(joints)});
 }
 
-void accelerations_of_all_joints(const Scenario& s, Violations& out) {
-  one_for_each_joint("robot.acceleration_rad_s2", s.robot.acceleration_rad_s2, s, out);
+/// One for each joint or one for all.
+Rule lists_joints(std::string_view field, std::vector<double> RobotParameters::*list) {
+  return {{field, "robot.joint"},
+          "one for each joint, or one for all",
+          [field, list](const Scenario& s, Violations& out) {
+            const std::size_t given = (s.robot.*list).size(), joints = s.robot.joint.size();
+            if (given <= 1 || !has_robot(s) || given == joints) return;
+            out.push_back({std::string(field), std::to_string(given) + " numbers",
+                           "must have one for each joint, " + std::to_string(joints) + ", or one for all"});
+          }};
+}
+
+void jerks_are_finite(const Scenario& s, Violations& out) {
+  if (s.robot.jerk_rad_s3.empty() || !has_robot(s) || s.strategy.profile != ProfileKind::trapezoid) return;
+  out.push_back(
+      {"robot.jerk_rad_s3", "",
+       "needs strategy.profile = \"minimum_jerk\" or \"s_curve\": the acceleration of a trapezoid jumps"});
+}
+
+/// A palm that sways accelerates every way.
+void sways_with_both_fingers(const Scenario& s, Violations& out) {
+  const ParallelJawParameters* jaw = parallel_jaw(s);
+  if (!arm_sways(s) || jaw == nullptr || jaw->coupling == FingerCoupling::centric) return;
+  const bool is_elastic = !s.robot.stiffness_N_m_rad.empty();
+  out.push_back({is_elastic ? "robot.stiffness_N_m_rad" : "robot.bandwidth_Hz", "", std::string(kNeedsCentric)});
 }
 
 void seed_lies_within_limits(const Scenario& s, Violations& out) {
@@ -117,7 +136,16 @@ std::vector<Rule> robot_rules() {
       {{"robot.seed_posture_rad", "robot.joint[].lower_rad", "robot.joint[].upper_rad"},
        "within the joints' limits",
        seed_lies_within_limits},
-      {{"robot.acceleration_rad_s2", "robot.joint"}, "one for each joint", accelerations_of_all_joints},
+      lists_joints("robot.acceleration_rad_s2", &RobotParameters::acceleration_rad_s2),
+      lists_joints("robot.deceleration_rad_s2", &RobotParameters::deceleration_rad_s2),
+      lists_joints("robot.jerk_rad_s3", &RobotParameters::jerk_rad_s3),
+      lists_joints("robot.stiffness_N_m_rad", &RobotParameters::stiffness_N_m_rad),
+      lists_joints("robot.bandwidth_Hz", &RobotParameters::bandwidth_Hz),
+      {{"robot.jerk_rad_s3", "strategy.profile", "robot.joint"}, "not with a trapezoid", jerks_are_finite},
+      {{"robot.stiffness_N_m_rad", "robot.bandwidth_Hz", "robot.joint", "gripper", "gripper.coupling"},
+       "needs centric fingers",
+       sways_with_both_fingers,
+       "needs centric fingers"},
   };
 }
 

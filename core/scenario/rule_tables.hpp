@@ -22,6 +22,12 @@ std::vector<Rule> guard_rules();
 std::vector<Rule> holding_rules();
 std::vector<Rule> robot_rules();
 
+/// Of what takes a product along the grip axis, or turns it.
+inline constexpr std::string_view kNeedsCentric =
+    "needs gripper.coupling = \"centric\": fingers that are driven alone by a force cannot carry the product "
+    "along "
+    "the grip axis";
+
 /// lower <= upper, or < with `Strictness::below`, wherever both are there.
 enum class Strictness { at_most, below };
 /// @param sentence "<= gripper.max_force_N"

@@ -344,6 +344,11 @@ inline bool has_sensor(const Scenario& scenario) { return scenario.sensor.at != 
 
 /// Does an arm carry the gripper?
 inline bool has_robot(const Scenario& scenario) { return !scenario.robot.joint.empty(); }
+/// Does the arm give way, so that the palm sways, turns a little and lags behind its path?
+inline bool arm_sways(const Scenario& scenario) {
+  const RobotParameters& robot = scenario.robot;
+  return has_robot(scenario) && !(robot.stiffness_N_m_rad.empty() && robot.bandwidth_Hz.empty());
+}
 
 /// The parallel jaw of a scenario; nullptr where the gripper is of another kind or there is none.
 inline ParallelJawParameters* parallel_jaw(Scenario& scenario) {

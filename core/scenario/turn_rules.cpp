@@ -25,11 +25,6 @@ std::string waypoint_key(std::size_t i, std::string_view leaf) {
 
 bool is_tilted(const Scenario& s) { return has_gripper(s) && length(s.strategy.tilt_rad) > 0.0; }
 
-constexpr std::string_view kNeedsCentric =
-    "needs gripper.coupling = \"centric\": fingers that are driven alone by a force cannot carry the product "
-    "along "
-    "the grip axis";
-
 void tilts_with_both_fingers(const Scenario& s, Violations& out) {
   const auto* jaw = parallel_jaw(s);
   if (!is_tilted(s) || jaw == nullptr || jaw->coupling == FingerCoupling::centric) return;

@@ -1,3 +1,4 @@
+#include "core/robot/arm_carrier.hpp"
 #include "core/scenario/opening.hpp"
 #include "core/scenario/product.hpp"
 #include "core/simulation/lane_drives.hpp"
@@ -17,7 +18,7 @@ void LaneSimulation::Impl::load(int lane, const Scenario& scenario) {
   r = LaneRun{};
   r.busy = true;
   r.scenario = scenario;
-  r.cycle = HandlingCycle(scenario);
+  r.cycle = HandlingCycle(scenario, arm_carrier(scenario));
   r.level = LevelChoice(step_levels(scenario));
   set_carriers(lane, r.cycle.plan(), 0.0, r.plane, now);
   set_listed_surfaces(lane, scenario.cell, 0.0, now);

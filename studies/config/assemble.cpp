@@ -129,7 +129,8 @@ struct Assembler {
         input.has_gripper && std::holds_alternative<NetworkParameters>(out.scenario.product);
     if (gripped_network && spec.use == Use::not_gripper) return true;
     // An arm whose file cannot be read is refused as such.
-    if (spec.use == Use::robot && highest({"robot.urdf"})) return true;
+    const bool is_of_arm = spec.use == Use::robot || spec.use == Use::elastic_arm;
+    if (is_of_arm && highest({"robot.urdf"})) return true;
     return is_used(spec, out.scenario, out.settings.kind, input.varied_keys);
   }
 

@@ -125,7 +125,7 @@ std::string where_used(Use use) {
     case Use::tracking:
       return "palms that track";
     case Use::stop:
-      return "cycles that are stopped";
+      return "cycles that are stopped, without an arm";
     case Use::sensor:
       return "six-axis sensors";
     case Use::range:
@@ -138,6 +138,10 @@ std::string where_used(Use use) {
       return "guards by force";
     case Use::position_hold:
       return "fingers that a lock holds";
+    case Use::robot:
+      return "palms that an arm carries";
+    case Use::elastic_arm:
+      return "arms whose joints give way";
     default:
       return listed(kinds_that_use(use), "and") + " studies";
   }

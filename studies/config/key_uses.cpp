@@ -71,7 +71,8 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
     case Use::tracking:
       return has_gripper(scenario) && (scenario.strategy.pick == PickKind::tracking || varied("strategy.pick"));
     case Use::stop:
-      return has_gripper(scenario) && (scenario.strategy.stop_time_s || varied("strategy.stop_time_s"));
+      return has_gripper(scenario) && !has_robot(scenario) &&
+             (scenario.strategy.stop_time_s || varied("strategy.stop_time_s"));
     case Use::sensor:
       return has_sensor(scenario) || varied("sensor.at");
     case Use::range:
@@ -88,6 +89,9 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
     }
     case Use::robot:
       return has_robot(scenario);
+    case Use::elastic_arm:
+      return has_robot(scenario) &&
+             (!scenario.robot.stiffness_N_m_rad.empty() || varied("robot.stiffness_N_m_rad"));
     default:
       return true;
   }
@@ -99,6 +103,7 @@ std::string why_unused(Use use, const Scenario& scenario) {
                                             Use::force_guard, Use::position_hold};
   const bool grips = std::find(kGripping.begin(), kGripping.end(), use) != kGripping.end();
   if (grips && !has_gripper(scenario)) use = Use::gripper;
+  if (use == Use::elastic_arm && !has_robot(scenario)) use = Use::robot;
   switch (use) {
     case Use::always:
       return "";
@@ -121,7 +126,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
     case Use::network_support:
       return "not used: only networks with cell.support = true have it";
     case Use::stop:
-      return "not used: without strategy.stop_time_s nothing is stopped";
+      return has_robot(scenario) ? "not used: an arm stops as hard as its joints can (robot.deceleration_rad_s2)"
+                                 : "not used: without strategy.stop_time_s nothing is stopped";
     case Use::sensor:
       return "not used: there is no sensor; sensor.at says where it is";
     case Use::range:
@@ -136,6 +142,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only fingers that a lock holds (gripper.hold = \"position\") have it";
     case Use::robot:
       return "not used: there is no arm; robot.urdf names its file";
+    case Use::elastic_arm:
+      return "not used: without robot.stiffness_N_m_rad the arm is rigid";
     case Use::tracking:
       return "not used: only a palm that tracks (strategy.pick = \"tracking\") has it";
     default:

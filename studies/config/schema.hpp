@@ -223,6 +223,7 @@ enum class Use {
   force_guard,
   position_hold,  ///< fingers that a lock holds
   robot,          ///< palms that an arm carries
+  elastic_arm,    ///< arms whose joints give way
   window,
   search,  ///< kinds with [[variable]] blocks
   one_objective,

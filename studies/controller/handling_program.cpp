@@ -7,6 +7,7 @@
 #include "core/door/require.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/opening.hpp"
+#include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
 #include "studies/execution/arm_run.hpp"
 #include "studies/execution/build_info.hpp"
@@ -38,11 +39,29 @@ std::string joint_line(const RobotParameters& robot, std::size_t j) {
       joint.lower_rad && joint.upper_rad
           ? joined({short_number(*joint.lower_rad), " to ", short_number(*joint.upper_rad), " rad"})
           : std::string("turns without end");
-  const std::string acceleration = robot.acceleration_rad_s2.empty()
-                                       ? std::string()
-                                       : joined({short_number(robot.acceleration_rad_s2[j]), " rad/s^2, "});
+  const auto limit = [j](const std::vector<double>& list, std::string_view unit) {
+    const auto most = of_joint(list, j);
+    return most ? joined({short_number(*most), unit}) : std::string();
+  };
   return joined({"limits of joint ", std::to_string(j), ": ", range, ", ", short_number(joint.speed_rad_s),
-                 " rad/s, ", acceleration, short_number(joint.torque_N_m), " N m"});
+                 " rad/s, ", limit(robot.acceleration_rad_s2, " rad/s^2, "),
+                 limit(robot.jerk_rad_s3, " rad/s^3, "), short_number(joint.torque_N_m), " N m"});
+}
+
+/// What hangs on the flange, which a controller has to know.
+std::string masses_line(const Scenario& scenario) {
+  const RobotParameters& robot = scenario.robot;
+  const std::string product = joined({", product ", short_number(product_mass_kg(scenario.product)), " kg"});
+  if (!(robot.gripper_mass_kg > 0.0)) {
+    return joined(
+        {"on the flange: the gripper's mass is NOT KNOWN (robot.gripper_mass_kg), where the file has to "
+         "name one it says ",
+         short_number(tool_mass_kg(robot)), " kg", product});
+  }
+  const auto& [x, y, z] = robot.gripper_center_of_mass_m;
+  return joined({"on the flange: gripper ", short_number(robot.gripper_mass_kg), " kg, its centre at ",
+                 short_number(x), ", ", short_number(y), ", ", short_number(z), " m of the flange", product,
+                 "; the controller's load is yours to set"});
 }
 
 void add_what_is_left_out(const Scenario& scenario, std::vector<std::string>& lines) {
@@ -212,6 +231,7 @@ ProgramHead head_of(const ProgramSource& source, const Scenario& scenario) {
     head.lines.push_back(
         joined({"of each of these but the range ", short_number(scenario.robot.use_most), " may be used"}));
   }
+  head.lines.push_back(masses_line(scenario));
   head.lines.emplace_back(
       "NOT TRIED ON A REAL CONTROLLER. Read it; run it slowly and without a product first, a hand on the stop");
   add_what_is_left_out(scenario, head.lines);

@@ -101,6 +101,10 @@ struct ProgramSource {
 std::string program_name(const std::string& text);
 /// The same with a number behind it, which stays whole.
 std::string program_name(const std::string& text, std::uint64_t number);
+/// Of the gripper, as a tool's data have to have it: 1 kg where it is not known.
+inline double tool_mass_kg(const RobotParameters& robot) {
+  return robot.gripper_mass_kg > 0.0 ? robot.gripper_mass_kg : 1.0;
+}
 ProgramHead head_of(const ProgramSource& source, const Scenario& scenario);
 
 }  // namespace unbruised::studies

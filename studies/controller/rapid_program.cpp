@@ -44,11 +44,12 @@ std::string data(const HandlingProgram& program) {
   }
   text +=
       "  TASK PERS wobjdata cell := [FALSE, TRUE, \"\", [[0, 0, 0], [1, 0, 0, 0]], [[0, 0, 0], [1, 0, 0, 0]]];\n";
-  const double mass_kg = robot.gripper_mass_kg > 0.0 ? robot.gripper_mass_kg : 1.0;
+  if (!(robot.gripper_mass_kg > 0.0))
+    text += "  ! The gripper's mass is not known: the 1 kg below is assumed. Set it.\n";
   text += joined({"  TASK PERS tooldata gripper := [TRUE, ",
-                  pose_text(pose_of(robot.tool_place_m, robot.tool_rotation_rad)), ", [", fixed_digits(mass_kg, 6),
-                  ", [", number_list(robot.gripper_center_of_mass_m, 6, kMillimetres),
-                  "], [1, 0, 0, 0], 0, 0, 0]];\n"});
+                  pose_text(pose_of(robot.tool_place_m, robot.tool_rotation_rad)), ", [",
+                  fixed_digits(tool_mass_kg(robot), 6), ", [",
+                  number_list(robot.gripper_center_of_mass_m, 6, kMillimetres), "], [1, 0, 0, 0], 0, 0, 0]];\n"});
   return text;
 }
 

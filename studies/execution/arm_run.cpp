@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/arm_carrier.hpp"
+
 namespace unbruised::studies {
 
 double ramp_start_s(const Scenario& scenario, double lift_time_s) {
@@ -10,8 +12,8 @@ double ramp_start_s(const Scenario& scenario, double lift_time_s) {
 }
 
 MotionPlan followed_plan(const Scenario& scenario, double lift_time_s) {
-  if (std::isnan(lift_time_s)) return MotionPlan(scenario, kNever);
-  return MotionPlan(scenario, ramp_start_s(scenario, lift_time_s));
+  const double start_s = std::isnan(lift_time_s) ? kNever : ramp_start_s(scenario, lift_time_s);
+  return MotionPlan(scenario, start_s, kNever, arm_carrier(scenario).get());
 }
 
 ArmRun::ArmRun(const Scenario& scenario) : timed_(timed_for_arm(scenario)) {
@@ -26,6 +28,7 @@ void ArmRun::judge(ScenarioResult& result) const {
   if (!ride.samples.empty()) {
     result.metrics[Metric::robot_speed_use] = ride.speed.use;
     result.metrics[Metric::robot_acceleration_use] = ride.acceleration.use;
+    result.metrics[Metric::robot_jerk_use] = ride.jerk.use;
     result.metrics[Metric::robot_torque_use] = ride.torque.use;
     result.metrics[Metric::robot_position_use] = ride.position.use;
     result.metrics[Metric::robot_least_manipulability] = ride.least_manipulability;
@@ -54,6 +57,15 @@ void ArmRun::add_joints(const ScenarioResult& result, Trace& trace) const {
     append(position, sample.motion.angle_rad);
     append(speed, sample.motion.speed_rad_s);
     append(torque, sample.torque_N_m);
+  }
+  if (arm_sways(timed_.scenario)) {
+    TraceSignal told{"palm_told_m", "m", "where the arm is told to have the palm, as palm_position_m",
+                     {"component"}, {3}, {}};
+    for (const double time_s : trace.time_s) {
+      const std::array<double, 3> place_m = plan.told_palm(time_s).position_m;
+      told.values.insert(told.values.end(), place_m.begin(), place_m.end());
+    }
+    trace.signals.push_back(std::move(told));
   }
   for (TraceSignal* signal : {&position, &speed, &torque}) trace.signals.push_back(std::move(*signal));
 }

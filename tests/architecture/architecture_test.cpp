@@ -58,8 +58,8 @@ const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"sensor", {"door", "scenario", "lanes", "chance", "frame", "body", "surface", "gripper"}},
     {"outcome", {"scenario", "motion", "surface", "contact"}},
     {"simulation",
-     {"door", "scenario", "lanes", "algebra", "integration", "frame", "motion", "body", "material", "surface",
-      "gripper", "sensor", "contact", "outcome"}},
+     {"door", "scenario", "lanes", "algebra", "integration", "frame", "motion", "robot", "body", "material",
+      "surface", "gripper", "sensor", "contact", "outcome"}},
 };
 
 std::string house_of(const std::string& path) { return path.substr(0, path.find('/')); }

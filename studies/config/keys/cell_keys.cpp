@@ -99,7 +99,8 @@ Table path_keys() {
        .field = cell<&C::target_plane>},
       {.path = "cell.stop_deceleration_m_s2",
        .type = number,
-       .meaning = "Deceleration with which an emergency stop brings the palm to rest, along its path.",
+       .meaning = "Deceleration with which an emergency stop brings the palm to rest, along its path; an arm "
+                  "stops as hard as its joints can.",
        .use = Use::stop,
        .note = "the default is assumed: arms stop with 5 to 20, as loaded and fast as they are",
        .field = cell<&C::stop_deceleration_m_s2>},

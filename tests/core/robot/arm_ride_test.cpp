@@ -8,22 +8,12 @@
 #include "core/robot/arm_timing.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
-#include "tests/core/robot/arms.hpp"
-#include "tests/core/scenario/scenarios.hpp"
+#include "tests/core/robot/carried_grips.hpp"
 
 namespace unbruised {
 namespace {
 
 using namespace testing;
-
-/// The usual grip, half a metre before the base of the six-jointed arm.
-Scenario carried_grip() {
-  Scenario scenario = usual_grip();
-  scenario.robot = six_joints();
-  scenario.robot.base_place_m = {-0.55, 0.1, 0.0};
-  scenario.robot.gripper_mass_kg = 0.8;
-  return scenario;
-}
 
 void make_strong(RobotParameters& robot) {
   for (ArmJointParameters& joint : robot.joint) {
@@ -229,6 +219,64 @@ TEST(ArmTiming, SlowingATrapezoidOrAnSCurveKeepsTheLimitsToo) {
     ASSERT_FALSE(timed.ride.breach) << words_of(*timed.ride.breach);
     EXPECT_GT(timed.ride.speed.use, 0.9);
   }
+}
+
+TEST(ArmRide, TheLargestJerkOfAJointIsThatOfItsAngle) {
+  Scenario scenario = carried_grip();
+  make_strong(scenario.robot);
+  scenario.robot.jerk_rad_s3 = {1e9};
+  const MotionPlan plan = planned_motion(scenario);
+  const ArmRide found = ride(scenario, plan);
+  ASSERT_FALSE(found.breach);
+  const auto joint = static_cast<std::size_t>(found.jerk.joint);
+  const double h = 2e-5, t = found.jerk.time_s;
+  const auto near = ride_at(scenario, plan, {t - 2.0 * h, t - h, t, t + h, t + 2.0 * h});
+  ASSERT_EQ(near.size(), 5U);
+  const auto q2 = [&](std::size_t i) { return near[i].motion.acceleration_rad_s2[joint]; };
+  const double before = std::abs(q2(2) - q2(1)) / h, after = std::abs(q2(3) - q2(2)) / h;
+  EXPECT_NEAR(found.jerk.use * 1e9, std::max(before, after), 1e-3 * std::max(before, after));
+  EXPECT_GT(found.jerk.use * 1e9, 10.0);
+}
+
+TEST(ArmRide, AJerkBeyondItsLimitIsNamed) {
+  Scenario scenario = carried_grip();
+  make_strong(scenario.robot);
+  scenario.robot.jerk_rad_s3 = {1e9};
+  const double most = 1e9 * ride(scenario, planned_motion(scenario)).jerk.use;
+  scenario.robot.jerk_rad_s3 = {0.5 * most};
+  const ArmRide found = ride(scenario, planned_motion(scenario));
+  ASSERT_TRUE(found.breach);
+  EXPECT_EQ(found.breach->limit, ArmLimit::jerk);
+  EXPECT_NE(words_of(*found.breach).find("of its jerk"), std::string::npos);
+  EXPECT_EQ(found.binding().limit, ArmLimit::jerk);
+}
+
+TEST(ArmTiming, AJerkLimitIsKeptByTheLeastStretchOfMinimumJerk) {
+  Scenario scenario = hasty(10.0, 10.0);
+  scenario.robot.jerk_rad_s3 = {1e9};
+  const double most = 1e9 * ride(scenario, planned_motion(scenario)).jerk.use;
+  const double planned_s = ride(scenario, planned_motion(scenario)).moving_s;
+  scenario.robot.jerk_rad_s3 = {most / 8.0};
+  const TimedScenario timed = timed_for_arm(scenario);
+  ASSERT_FALSE(timed.ride.breach) << words_of(*timed.ride.breach);
+  EXPECT_LE(timed.ride.jerk.use, 1.0 + 1e-9);
+  EXPECT_GT(timed.ride.jerk.use, 0.99);
+  // The leg with the largest jerk takes twice as long, the others less than that.
+  EXPECT_GT(timed.ride.moving_s, 1.2 * planned_s);
+  EXPECT_LT(timed.ride.moving_s, 2.01 * planned_s);
+}
+
+TEST(ArmTiming, AJerkLimitSoftensAnSCurve) {
+  Scenario scenario = hasty(10.0, 10.0);
+  scenario.strategy.profile = ProfileKind::s_curve;
+  scenario.strategy.jerk_m_s3 = 400.0;
+  scenario.robot.jerk_rad_s3 = {1e9};
+  const double most = 1e9 * ride(scenario, planned_motion(scenario)).jerk.use;
+  scenario.robot.jerk_rad_s3 = {most / 3.0};
+  const TimedScenario timed = timed_for_arm(scenario);
+  ASSERT_FALSE(timed.ride.breach) << words_of(*timed.ride.breach);
+  EXPECT_LT(*timed.scenario.strategy.jerk_m_s3, 200.0);
+  EXPECT_GT(timed.ride.jerk.use, 0.9);
 }
 
 TEST(ArmTiming, APathThatLeavesTheReachIsNotSlowedDownForIt) {

@@ -190,7 +190,8 @@ bool can_be_tripped(const PlausibleRow& row) {
                              .rotation_rad = std::array<double, 3>{},
                              .via_m = std::array<double, 3>{}}};
   grip.robot.joint.resize(1);
-  grip.robot.acceleration_rad_s2 = grip.robot.seed_posture_rad = {1.0};
+  grip.robot.acceleration_rad_s2 = grip.robot.deceleration_rad_s2 = grip.robot.jerk_rad_s3 = {1.0};
+  grip.robot.stiffness_N_m_rad = grip.robot.bandwidth_Hz = grip.robot.seed_posture_rad = {1.0};
   grip.cell.surface.resize(1);
   grip.cell.surface[0].size_m = {0.1, 0.1};
   grip.cell.surface[0].path_time_s = {0.0};

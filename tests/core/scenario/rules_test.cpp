@@ -712,6 +712,38 @@ std::vector<Breach> robot_breaches() {
          one_joint(s).lower_rad = -1.0;
          s.robot.seed_posture_rad = {-1.5};
        }},
+      {"robot.deceleration_rad_s2", "must have one for each joint, 1, or one for all", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.deceleration_rad_s2 = {1.0, 1.0};
+       }},
+      {"robot.jerk_rad_s3", "must have one for each joint, 1, or one for all", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.jerk_rad_s3 = {1.0, 1.0};
+       }},
+      {"robot.stiffness_N_m_rad", "must have one for each joint, 1, or one for all", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.stiffness_N_m_rad = {1.0, 1.0};
+       }},
+      {"robot.bandwidth_Hz", "must have one for each joint, 1, or one for all", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.bandwidth_Hz = {1.0, 1.0};
+       }},
+      {"robot.jerk_rad_s3", "the acceleration of a trapezoid jumps", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.jerk_rad_s3 = {100.0};
+         s.strategy.profile = ProfileKind::trapezoid;
+       }},
+      {"robot.bandwidth_Hz", "needs gripper.coupling = \"centric\"", usual_grip,
+       [](S s) {
+         one_joint(s);
+         s.robot.bandwidth_Hz = {10.0};
+         jaw_of(s).coupling = FingerCoupling::independent;
+       }},
       {"robot.acceleration_rad_s2", "must have one for each joint, 1", usual_grip,
        [](S s) {
          one_joint(s);

@@ -343,6 +343,10 @@ std::vector<Arrival> robot_arrivals() {
        [](S s) { return s.robot.seed_posture_rad == std::vector<double>{0.375}; }},
       {"robot.acceleration_rad_s2", "[37.5]",
        [](S s) { return s.robot.acceleration_rad_s2 == std::vector<double>{37.5}; }},
+      {"robot.deceleration_rad_s2", "[37.5]",
+       [](S s) { return s.robot.deceleration_rad_s2 == std::vector<double>{37.5}; }},
+      {"robot.jerk_rad_s3", "[37.5]", [](S s) { return s.robot.jerk_rad_s3 == std::vector<double>{37.5}; }},
+      {"robot.bandwidth_Hz", "[37.5]", [](S s) { return s.robot.bandwidth_Hz == std::vector<double>{37.5}; }},
       {"robot.gripper_mass_kg", "0.375", [](S s) { return s.robot.gripper_mass_kg == 0.375; }},
       {"robot.gripper_center_of_mass_m", "[0.25, 0.5, 0.75]",
        [](S s) {

@@ -68,8 +68,8 @@ struct MergeArguments {
 };
 /// Brings the parts of a study together and ends it. Exit status 3 where scenarios are missing.
 int merge_command(const MergeArguments& arguments);
-/// Says which scenarios of a study in parts no journal has. @return the exit status; nothing: none is missing
-std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study, const RunDirectory& run);
+/// Says what of a study in parts no journal has whole. @return the exit status; nothing: nothing is missing
+std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study, RunDirectory& run);
 /// `run --scenario ID`: that scenario alone with its trace, its file and its page.
 int run_one_command(const RunArguments& arguments);
 /// How a command answers: lines for people, or one JSON document (docs/json.md).

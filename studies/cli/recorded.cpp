@@ -129,7 +129,7 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   recorded.tables.rows = std::move(contents->rows);
   recorded.notes = std::move(contents->notes);
   recorded.damage = std::move(contents->damage);
-  if (is_search(study->kind())) number_search_rows(recorded.tables.rows);
+  if (row_places(study->kind()) != RowPlaces::none) number_placed_rows(recorded.tables.rows);
   recorded.source = directory;
   recorded.from_journal = true;
   if (has_fixed_scenarios(study->kind())) recorded.wanted = scenario_set(*study).count;

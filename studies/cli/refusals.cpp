@@ -14,11 +14,10 @@ bool refuse_ranks(const std::string& what) {
 }
 
 std::optional<std::string> has_no_parts(const Study& study) {
-  if (has_fixed_scenarios(study.kind())) return std::nullopt;
-  return joined(
-      {study.name(), ": a ", study_kind_word(study.kind()),
-       " study asks for one scenario after the answer of another and has no parts; run it as a whole, on "
-       "several machines with mpirun"});
+  if (parts_of(study.kind()) != nullptr) return std::nullopt;
+  return joined({study.name(), ": study.kind = \"", study_kind_word(study.kind()),
+                 "\": asks for one scenario after the answer of another and has no parts; run it as a whole, on "
+                 "several machines with mpirun"});
 }
 
 }  // namespace unbruised::studies

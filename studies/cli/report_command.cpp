@@ -54,7 +54,7 @@ MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, 
   ResultsContent content{.meta = recorded.meta,
                          .inputs = recorded.tables.inputs,
                          .rows = page_rows(rows, moving),
-                         .rows_of_search = false,
+                         .places = RowPlaces::none,
                          .tables = recorded.tables.found,
                          .window = recorded.tables.window ? &*recorded.tables.window : nullptr,
                          .trace = recorded.has_trace ? &trace : nullptr};

@@ -167,7 +167,7 @@ int run_one_command(const RunArguments& arguments) {
   const ResultsContent content{.meta = results_meta(*study, warnings, ResultsState::complete),
                                .inputs = input_columns(*study),
                                .rows = {row},
-                               .rows_of_search = false,
+                               .places = RowPlaces::none,
                                .tables = std::move(tables),
                                .window = nullptr,
                                .trace = trace.time_s.empty() ? nullptr : &trace};

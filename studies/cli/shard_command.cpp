@@ -15,6 +15,7 @@
 #include "studies/execution/counted_simulator.hpp"
 #include "studies/execution/lane_executor.hpp"
 #include "studies/execution/progress.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/results/journal.hpp"
@@ -97,14 +98,13 @@ MaybeError bring_in(const fs::path& from, const fs::path& into, const std::strin
 
 }  // namespace
 
-std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study,
-                                       const RunDirectory& run) {
-  const std::vector<std::uint64_t> missing = missing_ids(study, run);
-  if (missing.empty()) return std::nullopt;
-  print_note(
-      joined({with_thousands(missing.size()), missing.size() == 1 ? " scenario is" : " scenarios are",
-              " missing (", id_ranges(missing),
-              "); run further parts and merge again, or end the study with what runs just the missing ones"}));
+std::optional<int> say_what_is_missing(const RunArguments& arguments, const Study& study, RunDirectory& run) {
+  const auto missing = missing_ids(study, run);
+  if (!missing) return report_error(missing.error());
+  if (missing->empty()) return std::nullopt;
+  print_note(joined(
+      {units_of(study, missing->size()), missing->size() == 1 ? " is" : " are", " missing (", id_ranges(*missing),
+       "); run further parts and merge again, or end the study with what runs just the missing ones"}));
   std::cerr << joined({"  ", command_of(arguments), "\n"});
   return kExitMissing;
 }
@@ -136,9 +136,9 @@ int run_shard_command(const RunArguments& arguments) {
                                 &interrupt_requested(), &progress);
   progress.close();
   if (!report) return report_error(report.error());
-  print_line(
-      joined({study->name(), ": ", part_text(*arguments.shard), ", ", with_thousands(report->count),
-              " scenarios, ", with_thousands(report->run_now), " run now in ", duration_text(report->seconds)}));
+  print_line(joined({study->name(), ": ", part_text(*arguments.shard), ", ", units_of(*study, report->count), ", ",
+                     with_thousands(report->run_now), has_fixed_scenarios(study->kind()) ? "" : " scenarios",
+                     " run now in ", duration_text(report->seconds)}));
   if (report->interrupted) {
     print_note(joined({"interrupted; what was run is safe in ", run.directory().string(), "; continue with"}));
     return ask_to_continue(arguments);

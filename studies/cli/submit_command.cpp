@@ -14,6 +14,7 @@
 #include "studies/cli/refusals.hpp"
 #include "studies/estimate/study_cost.hpp"
 #include "studies/results/durable_files.hpp"
+#include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -127,10 +128,11 @@ std::string problem_of(const SubmitArguments& arguments, long most_tasks) {
   return {};
 }
 
-/// About an hour each on its cores, and never more than there are scenarios.
-long usual_tasks(const StudyCost& cost, long cpus, long most) {
+/// About an hour each on its cores, and never more than parts can have something of.
+long usual_tasks(const Study& study, const StudyCost& cost, long cpus, long most) {
   const double hours = cost.seconds * cost.threads / static_cast<double>(cpus) / kTaskSeconds;
-  const double wanted = std::clamp(std::ceil(hours), 1.0, std::max(1.0, cost.scenarios));
+  const auto units = static_cast<double>(scenario_set(study).count);
+  const double wanted = std::clamp(std::ceil(hours), 1.0, std::max(1.0, units));
   return std::min(static_cast<long>(wanted), most);
 }
 
@@ -174,7 +176,7 @@ int submit_command(const SubmitArguments& arguments) {
   jobs.directory = fs::absolute(run_directory_of(*study, arguments.output), error).lexically_normal();
   jobs.folder = jobs.directory.string() + ".slurm";
   jobs.name = joined({"unbruised-", study->name()});
-  jobs.tasks = arguments.tasks.value_or(usual_tasks(cost, arguments.cpus, most_tasks));
+  jobs.tasks = arguments.tasks.value_or(usual_tasks(*study, cost, arguments.cpus, most_tasks));
   for (const std::string& set : arguments.study.sets) jobs.sets += joined({" --set ", shell_word(set)});
   if (auto failed = write_scripts(arguments, jobs)) return report_error(*failed);
   print_line(joined({study->name(), ": ", std::to_string(jobs.tasks), jobs.tasks == 1 ? " task of " : " tasks of ",

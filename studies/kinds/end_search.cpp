@@ -104,11 +104,10 @@ EndSearchResult search_ends(const std::vector<KnownEnd>& ends, const EndSearchSe
   std::vector<EndSearch> searches;
   for (const KnownEnd& end : ends) searches.emplace_back(end, settings);
   EndSearchResult result;
-  std::uint64_t next_id = settings.first_id;
   while (true) {
     std::vector<EndRequest> requests;
     for (std::size_t i = 0; i < searches.size(); ++i) {
-      for (const double force_N : searches[i].next()) requests.push_back({next_id++, i, force_N});
+      for (const double force_N : searches[i].next()) requests.push_back({i, force_N});
     }
     if (requests.empty()) break;
     const std::optional<std::vector<bool>> answers = evaluate(requests);

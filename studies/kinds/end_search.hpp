@@ -26,14 +26,13 @@ struct KnownEnd {
   double unsafe_N = kAbsent;
 };
 
-/// A force to try at an end. Ids count on from `first_id` by (round, end, force).
+/// A force to try at an end.
 struct EndRequest {
-  std::uint64_t id = 0;
   std::size_t end = 0;  ///< index into the known ends
   double grip_force_N = 0.0;
 };
 
-/// Does the force lie on the safe side, in the order of the requests? Nothing: interrupted.
+/// Does the force lie on the safe side, in the order of the requests, those of one round? Nothing: interrupted.
 using EndEvaluator = std::function<std::optional<std::vector<bool>>(const std::vector<EndRequest>&)>;
 
 struct EndSearchSettings {
@@ -42,7 +41,6 @@ struct EndSearchSettings {
   double to_N = 10.0;
   /// > 0; relative width at which the search stops
   double tolerance = 0.005;
-  std::uint64_t first_id = 0;
 };
 
 struct EndSearchResult {
@@ -52,6 +50,7 @@ struct EndSearchResult {
   bool interrupted = false;
 };
 
+/// The rounds and their forces follow from the answers alone, ends and forces in their order.
 EndSearchResult search_ends(const std::vector<KnownEnd>& ends, const EndSearchSettings& settings,
                             const EndEvaluator& evaluate);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "studies/findings/half_step_text.hpp"
@@ -62,13 +63,15 @@ bool is_safe(const GripSample& sample, WindowEnd end) {
   return (end == WindowEnd::hold ? sample.holds : sample.undamaged) == Verdict::yes;
 }
 
+/// One round.
 std::optional<std::vector<bool>> safe_sides(const HalfStepLook& look, const StudyWindow& window,
                                             const std::vector<KnownEnd>& ends,
-                                            const std::vector<EndRequest>& asked) {
+                                            const std::vector<EndRequest>& asked, std::uint64_t round) {
   std::vector<ForceRequest> requests;
+  std::map<std::size_t, std::uint64_t> asked_at;
   for (const EndRequest& each : asked) {
     const std::size_t point = window.points[ends[each.end].row];
-    requests.push_back({each.id, point, each.grip_force_N, StepSize::half});
+    requests.push_back({{round, point, asked_at[point]++}, each.grip_force_N, StepSize::half});
   }
   const auto rows = look.run(requests);
   if (!rows) return std::nullopt;
@@ -100,7 +103,7 @@ std::vector<GripSample> samples_of(const Study& study, const std::vector<ForceRe
                                    const std::vector<ScenarioRow>& rows) {
   std::vector<GripSample> samples;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const Scenario scenario = study.scenario(requests[i].combination);
+    const Scenario scenario = study.scenario(requests[i].combination());
     samples.push_back(grip_sample(rows[i].result, scenario, requests[i].grip_force_N));
   }
   return samples;
@@ -109,14 +112,13 @@ std::vector<GripSample> samples_of(const Study& study, const std::vector<ForceRe
 std::optional<WindowAnswer> look_at_half_step(const HalfStepLook& look, StudyWindow& window) {
   WindowAnswer answer = look.answer();
   if (varies_time_step(look.study)) return answer;
-  EndSearchSettings settings = look.range;
+  std::uint64_t round = kWindowRoundsMost;
   for (auto ends = ends_to_look_at(look.ends, window.table, answer); !ends.empty();
        ends = ends_to_look_at(look.ends, window.table, answer)) {
-    const EndSearchResult result = search_ends(ends, settings, [&](const std::vector<EndRequest>& asked) {
-      return safe_sides(look, window, ends, asked);
+    const EndSearchResult result = search_ends(ends, look.range, [&](const std::vector<EndRequest>& asked) {
+      return safe_sides(look, window, ends, asked, round++);
     });
     if (result.interrupted) return std::nullopt;
-    settings.first_id += result.evaluation_count;
     keep_half_step(window.table, ends, result.safe_N);
     answer = look.answer();
   }

@@ -27,7 +27,7 @@ enum class LookAt { deciding_ends, impacts_only };
 struct HalfStepLook {
   const Study& study;
   LookAt ends = LookAt::deciding_ends;
-  EndSearchSettings range;               ///< first_id: of the first run
+  EndSearchSettings range;
   const ForceRunner& run;                ///< makes the runs
   std::function<WindowAnswer()> answer;  ///< anew from the table as it is
 };

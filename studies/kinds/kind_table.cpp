@@ -32,6 +32,10 @@ const KindRow& runner_of(StudyKind kind) { return kKinds.at(static_cast<std::siz
 
 bool has_fixed_scenarios(StudyKind kind) { return runner_of(kind).scenarios->count == ScenarioCount::exact; }
 
+RowPlaces row_places(StudyKind kind) { return runner_of(kind).scenarios->places; }
+
+const StudyParts* parts_of(StudyKind kind) { return runner_of(kind).scenarios->parts; }
+
 std::vector<ColumnInfo> input_columns(const Study& study) {
   return runner_of(study.kind()).scenarios->columns(study);
 }

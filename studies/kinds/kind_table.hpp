@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,15 @@ struct Evaluations {
   double rounds = 1.0;  ///< that follow one another
 };
 
+/// A study in parts: each takes some of what `ScenarioFamily::known` numbers, whole.
+struct StudyParts {
+  const char* unit;  ///< what one of them is
+  /// Runs what is left of these. Throws JournalFailure. @return false: interrupted
+  bool (*run)(const KindInput& input, const std::vector<std::uint64_t>& units);
+  /// Those of which the journal does not have all, ascending. Throws JournalFailure.
+  std::vector<std::uint64_t> (*missing)(const Study& study, const RunJournal& journal);
+};
+
 /// The scenarios of kinds that get them in the same way.
 struct ScenarioFamily {
   ScenarioCount count = ScenarioCount::exact;
@@ -66,6 +76,8 @@ struct ScenarioFamily {
   ScenarioSet (*known)(const Study& study);
   /// @param group_of the factor group of each known scenario
   Evaluations (*evaluations)(const Study& study, const std::vector<std::size_t>& group_of);
+  RowPlaces places = RowPlaces::none;  ///< what the ids of its rows are in the journal
+  const StudyParts* parts = nullptr;   ///< null: it has none
 };
 
 struct KindRow {
@@ -82,6 +94,10 @@ const KindRow& runner_of(StudyKind kind);
 
 /// Are all scenarios of the kind numbered beforehand?
 bool has_fixed_scenarios(StudyKind kind);
+/// What the ids of the kind's rows are in the journal.
+RowPlaces row_places(StudyKind kind);
+/// How the kind is run in parts; null: it is not.
+const StudyParts* parts_of(StudyKind kind);
 /// The input columns of a study's rows: varied keys, of a window study the grip force, of others what is searched
 /// and drawn.
 std::vector<ColumnInfo> input_columns(const Study& study);

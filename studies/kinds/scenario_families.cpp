@@ -6,7 +6,10 @@
 
 #include "studies/kinds/calibrate_kind.hpp"
 #include "studies/kinds/search_study.hpp"
+#include "studies/kinds/set_kinds.hpp"
 #include "studies/kinds/window_findings.hpp"
+#include "studies/kinds/window_kind.hpp"
+#include "studies/kinds/window_run.hpp"
 #include "studies/kinds/window_search.hpp"
 
 namespace unbruised::studies {
@@ -22,9 +25,13 @@ std::optional<Scenario> scenario_of_set(const Study& study, const ScenarioRow& r
   return set.scenario(row.id);
 }
 
+constexpr StudyParts kScenarioParts = {"scenario", run_scenarios, missing_scenarios};
+
 Evaluations once(const Study& /*study*/, const std::vector<std::size_t>& /*group_of*/) { return {}; }
 
 // -- Forces at every point of a grid. ----------------------------------------------------------------------------
+
+constexpr StudyParts kCombinationParts = {"combination", run_combinations, missing_combinations};
 
 /// Combinations of a window study whose search is rehearsed; more are scaled up.
 constexpr std::size_t kRehearsedCombinations = 1000;
@@ -44,12 +51,9 @@ std::optional<Scenario> scenario_of_force(const Study& study, const ScenarioRow&
 /// Evaluations of a window study, from a rehearsal with made-up ends inside the range.
 Evaluations rehearsed_evaluations(const Study& study, const std::vector<std::size_t>& group_of) {
   const WindowSettings& range = study.window();
+  WindowSearchSettings settings = window_search_settings(study, searched_combinations(group_of));
   const std::size_t count = std::min(group_of.size(), kRehearsedCombinations);
-  WindowSearchSettings settings{
-      .from_N = range.from_N,
-      .to_N = range.to_N,
-      .tolerance = range.tolerance,
-      .factor_group = {group_of.begin(), group_of.begin() + static_cast<std::ptrdiff_t>(count)}};
+  settings.combinations.resize(count);
   const double ratio = range.to_N / range.from_N;
   const double hold_N = range.from_N * std::pow(ratio, 0.37);
   const double damage_N = range.from_N * std::pow(ratio, 0.71);
@@ -100,19 +104,23 @@ const ScenarioFamily kFixedScenarios = {.count = ScenarioCount::exact,
                                         .columns = set_columns,
                                         .scenario_of_row = scenario_of_set,
                                         .known = scenario_set,
-                                        .evaluations = once};
+                                        .evaluations = once,
+                                        .parts = &kScenarioParts};
 
 const ScenarioFamily kAskedForces = {.count = ScenarioCount::about,
                                      .columns = force_columns,
                                      .scenario_of_row = scenario_of_force,
                                      .known = scenario_set,
-                                     .evaluations = rehearsed_evaluations};
+                                     .evaluations = rehearsed_evaluations,
+                                     .places = RowPlaces::forces,
+                                     .parts = &kCombinationParts};
 
 const ScenarioFamily kAskedQuestions = {.count = ScenarioCount::at_most,
                                         .columns = search_columns,
                                         .scenario_of_row = scenario_of_question,
                                         .known = probes,
-                                        .evaluations = asked_questions};
+                                        .evaluations = asked_questions,
+                                        .places = RowPlaces::questions};
 
 const ScenarioFamily kAskedCurves = {.count = ScenarioCount::at_most,
                                      .columns = fitted_columns,

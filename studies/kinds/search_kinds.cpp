@@ -24,7 +24,7 @@ KindAnswer run_search(const KindInput& input) {
     throw input.journal.foreign_record(journal_id(foreign.place));
   }
   std::vector<ScenarioRow> rows = input.journal.rows();
-  number_search_rows(rows);
+  number_placed_rows(rows);
   KindAnswer answer;
   answer.interrupted = found.interrupted;
   answer.lane_use = found.searching;

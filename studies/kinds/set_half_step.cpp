@@ -32,12 +32,12 @@ std::optional<std::vector<ScenarioResult>> run_unrecorded(const KindInput& input
 ForceRunner unrecorded_forces(const KindInput& input) {
   return [&input](const std::vector<ForceRequest>& requests) -> std::optional<std::vector<ScenarioRow>> {
     const auto results = run_unrecorded(input, requests.size(), [&](std::uint64_t i) {
-      return window_scenario(input.study, requests[i].combination, requests[i].grip_force_N, requests[i].step);
+      return window_scenario(input.study, requests[i].combination(), requests[i].grip_force_N, requests[i].step);
     });
     if (!results) return std::nullopt;
     std::vector<ScenarioRow> rows;
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      rows.push_back({.id = requests[i].id, .result = (*results)[i], .inputs = {}});
+      rows.push_back({.id = i, .result = (*results)[i], .inputs = {}});
     }
     return rows;
   };

@@ -1,6 +1,8 @@
 #include "studies/kinds/set_kinds.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "studies/execution/batch_runner.hpp"
@@ -14,17 +16,20 @@
 namespace unbruised::studies {
 namespace {
 
+/// Runs scenarios of the set, and records them.
+BatchReport run_of_set(const KindInput& input, const ScenarioSet& set, std::vector<std::uint64_t> ids) {
+  const Batch batch{.ids = std::move(ids), .scenario = set.scenario, .stop = input.stop};
+  return run_batch(input.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
+    input.journal.record({.id = id, .result = result, .inputs = set.inputs(id)});
+  });
+}
+
 /// Every scenario that is not done yet.
 KindAnswer run_set(const KindInput& input) {
   const ScenarioSet set = scenario_set(input.study);
-  Batch batch{.ids = {}, .scenario = set.scenario, .stop = input.stop};
-  for (std::uint64_t id = 0; id < set.count; ++id) {
-    if (!input.journal.is_done(id)) batch.ids.push_back(id);
-  }
-  input.journal.expect(set.count, set.count - batch.ids.size());
-  const BatchReport done = run_batch(input.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
-    input.journal.record({.id = id, .result = result, .inputs = set.inputs(id)});
-  });
+  std::vector<std::uint64_t> left = missing_scenarios(input.study, input.journal);
+  input.journal.expect(set.count, set.count - left.size());
+  const BatchReport done = run_of_set(input, set, std::move(left));
   KindAnswer answer;
   answer.lane_use = done.lane_use;
   answer.interrupted = done.stopped;
@@ -40,6 +45,23 @@ KindAnswer run_set_and(const KindInput& input, LookAt look_at) {
 }
 
 }  // namespace
+
+bool run_scenarios(const KindInput& input, const std::vector<std::uint64_t>& ids) {
+  std::vector<std::uint64_t> left;
+  std::ranges::copy_if(ids, std::back_inserter(left),
+                       [&](std::uint64_t id) { return !input.journal.is_done(id); });
+  input.journal.expect(ids.size(), ids.size() - left.size());
+  return !run_of_set(input, scenario_set(input.study), std::move(left)).stopped;
+}
+
+std::vector<std::uint64_t> missing_scenarios(const Study& study, const RunJournal& journal) {
+  std::vector<std::uint64_t> missing;
+  const std::uint64_t count = scenario_set(study).count;
+  for (std::uint64_t id = 0; id < count; ++id) {
+    if (!journal.is_done(id)) missing.push_back(id);
+  }
+  return missing;
+}
 
 KindAnswer run_simulate(const KindInput& input) {
   const bool is_done = input.journal.is_done(0);

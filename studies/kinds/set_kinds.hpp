@@ -15,4 +15,8 @@ KindAnswer run_sample(const KindInput& input);
 KindAnswer run_compare(const KindInput& input);
 KindAnswer run_sensitivity(const KindInput& input);
 
+/// Parts of them are scenarios.
+bool run_scenarios(const KindInput& input, const std::vector<std::uint64_t>& ids);
+std::vector<std::uint64_t> missing_scenarios(const Study& study, const RunJournal& journal);
+
 }  // namespace unbruised::studies

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <map>
 #include <utility>
 
-#include "core/scenario/factor_key.hpp"
-#include "studies/execution/batch_runner.hpp"
+#include "studies/kinds/kind_table.hpp"
 #include "studies/kinds/run_journal.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -27,13 +25,10 @@ std::optional<Shard> shard_of(std::string_view text) {
 }
 
 std::vector<std::uint64_t> shard_ids(const ScenarioSet& set, const Shard& shard) {
-  std::map<std::string, std::uint64_t> group_of_key;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> ordered;  // group, id
+  const std::vector<std::size_t> group_of = factor_groups(set);
+  std::vector<std::pair<std::size_t, std::uint64_t>> ordered;  // group, id
   ordered.reserve(set.count);
-  for (std::uint64_t id = 0; id < set.count; ++id) {
-    const auto found = group_of_key.try_emplace(factor_key(set.scenario(id)), group_of_key.size()).first;
-    ordered.emplace_back(found->second, id);
-  }
+  for (std::uint64_t id = 0; id < set.count; ++id) ordered.emplace_back(group_of[id], id);
   std::ranges::sort(ordered);
   // Without overflow for any count of parts.
   const auto begin_of = [&](std::uint64_t part) {
@@ -47,13 +42,16 @@ std::vector<std::uint64_t> shard_ids(const ScenarioSet& set, const Shard& shard)
   return ids;
 }
 
-std::vector<std::uint64_t> missing_ids(const Study& study, const RunDirectory& run) {
-  std::vector<std::uint64_t> missing;
-  const std::uint64_t count = scenario_set(study).count;
-  for (std::uint64_t id = 0; id < count; ++id) {
-    if (!run.is_done(id)) missing.push_back(id);
+Expected<std::vector<std::uint64_t>> missing_ids(const Study& study, RunDirectory& run) {
+  try {
+    return parts_of(study.kind())->missing(study, RunJournal(run, nullptr));
+  } catch (const JournalFailure& failure) {
+    return failure.error;
   }
-  return missing;
+}
+
+std::string units_of(const Study& study, std::size_t count) {
+  return joined({with_thousands(count), " ", parts_of(study.kind())->unit, count == 1 ? "" : "s"});
 }
 
 std::string id_ranges(const std::vector<std::uint64_t>& ids) {
@@ -75,19 +73,12 @@ std::string id_ranges(const std::vector<std::uint64_t>& ids) {
 Expected<ShardReport> run_shard(const Study& study, RunDirectory& run, const Executor& executor,
                                 const Shard& shard, const std::atomic<bool>* stop, Progress* progress) {
   const auto start = std::chrono::steady_clock::now();
-  const ScenarioSet set = scenario_set(study);
-  const std::vector<std::uint64_t> part = shard_ids(set, shard);
+  const std::vector<std::uint64_t> part = shard_ids(scenario_set(study), shard);
   RunJournal journal(run, progress);
-  Batch batch{.ids = {}, .scenario = set.scenario, .stop = stop};
-  for (const std::uint64_t id : part) {
-    if (!journal.is_done(id)) batch.ids.push_back(id);
-  }
-  journal.expect(part.size(), part.size() - batch.ids.size());
   ShardReport report{.count = part.size()};
   try {
-    report.interrupted = run_batch(executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
-                           journal.record({.id = id, .result = result, .inputs = set.inputs(id)});
-                         }).stopped;
+    const KindInput input{.study = study, .executor = executor, .journal = journal, .stop = stop};
+    report.interrupted = !parts_of(study.kind())->run(input, part);
   } catch (const JournalFailure& failure) {
     return failure.error;
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// A part of a study whose scenarios are all numbered beforehand, run by one process of several, on this machine
-/// or on others that see the same run directory.
+/// A part of a study, run by one process of several, on this machine or on others that see the same run
+/// directory. What it consists of is known beforehand: scenarios, of a window study combinations.
 
 #include <atomic>
 #include <cstddef>
@@ -29,18 +29,21 @@ struct Shard {
 /// "3/8"; nothing where it is no part.
 std::optional<Shard> shard_of(std::string_view text);
 
-/// The scenarios of a part, ascending. Parts are equal to one scenario, and go along the factor groups, so that
-/// few of them factor the same matrix.
+/// The scenarios (combinations) of a part, ascending. Parts are equal to one of them, and go along the factor
+/// groups, so that few of them factor the same matrix.
 std::vector<std::uint64_t> shard_ids(const ScenarioSet& set, const Shard& shard);
 
-/// Scenarios of a study with numbered ones that no journal of its directory has, ascending.
-std::vector<std::uint64_t> missing_ids(const Study& study, const RunDirectory& run);
+/// What parts consist of and the journals of the directory do not have whole, ascending. Errors: damaged when
+/// they hold another study's rows.
+Expected<std::vector<std::uint64_t>> missing_ids(const Study& study, RunDirectory& run);
+/// The word for `count` of what the parts of a study consist of.
+std::string units_of(const Study& study, std::size_t count);
 /// "0 to 3, 7, 9 to 12"; a dozen ranges at most.
 std::string id_ranges(const std::vector<std::uint64_t>& ids);
 
 struct ShardReport {
-  std::size_t count = 0;    ///< scenarios of the part
-  std::size_t run_now = 0;  ///< that no journal had when it began
+  std::size_t count = 0;    ///< scenarios (combinations) of the part
+  std::size_t run_now = 0;  ///< scenarios that no journal had when it began
   bool interrupted = false;
   double seconds = 0.0;
 };

@@ -25,7 +25,7 @@ ResultsContent unfinished_content(const Study& study, const RunDirectory& run, s
   ResultsContent content;
   content.meta = results_meta(study, std::move(warnings), ResultsState::unfinished);
   content.inputs = input_columns(study);
-  content.rows_of_search = is_search(study.kind());
+  content.places = row_places(study.kind());
   if (!has_fixed_scenarios(study.kind())) return content;
   const ScenarioSet set = scenario_set(study);
   for (std::uint64_t id = 0; id < set.count; ++id) {

@@ -76,10 +76,10 @@ class StudyRun {
     return run_.write_product(*answer_.product);
   }
 
-  /// Recorded rows; those of searches with their numbers.
+  /// Recorded rows; those with places with their numbers.
   [[nodiscard]] std::vector<ScenarioRow> numbered_rows() const {
     std::vector<ScenarioRow> rows = run_.rows();
-    if (is_search(study_.kind())) number_search_rows(rows);
+    if (row_places(study_.kind()) != RowPlaces::none) number_placed_rows(rows);
     return rows;
   }
 

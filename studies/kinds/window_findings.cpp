@@ -66,9 +66,9 @@ void add_window_columns(const Study& study, std::vector<ColumnInfo>& columns) {
 }
 
 std::vector<InputValue> window_inputs(const Study& study, const ForceRequest& request) {
-  std::vector<InputValue> inputs = grid_inputs(study, request.combination);
+  std::vector<InputValue> inputs = grid_inputs(study, request.combination());
   if (!varies_time_step(study)) {
-    const Scenario scenario = window_scenario(study, request.combination, request.grip_force_N, request.step);
+    const Scenario scenario = window_scenario(study, request.combination(), request.grip_force_N, request.step);
     inputs.emplace_back(scenario.simulation.time_step_s);
   }
   inputs.emplace_back(request.grip_force_N);
@@ -77,12 +77,13 @@ std::vector<InputValue> window_inputs(const Study& study, const ForceRequest& re
 
 std::optional<Scenario> scenario_of_window_inputs(const Study& study, const std::vector<InputValue>& inputs) {
   if (inputs.empty() || !std::holds_alternative<double>(inputs.back())) return std::nullopt;
-  ForceRequest request{.id = 0, .combination = 0, .grip_force_N = std::get<double>(inputs.back())};
-  for (; request.combination < study.scenario_count(); ++request.combination) {
+  ForceRequest request{.place = {}, .grip_force_N = std::get<double>(inputs.back())};
+  for (std::size_t point = 0; point < study.scenario_count(); ++point) {
+    request.place.generation = point;
     for (const StepSize step : {StepSize::as_written, StepSize::half}) {
       request.step = step;
       if (window_inputs(study, request) != inputs) continue;
-      return window_scenario(study, request.combination, request.grip_force_N, step);
+      return window_scenario(study, point, request.grip_force_N, step);
     }
   }
   return std::nullopt;

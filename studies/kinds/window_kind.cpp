@@ -1,5 +1,6 @@
 #include "studies/kinds/window_kind.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -11,62 +12,71 @@
 namespace unbruised::studies {
 namespace {
 
+/// What the journal holds of a window study.
+class RecordedForces {
+ public:
+  RecordedForces(const Study& study, const RunJournal& journal) : study_(study), journal_(journal) {
+    for (ScenarioRow& row : journal.rows()) rows_.emplace(row.id, std::move(row));
+  }
+
+  /// Null: it is not there. Throws JournalFailure when another force is in its place.
+  [[nodiscard]] const ScenarioRow* find(const ForceRequest& request) const {
+    const auto found = rows_.find(journal_id(request.place));
+    if (found == rows_.end()) return nullptr;
+    if (found->second.inputs != window_inputs(study_, request)) throw journal_.foreign_record(found->first);
+    return &found->second;
+  }
+
+  /// Nothing where one is not there.
+  [[nodiscard]] std::optional<std::vector<ScenarioRow>> find(const std::vector<ForceRequest>& requests) const {
+    std::vector<ScenarioRow> found;
+    for (const ForceRequest& request : requests) {
+      const ScenarioRow* row = find(request);
+      if (row == nullptr) return std::nullopt;
+      found.push_back(*row);
+    }
+    return found;
+  }
+
+  void add(ScenarioRow row) { rows_.insert_or_assign(row.id, std::move(row)); }
+
+ private:
+  const Study& study_;
+  const RunJournal& journal_;
+  std::unordered_map<std::uint64_t, ScenarioRow> rows_;
+};
+
 /// Answers rounds of forces from the journal and from the executor.
 class ForceRounds {
  public:
-  explicit ForceRounds(const KindInput& input) : input_(input) {
-    for (const ScenarioRow& row : input.journal.rows()) recorded_.emplace(row.id, row);
-  }
+  explicit ForceRounds(const KindInput& input) : input_(input), recorded_(input.study, input.journal) {}
 
   std::optional<std::vector<ScenarioRow>> answer(const std::vector<ForceRequest>& requests) {
     const Study& study = input_.study;
-    const std::uint64_t first_id = requests.front().id;
-    const auto request_of = [&](std::uint64_t id) -> const ForceRequest& { return requests[id - first_id]; };
-    const auto scenario_of = [&](std::uint64_t id) {
-      const ForceRequest& asked = request_of(id);
-      return window_scenario(study, asked.combination, asked.grip_force_N, asked.step);
+    const auto scenario_of = [&](std::uint64_t at) {
+      const ForceRequest& asked = requests[at];
+      return window_scenario(study, asked.combination(), asked.grip_force_N, asked.step);
     };
     Batch batch{.ids = {}, .scenario = scenario_of, .stop = input_.stop};
-    for (const ForceRequest& request : requests) {
-      if (!is_recorded(request)) batch.ids.push_back(request.id);
+    for (std::uint64_t at = 0; at < requests.size(); ++at) {
+      if (recorded_.find(requests[at]) == nullptr) batch.ids.push_back(at);
     }
     input_.journal.expect(requests.size(), requests.size() - batch.ids.size());
     const BatchReport done =
-        run_batch(input_.executor, batch, [&](std::uint64_t id, const ScenarioResult& result) {
-          ScenarioRow row{.id = id, .result = result, .inputs = window_inputs(study, request_of(id))};
+        run_batch(input_.executor, batch, [&](std::uint64_t at, const ScenarioResult& result) {
+          ScenarioRow row{.id = journal_id(requests[at].place),
+                          .result = result,
+                          .inputs = window_inputs(study, requests[at])};
           input_.journal.record(row);
-          recorded_.insert_or_assign(id, std::move(row));
+          recorded_.add(std::move(row));
         });
-    if (done.stopped) return std::nullopt;
-    std::vector<ScenarioRow> answers;
-    for (const ForceRequest& request : requests) answers.push_back(recorded_.at(request.id));
-    return answers;
+    return done.stopped ? std::nullopt : recorded_.find(requests);
   }
 
  private:
-  bool is_recorded(const ForceRequest& request) const {
-    const auto found = recorded_.find(request.id);
-    if (found == recorded_.end()) return false;
-    if (found->second.inputs != window_inputs(input_.study, request)) {
-      throw input_.journal.foreign_record(request.id);
-    }
-    return true;
-  }
-
   const KindInput& input_;
-  std::unordered_map<std::uint64_t, ScenarioRow> recorded_;
+  RecordedForces recorded_;
 };
-
-/// Combinations whose forces are cheapest asked for together.
-std::vector<std::size_t> factor_groups(const KindInput& input) {
-  std::vector<std::size_t> group_of;
-  std::unordered_map<std::string, std::size_t> index_of;
-  for (std::size_t point = 0; point < input.study.scenario_count(); ++point) {
-    const std::string key = input.executor.group_key(input.study.scenario(point));
-    group_of.push_back(index_of.try_emplace(key, index_of.size()).first->second);
-  }
-  return group_of;
-}
 
 }  // namespace
 
@@ -74,7 +84,7 @@ KindAnswer run_window(const KindInput& input) {
   input.journal.total_may_grow();
   ForceRounds rounds(input);
   std::optional<WindowRun> found =
-      run_window_study(input.study, factor_groups(input), input_columns(input.study),
+      run_window_study(input.study, input_columns(input.study),
                        [&rounds](const std::vector<ForceRequest>& requests) { return rounds.answer(requests); });
   KindAnswer answer;
   answer.interrupted = !found;
@@ -84,6 +94,30 @@ KindAnswer run_window(const KindInput& input) {
   answer.strategy = window_strategy(input.study, found->window, found->answer);
   answer.window = std::move(found->window.table);
   return answer;
+}
+
+bool run_combinations(const KindInput& input, const std::vector<std::uint64_t>& numbers) {
+  input.journal.total_may_grow();
+  std::vector<SearchedCombination> combinations = combinations_of(input.study);
+  std::erase_if(combinations, [&](const SearchedCombination& each) {
+    return !std::ranges::binary_search(numbers, each.number);
+  });
+  ForceRounds rounds(input);
+  const auto ends = search_study_windows(
+      input.study, std::move(combinations),
+      [&rounds](const std::vector<ForceRequest>& requests) { return rounds.answer(requests); });
+  return ends.has_value();
+}
+
+std::vector<std::uint64_t> missing_combinations(const Study& study, const RunJournal& journal) {
+  const RecordedForces recorded(study, journal);
+  std::vector<std::uint64_t> missing;
+  for (const SearchedCombination& each : combinations_of(study)) {
+    const auto ends = search_study_windows(
+        study, {each}, [&](const std::vector<ForceRequest>& requests) { return recorded.find(requests); });
+    if (!ends) missing.push_back(each.number);
+  }
+  return missing;
 }
 
 }  // namespace unbruised::studies

@@ -4,7 +4,6 @@
 /// A window study from its first force to its answer: the search of both ends at every combination, then the ends
 /// that decide the answer again at half the time step.
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +20,17 @@ struct WindowRun {
   std::vector<std::string> warnings;  ///< ends that move at half the time step
 };
 
-/// @param factor_group of each combination; @param columns the input columns of all rows
+/// All combinations of a study.
+std::vector<SearchedCombination> combinations_of(const Study& study);
+WindowSearchSettings window_search_settings(const Study& study, std::vector<SearchedCombination> combinations);
+/// The ends of some combinations, without inputs; nothing when interrupted.
+std::optional<std::vector<WindowRow>> search_study_windows(const Study& study,
+                                                           std::vector<SearchedCombination> combinations,
+                                                           const ForceRunner& run);
+
+/// @param columns the input columns of all rows
 /// @return nothing when interrupted
-std::optional<WindowRun> run_window_study(const Study& study, const std::vector<std::size_t>& factor_group,
-                                          const std::vector<ColumnInfo>& columns, const ForceRunner& run);
+std::optional<WindowRun> run_window_study(const Study& study, const std::vector<ColumnInfo>& columns,
+                                          const ForceRunner& run);
 
 }  // namespace unbruised::studies

@@ -13,7 +13,6 @@ constexpr std::size_t kAskedTogether = 16;
 constexpr std::size_t kFirstRoundForces = 8;       // per combination, at least
 constexpr std::size_t kFirstRoundForcesMost = 16;  // per combination, when lanes would be empty otherwise
 constexpr std::size_t kCutsMost = 31;              // of one bracket in one round
-constexpr int kRoundsMost = 100;                   // bisection needs 30 for a ratio of 1e6 at a tolerance of 1e-3
 
 /// `count` forces strictly between the ends, in equal ratios.
 std::vector<double> log_between(const ForceBracket& bracket, std::size_t count) {
@@ -31,11 +30,11 @@ std::vector<double> log_between(const ForceBracket& bracket, std::size_t count) 
 class WindowSearch {
  public:
   WindowSearch(const WindowSearchSettings& settings, const ForceEvaluator& evaluate)
-      : settings_(settings), evaluate_(evaluate), samples_(settings.factor_group.size()) {}
+      : settings_(settings), evaluate_(evaluate), samples_(settings.combinations.size()) {}
 
   WindowSearchResult run() {
     std::vector<ForceRequest> requests = first_round();
-    while (!requests.empty() && result_.round_count < kRoundsMost) {
+    while (!requests.empty() && result_.round_count < kWindowRoundsMost) {
       if (!ask(requests)) {
         result_.interrupted = true;
         return std::move(result_);
@@ -48,53 +47,42 @@ class WindowSearch {
   }
 
  private:
-  [[nodiscard]] std::size_t combination_count() const { return samples_.size(); }
-
-  [[nodiscard]] std::vector<std::size_t> zero_per_group() const {
-    std::size_t groups = 0;
-    for (const std::size_t group : settings_.factor_group) groups = std::max(groups, group + 1);
-    return std::vector<std::size_t>(groups, 0);
-  }
-
-  static std::size_t share_of_each(std::size_t askers) {
-    return kAskedTogether / std::max<std::size_t>(1, askers);
+  /// Of what is asked together in a factor group, the part of each of `parts` of the combination in this place.
+  [[nodiscard]] std::size_t share_of_each(std::size_t at, std::size_t parts) const {
+    return kAskedTogether / std::max<std::size_t>(1, settings_.combinations[at].group_size * parts);
   }
 
   std::vector<ForceRequest> first_round() {
-    std::vector<std::size_t> members = zero_per_group();
-    for (const std::size_t group : settings_.factor_group) ++members[group];
     std::vector<ForceRequest> requests;
-    for (std::size_t combination = 0; combination < combination_count(); ++combination) {
-      const std::size_t share = share_of_each(members[settings_.factor_group[combination]]);
-      const std::size_t count = std::clamp(share, kFirstRoundForces, kFirstRoundForcesMost);
-      request(combination, {settings_.from_N}, requests);
-      request(combination, log_between({settings_.from_N, settings_.to_N}, count - 2), requests);
-      request(combination, {settings_.to_N}, requests);
+    for (std::size_t at = 0; at < samples_.size(); ++at) {
+      const std::size_t count = std::clamp(share_of_each(at, 1), kFirstRoundForces, kFirstRoundForcesMost);
+      std::vector<double> forces = {settings_.from_N};
+      const std::vector<double> between = log_between({settings_.from_N, settings_.to_N}, count - 2);
+      forces.insert(forces.end(), between.begin(), between.end());
+      forces.push_back(settings_.to_N);
+      request(at, forces, requests);
     }
     return requests;
   }
 
   std::vector<ForceRequest> next_round() {
-    std::vector<std::vector<ForceBracket>> open(combination_count());
-    std::vector<std::size_t> open_in_group = zero_per_group();
-    for (std::size_t combination = 0; combination < combination_count(); ++combination) {
-      open[combination] = open_brackets(combination);
-      open_in_group[settings_.factor_group[combination]] += open[combination].size();
-    }
     std::vector<ForceRequest> requests;
-    for (std::size_t combination = 0; combination < combination_count(); ++combination) {
-      const std::size_t share = share_of_each(open_in_group[settings_.factor_group[combination]]);
-      for (const ForceBracket& bracket : open[combination]) {
-        request(combination, log_between(bracket, cuts_of(bracket, share)), requests);
+    for (std::size_t at = 0; at < samples_.size(); ++at) {
+      const std::vector<ForceBracket> open = open_brackets(at);
+      std::vector<double> forces;
+      for (const ForceBracket& bracket : open) {
+        const std::vector<double> cuts = log_between(bracket, cuts_of(bracket, share_of_each(at, open.size())));
+        forces.insert(forces.end(), cuts.begin(), cuts.end());
       }
+      request(at, forces, requests);
     }
     return requests;
   }
 
   /// The deciding brackets that are wider than the tolerance.
-  [[nodiscard]] std::vector<ForceBracket> open_brackets(std::size_t combination) const {
+  [[nodiscard]] std::vector<ForceBracket> open_brackets(std::size_t at) const {
     std::vector<ForceBracket> open;
-    for (const ForceBracket& bracket : deciding_brackets(samples_[combination])) {
+    for (const ForceBracket& bracket : deciding_brackets(samples_[at])) {
       if (bracket.high_N > bracket.low_N * (1.0 + settings_.tolerance)) open.push_back(bracket);
     }
     return open;
@@ -107,9 +95,13 @@ class WindowSearch {
     return std::clamp<std::size_t>(std::min(share, useful), 1, kCutsMost);
   }
 
-  void request(std::size_t combination, const std::vector<double>& forces, std::vector<ForceRequest>& requests) {
-    for (const double force_N : forces)
-      requests.push_back({next_id_++, combination, force_N, StepSize::as_written});
+  /// All forces of one combination in this round.
+  void request(std::size_t at, const std::vector<double>& forces, std::vector<ForceRequest>& requests) {
+    for (std::uint64_t number = 0; number < forces.size(); ++number) {
+      asker_.push_back(at);
+      requests.push_back({.place = {result_.round_count, settings_.combinations[at].number, number},
+                          .grip_force_N = forces[number]});
+    }
   }
 
   bool ask(const std::vector<ForceRequest>& requests) {
@@ -118,20 +110,32 @@ class WindowSearch {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       GripSample sample = answers->at(i);
       sample.grip_force_N = requests[i].grip_force_N;
-      samples_[requests[i].combination].push_back(sample);
+      samples_[asker_[i]].push_back(sample);
     }
+    asker_.clear();
     result_.evaluation_count += requests.size();
     return true;
   }
 
   const WindowSearchSettings& settings_;
   const ForceEvaluator& evaluate_;
-  std::vector<std::vector<GripSample>> samples_;
-  std::uint64_t next_id_ = 0;
+  std::vector<std::vector<GripSample>> samples_;  ///< of each combination
+  std::vector<std::size_t> asker_;                ///< of each request of this round, the place of its combination
   WindowSearchResult result_;
 };
 
 }  // namespace
+
+std::vector<SearchedCombination> searched_combinations(const std::vector<std::size_t>& factor_group) {
+  std::vector<std::size_t> sizes;
+  for (const std::size_t group : factor_group) {
+    if (sizes.size() <= group) sizes.resize(group + 1, 0);
+    ++sizes[group];
+  }
+  std::vector<SearchedCombination> combinations;
+  for (std::size_t i = 0; i < factor_group.size(); ++i) combinations.push_back({i, sizes[factor_group[i]]});
+  return combinations;
+}
 
 WindowSearchResult search_windows(const WindowSearchSettings& settings, const ForceEvaluator& evaluate) {
   return WindowSearch(settings, evaluate).run();

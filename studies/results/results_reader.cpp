@@ -123,13 +123,17 @@ void read_scenarios(const Hdf5File& file, ResultsSummary& summary) {
   require_length("/scenarios/digest", summary.digests.size(), count);
 }
 
-// Rows of a search know their places again.
+// Rows that were asked for know their places again.
 void read_places(const Hdf5File& file, std::vector<ScenarioRow>& rows) {
-  if (!file.exists(kPlaceColumns.front().first)) return;
-  for (ScenarioRow& row : rows) row.place.emplace();
-  for (const auto& [name, field] : kPlaceColumns) {
-    const auto values = read_integer_column(file, name, rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) (*rows[i].place).*field = static_cast<std::uint64_t>(values[i]);
+  for (const PlaceColumns& columns : {kQuestionColumns, kForceColumns}) {
+    if (!file.exists(columns.front().name)) continue;
+    for (ScenarioRow& row : rows) row.place.emplace();
+    for (const PlaceColumn& column : columns) {
+      const auto values = read_integer_column(file, column.name, rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        (*rows[i].place).*column.field = static_cast<std::uint64_t>(values[i]);
+      }
+    }
   }
 }
 

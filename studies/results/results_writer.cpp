@@ -100,22 +100,20 @@ void write_outcomes(Hdf5File& file, const Dimension& scenarios, const std::vecto
   file.attach_scale("/scenarios/digest", scenarios.scale, 0);
 }
 
-// Which question of which search each row answered; only where a search asked.
-void write_places(Hdf5File& file, const Dimension& scenarios, const std::vector<ScenarioRow>& rows) {
+// Which question of which search, or which force, each row answered; only where rows were asked for.
+void write_places(Hdf5File& file, const Dimension& scenarios, const ResultsContent& content) {
+  const std::vector<ScenarioRow>& rows = content.rows;
   if (rows.empty() || !rows.front().place) return;
-  for (const auto& [name, field] : kPlaceColumns) {
-    const auto member = field;
-    file.write(name,
+  for (const PlaceColumn& column : content.places == RowPlaces::forces ? kForceColumns : kQuestionColumns) {
+    file.write(column.name,
                column_of(rows,
-                         [member](const ScenarioRow& row) {
-                           return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*member);
+                         [&column](const ScenarioRow& row) {
+                           return static_cast<std::int64_t>(row.place.value_or(SearchPlace{}).*column.field);
                          }),
                {rows.size()});
-    file.attach_scale(name, scenarios.scale, 0);
+    describe(file, column.name, "", column.long_name);
+    file.attach_scale(column.name, scenarios.scale, 0);
   }
-  describe(file, "/scenarios/search", "", "number of the search that asked");
-  describe(file, "/scenarios/generation", "", "number of the question inside its search");
-  describe(file, "/scenarios/index", "", "number inside the question: finite differences, random products");
 }
 
 void write_scenarios(Hdf5File& file, const ResultsContent& content) {
@@ -134,7 +132,7 @@ void write_scenarios(Hdf5File& file, const ResultsContent& content) {
                  std::string(info.long_name));
   }
   write_outcomes(file, scenarios, rows);
-  write_places(file, scenarios, rows);
+  write_places(file, scenarios, content);
 }
 
 void write_window(Hdf5File& file, const WindowTable& table) {

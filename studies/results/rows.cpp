@@ -4,7 +4,7 @@
 
 namespace unbruised::studies {
 
-void number_search_rows(std::vector<ScenarioRow>& rows) {
+void number_placed_rows(std::vector<ScenarioRow>& rows) {
   std::sort(rows.begin(), rows.end(), [](const ScenarioRow& a, const ScenarioRow& b) { return a.id < b.id; });
   std::uint64_t number = 0;
   for (ScenarioRow& row : rows) {

@@ -29,12 +29,12 @@ struct ColumnInfo {
   std::string long_name;  ///< may stay empty
 };
 
-/// Which question of a search a scenario answered. Its numbers depend on the study alone, never on when it was
-/// asked.
+/// Which question of a search a scenario answered; of a window study which force of which round at which
+/// combination. Its numbers depend on the study alone, never on when it was asked.
 struct SearchPlace {
-  std::uint64_t search = 0;      ///< < 2^23
-  std::uint64_t generation = 0;  ///< < 2^24; questions asked together belong to one
-  std::uint64_t index = 0;       ///< < 2^16; inside the generation
+  std::uint64_t search = 0;      ///< < 2^23; of a window study the round
+  std::uint64_t generation = 0;  ///< < 2^24; questions asked together belong to one; the combination
+  std::uint64_t index = 0;       ///< < 2^16; inside the generation; of the force in its round and combination
   friend bool operator==(const SearchPlace&, const SearchPlace&) = default;
 };
 inline constexpr std::uint64_t kGenerationsMost = 1ULL << 24U;
@@ -50,14 +50,21 @@ constexpr SearchPlace search_place(std::uint64_t journal_id) {
 
 /// One scenario of a study.
 struct ScenarioRow {
-  std::uint64_t id = 0;  ///< in the study's order; of a search's rows in the journal: journal_id of the place
+  std::uint64_t id = 0;  ///< in the study's order; of rows with a place in the journal: journal_id of the place
   ScenarioResult result;
   std::vector<InputValue> inputs;      ///< as long as, and in the order of, the study's input columns
-  std::optional<SearchPlace> place{};  ///< of searches, once their rows are numbered
+  std::optional<SearchPlace> place{};  ///< of what was asked for, once the rows are numbered
 };
 
-/// Numbers the rows of a search, sorted by their journal ids, 0, 1, 2 ...; their places stay known.
-void number_search_rows(std::vector<ScenarioRow>& rows);
+/// What the ids of rows in the journal are.
+enum class RowPlaces {
+  none,       ///< those of the study
+  questions,  ///< places of a search's questions
+  forces,     ///< places of a window study's forces
+};
+
+/// Numbers rows with places, sorted by their journal ids, 0, 1, 2 ...; their places stay known.
+void number_placed_rows(std::vector<ScenarioRow>& rows);
 /// The row's id in the journal.
 std::uint64_t journal_id(const ScenarioRow& row);
 
@@ -129,7 +136,7 @@ struct ResultsContent {
   ResultsMeta meta;
   std::vector<ColumnInfo> inputs;
   std::vector<ScenarioRow> rows;
-  bool rows_of_search = false;          ///< journal ids are search places: rows are numbered when written
+  RowPlaces places = RowPlaces::none;   ///< rows with places are numbered when written
   std::vector<ResultTable> tables;      ///< one group each
   const WindowTable* window = nullptr;  ///< no /window group when null
   const Trace* trace = nullptr;         ///< no /trace and /contact_events when null

@@ -353,7 +353,7 @@ MaybeError RunDirectory::finish(ResultsContent content) {
     all.erase(twice.begin(), twice.end());
   }
   content.rows = std::move(all);
-  if (content.rows_of_search) number_search_rows(content.rows);
+  if (content.places != RowPlaces::none) number_placed_rows(content.rows);
   content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;
   const std::lock_guard one_at_a_time(results_mutex_);

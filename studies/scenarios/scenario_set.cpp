@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
+#include "core/scenario/factor_key.hpp"
 #include "studies/statistics/distribution.hpp"
 #include "studies/statistics/seed_purpose.hpp"
 #include "studies/statistics/sensitivity.hpp"
@@ -98,6 +101,16 @@ ScenarioSet scenario_set(const Study& study) {
     default:
       return of_grid(study);
   }
+}
+
+std::vector<std::size_t> factor_groups(const ScenarioSet& set) {
+  std::vector<std::size_t> group_of;
+  group_of.reserve(set.count);
+  std::unordered_map<std::string, std::size_t> index_of;
+  for (std::size_t id = 0; id < set.count; ++id) {
+    group_of.push_back(index_of.try_emplace(factor_key(set.scenario(id)), index_of.size()).first->second);
+  }
+  return group_of;
 }
 
 CompareIndex compare_index(const Study& study, std::size_t id) {

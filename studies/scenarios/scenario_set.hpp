@@ -31,6 +31,9 @@ std::vector<InputValue> grid_inputs(const Study& study, std::size_t point);
 /// Of any kind but window and those that search; of a window study the points of its grid.
 ScenarioSet scenario_set(const Study& study);
 
+/// The factor group of each scenario, numbered in the order of their first ones.
+std::vector<std::size_t> factor_groups(const ScenarioSet& set);
+
 /// compare: number of the candidate, and of the product, of a scenario. The product is the slower one.
 struct CompareIndex {
   std::size_t product = 0;

@@ -62,6 +62,16 @@ if command -v zsh >/dev/null; then
   done
 fi
 
+# What Python finds there can be imported; a build without the module brings nothing.
+module=$(find "$folder/usr/lib" -name "_unbruised*.so")
+files=$(find "$folder/usr/lib" -path "*dist-packages/unbruised/*")
+if [[ -n $module ]]; then
+  PYTHONPATH=$folder/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c "import unbruised as ub; assert ub.load('kiwi_first.toml').kind == 'sweep'" ||
+    fail "import unbruised from the prefix failed"
+else
+  [[ -z $files ]] || fail "Python's files are there without the module: $files"
+fi
+
 # Built like this a project outside has the library and its headers, and neither -march nor -Werror.
 if [[ -n $(find "$folder/usr/lib" -name libunbruised_core.a) ]]; then
   cp -r "$(dirname "$(find "$folder/usr/share" -name one_scenario.cpp)")" "$folder/examples"

@@ -128,11 +128,16 @@ TEST_F(Shards, RefuseWhatMakesNoSense) {
   EXPECT_NE(call("run study.toml --shard 1/2 --fresh").err.find("goes neither with"), std::string::npos);
   EXPECT_EQ(call("merge").status, 2);
   EXPECT_NE(call("merge nowhere").status, 0);
-  write("window.toml", testing::coarse_block("w") + "[window]\nfrom_N = 1.0\nto_N = 4.0\n");
-  const Answer window = call("run window.toml --shard 1/2 --set study.kind=window");
-  EXPECT_EQ(window.status, 2);
-  EXPECT_NE(window.err.find("a window study asks for one scenario after the answer of another"), std::string::npos)
-      << window.err;
+  write("search.toml",
+        testing::coarse_block("s") +
+            "[search]\nobjective = \"cycle_time_s\"\n[[variable]]\nkey = \"strategy.grip_force_N\"\n"
+            "from = 1.0\nto = 4.0\n");
+  const Answer search = call("run search.toml --shard 1/2 --set study.kind=optimize");
+  EXPECT_EQ(search.status, 2);
+  EXPECT_NE(search.err.find(
+                "study.kind = \"optimize\": asks for one scenario after the answer of another and has no parts"),
+            std::string::npos)
+      << search.err;
 }
 
 }  // namespace

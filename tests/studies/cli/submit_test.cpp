@@ -70,9 +70,15 @@ TEST_F(Submit, KeepsWithinWhatSlurmTakesAndRefusesWhatMakesNoSense) {
   EXPECT_NE(submit("--slurm --time '1;reboot'").err.find("must be a time"), std::string::npos);
   EXPECT_NE(submit("--slurm --set simulation.theta=0.1").err.find("simulation.theta"), std::string::npos);
   write("study.toml", testing::coarse_block("w") + "[window]\nfrom_N = 1.0\nto_N = 4.0\n");
-  const Answer window = submit("--slurm --set study.kind=window");
-  EXPECT_EQ(window.status, 2);
-  EXPECT_NE(window.err.find("has no parts"), std::string::npos) << window.err;
+  const Answer window = submit("--slurm --set study.kind=window -o window");
+  EXPECT_NE(window.out.find("w: 1 task of 8 cores"), std::string::npos)
+      << "one combination is one task: " << window.out;
+  write("study.toml", testing::coarse_block("s") +
+                          "[search]\nobjective = \"cycle_time_s\"\n[[variable]]\nkey = \"strategy.grip_force_N\"\n"
+                          "from = 1.0\nto = 4.0\n");
+  const Answer search = submit("--slurm --set study.kind=optimize");
+  EXPECT_EQ(search.status, 2);
+  EXPECT_NE(search.err.find("has no parts"), std::string::npos) << search.err;
 }
 
 TEST_F(Submit, SaysWhereSlurmTakesNothing) {

@@ -1,8 +1,8 @@
 #include "studies/kinds/window_search.hpp"
 
 #include <cmath>
+#include <map>
 #include <set>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -26,15 +26,17 @@ ForceEvaluator evaluator_of(const std::vector<Truth>& truths) {
   return [truths](const std::vector<ForceRequest>& requests) {
     std::vector<GripSample> answers;
     for (const ForceRequest& request : requests) {
-      answers.push_back(answer_of(truths.at(request.combination), request.grip_force_N));
+      answers.push_back(answer_of(truths.at(request.combination()), request.grip_force_N));
     }
     return std::optional(answers);
   };
 }
 
 WindowSearchSettings settings_of(std::size_t combinations) {
-  return {
-      .from_N = 0.1, .to_N = 10.0, .tolerance = 0.005, .factor_group = std::vector<std::size_t>(combinations, 0)};
+  return {.from_N = 0.1,
+          .to_N = 10.0,
+          .tolerance = 0.005,
+          .combinations = searched_combinations(std::vector<std::size_t>(combinations, 0))};
 }
 
 TEST(WindowSearch, FindsKnownEndsWithinTheTolerance) {
@@ -60,7 +62,7 @@ TEST(WindowSearch, NeedsFewRoundsAndFewEvaluations) {
   const std::vector<Truth> one = {{1.2345, 2.3456}};
   const WindowSearchResult found = search_windows(settings_of(1), evaluator_of(one));
   // 100^(1/15) = 1.36 after 16 forces; 62 tolerances wide; cut into 9 parts twice.
-  EXPECT_LE(found.round_count, 3);
+  EXPECT_LE(found.round_count, 3U);
   EXPECT_LE(found.evaluation_count, 48U);
 
   const std::vector<Truth> many(40, Truth{1.2345, 2.3456});
@@ -70,18 +72,37 @@ TEST(WindowSearch, NeedsFewRoundsAndFewEvaluations) {
   EXPECT_LE(wide.evaluation_count, 40U * (8 + 2 * 8));
 }
 
-TEST(WindowSearch, RequestsDependOnTheAnswersAloneAndIdsCountOn) {
-  const std::vector<Truth> truths = {{1.0, 2.0}, {0.3, 7.0}, {5.0, 4.0}};
-  std::vector<std::tuple<std::uint64_t, std::size_t, double>> asked[2];
-  for (auto& log : asked) {
-    const ForceEvaluator inner = evaluator_of(truths);
-    search_windows(settings_of(truths.size()), [&](const std::vector<ForceRequest>& requests) {
-      for (const ForceRequest& r : requests) log.emplace_back(r.id, r.combination, r.grip_force_N);
-      return inner(requests);
-    });
-    for (std::size_t i = 0; i < log.size(); ++i) EXPECT_EQ(std::get<0>(log[i]), i);
+/// What is asked, by place.
+std::map<std::uint64_t, double> asked_of(const WindowSearchSettings& settings, const std::vector<Truth>& truths) {
+  std::map<std::uint64_t, double> asked;
+  std::uint64_t last = 0;
+  const ForceEvaluator inner = evaluator_of(truths);
+  search_windows(settings, [&](const std::vector<ForceRequest>& requests) {
+    for (const ForceRequest& request : requests) {
+      const std::uint64_t place = journal_id(request.place);
+      EXPECT_TRUE(asked.empty() || place > last) << "round, combination and number sort in the order of asking";
+      last = place;
+      asked[place] = request.grip_force_N;
+    }
+    return inner(requests);
+  });
+  return asked;
+}
+
+TEST(WindowSearch, ACombinationAsksTheSameForcesAmongOthersAndInAnyPartOfThem) {
+  const std::vector<Truth> truths = {{1.0, 2.0}, {0.3, 7.0}, {5.0, 4.0}, {0.01, 50.0}, {1.0, 1.001}};
+  const WindowSearchSettings whole = settings_of(truths.size());
+  const std::map<std::uint64_t, double> asked = asked_of(whole, truths);
+  for (std::size_t parts = 1; parts <= truths.size(); ++parts) {
+    std::map<std::uint64_t, double> together;
+    for (std::size_t part = 0; part < parts; ++part) {
+      WindowSearchSettings settings = whole;
+      std::erase_if(settings.combinations,
+                    [&](const SearchedCombination& each) { return each.number % parts != part; });
+      together.merge(asked_of(settings, truths));
+    }
+    EXPECT_EQ(together, asked) << parts;
   }
-  EXPECT_EQ(asked[0], asked[1]);
 }
 
 TEST(WindowSearch, NeverAsksTheSameForceTwiceNorOutsideTheRange) {
@@ -89,7 +110,7 @@ TEST(WindowSearch, NeverAsksTheSameForceTwiceNorOutsideTheRange) {
   const ForceEvaluator inner = evaluator_of({{1.0, 2.0}, {0.1, 10.0}, {20.0, 0.01}});
   search_windows(settings_of(3), [&](const std::vector<ForceRequest>& requests) {
     for (const ForceRequest& r : requests) {
-      EXPECT_TRUE(seen.emplace(r.combination, r.grip_force_N).second) << r.grip_force_N;
+      EXPECT_TRUE(seen.emplace(r.combination(), r.grip_force_N).second) << r.grip_force_N;
       EXPECT_GE(r.grip_force_N, 0.1);
       EXPECT_LE(r.grip_force_N, 10.0);
     }

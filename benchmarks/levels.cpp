@@ -1,7 +1,7 @@
 /// @file
-/// What step levels are worth: scenarios of a study as shipped, each with steps of its own choice against the
-/// shortest step throughout, by turns on one thread; and one scenario alone, as a search that waits for its answer
-/// has it.
+/// What step levels and modes are worth: scenarios of a study as shipped, each with steps of its own choice, by every
+/// particle and by modes, against the shortest step throughout, by turns on one thread; and one scenario alone, as a
+/// search that waits for its answer has it.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,23 @@ struct Run {
   LaneSimulation::PartTimes part;
 };
 
-void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scenario>& scenarios, LevelUse levels,
+/// How scenarios are run.
+struct Way {
+  const char* name;
+  LevelUse levels;
+  ProductBody body;
+};
+constexpr Way kWays[] = {{"off", LevelUse::off, ProductBody::full},
+                         {"auto", LevelUse::automatic, ProductBody::full},
+                         {"modes", LevelUse::automatic, ProductBody::modes}};
+
+Scenario in_this_way(Scenario scenario, const Way& way) {
+  scenario.simulation.levels = way.levels;
+  scenario.simulation.body = way.body;
+  return scenario;
+}
+
+void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scenario>& scenarios, const Way& way,
               Run& run) {
   const double start_s = benchmarks::processor_s();
   LevelSimulation simulation(model);
@@ -38,9 +54,7 @@ void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scena
   while (left > 0) {
     for (int place = 0; place < level_place_count() && next < scenarios.size(); ++place) {
       if (simulation.busy(place)) continue;
-      Scenario scenario = scenarios[next++];
-      scenario.simulation.levels = levels;
-      simulation.load(place, scenario);
+      simulation.load(place, in_this_way(scenarios[next++], way));
     }
     simulation.step();
     steps += simulation.stepped();
@@ -58,25 +72,28 @@ void run_once(const std::shared_ptr<const Model>& model, const std::vector<Scena
   run.part = simulation.part_times();
 }
 
-/// @return false where the model cannot be built
+/// @return false where a model cannot be built
 bool compare(const char* name, const std::vector<Scenario>& scenarios) {
-  std::string error;
-  const auto model = Model::build(scenarios.front(), error);
-  if (!model) {
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const Way& way : kWays) {
+    std::string error;
+    models.push_back(Model::build(in_this_way(scenarios.front(), way), error));
+    if (models.back()) continue;
     std::fprintf(stderr, "%s cannot be built: %s\n", name, error.c_str());
     return false;
   }
-  Run uniform, levels;
+  std::vector<Run> runs(models.size());
   for (int turn = 0; turn < kTurns; ++turn) {
-    run_once(model, scenarios, LevelUse::off, uniform);
-    run_once(model, scenarios, LevelUse::automatic, levels);
+    for (std::size_t i = 0; i < runs.size(); ++i) run_once(models[i], scenarios, kWays[i], runs[i]);
   }
-  for (const auto& [how, run] : {std::pair{"off", &uniform}, std::pair{"auto", &levels}}) {
-    const LaneSimulation::PartTimes& part = run->part;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Run& run = runs[i];
+    const LaneSimulation::PartTimes& part = run.part;
     const double all_s = total_s(part);
-    std::printf("%-18s %5zu %6s %7.0f %7.1f %14.1f %8.2f %9.2f %7.0f %7.0f %9.0f\n", name, scenarios.size(), how,
-                run->steps, 100.0 * run->busy, 1e3 * run->processor_s, run->processor_s / uniform.processor_s,
-                run->processor_s / run->simulated_s, 100.0 * part.solve_s / all_s, 100.0 * part.contact_s / all_s,
+    std::printf("%-18s %5zu %6s %7.0f %7.1f %14.1f %8.2f %9.2f %7.0f %7.0f %9.0f\n", name, scenarios.size(),
+                kWays[i].name, run.steps, 100.0 * run.busy, 1e3 * run.processor_s,
+                run.processor_s / runs.front().processor_s, run.processor_s / run.simulated_s,
+                100.0 * part.solve_s / all_s, 100.0 * part.contact_s / all_s,
                 100.0 * part.right_hand_side_s / all_s);
   }
   return true;
@@ -108,7 +125,7 @@ int main(int argc, char** argv) {
   const unbruised::studies::StudyOrError study =
       unbruised::studies::read_study(root + "/kiwi_sweep.toml", {}, root);
   if (!study) return 1;
-  std::printf("Step levels, one thread, least of %d turns (processor time)\n", kTurns);
+  std::printf("Step levels and modes, one thread, least of %d turns (processor time)\n", kTurns);
   std::printf("%-18s %5s %6s %7s %7s %14s %8s %9s %7s %7s %9s\n", "scene", "count", "levels", "steps", "busy %",
               "ms a scenario", "ratio", "s per s", "solve %", "touch %", "rhs %");
   bool sound = compare("cube512", cubes(48)) && compare("cube512 alone", cubes(1));

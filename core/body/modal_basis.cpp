@@ -176,12 +176,23 @@ double share_left_out(const ModalBasis& basis, std::span<const int> which, std::
   return left / (left + kept);
 }
 
-std::vector<double> rest_shape(const ModalBasis& basis, const BodyModel& body, std::span<const double> force_N) {
-  require(force_N.size() == basis.node_freedoms(), "rest_shape: forces on other particles");
-  Matrix force = Matrix::Zero(static_cast<Eigen::Index>(3 * body.particle_count), 1);
-  for (std::size_t i = 0; i < force_N.size(); ++i) force(freedom_of(basis.node, i), 0) = force_N[i];
+std::vector<std::vector<double>> rest_shapes(const ModalBasis& basis, const BodyModel& body,
+                                             std::span<const std::vector<double>> force_N) {
+  require(force_N.size() <= static_cast<std::size_t>(kLanes), "rest_shapes: more than lanes");
+  Matrix force =
+      Matrix::Zero(static_cast<Eigen::Index>(3 * body.particle_count), static_cast<Eigen::Index>(force_N.size()));
+  for (std::size_t k = 0; k < force_N.size(); ++k) {
+    require(force_N[k].size() == basis.node_freedoms(), "rest_shapes: forces on other particles");
+    for (std::size_t i = 0; i < force_N[k].size(); ++i) {
+      force(freedom_of(basis.node, i), static_cast<Eigen::Index>(k)) = force_N[k][i];
+    }
+  }
   const Matrix shape = left_out(body, basis.modes, force);
-  return {shape.data(), shape.data() + shape.size()};
+  std::vector<std::vector<double>> shapes;
+  for (Eigen::Index k = 0; k < shape.cols(); ++k) {
+    shapes.emplace_back(shape.col(k).data(), shape.col(k).data() + shape.rows());
+  }
+  return shapes;
 }
 
 }  // namespace unbruised

@@ -50,7 +50,8 @@ std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& b
 /// leave out. @param which indices into `node`
 double share_left_out(const ModalBasis& basis, std::span<const int> which, std::size_t axis);
 
-/// G f of every particle, [3n]. @param force_N rows of `node`
-std::vector<double> rest_shape(const ModalBasis& basis, const BodyModel& body, std::span<const double> force_N);
+/// G f of every particle, [3n], for up to kLanes f. @param force_N rows of `node` each
+std::vector<std::vector<double>> rest_shapes(const ModalBasis& basis, const BodyModel& body,
+                                             std::span<const std::vector<double>> force_N);
 
 }  // namespace unbruised

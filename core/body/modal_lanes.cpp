@@ -282,10 +282,13 @@ BodyState ModalLanes::state(int lane) const {
                                                   &state.acceleration_m_s2};
   const std::array<std::array<const LaneArray*, 2>, 3> from = {
       {{&mode_.now, &force_.now}, {&mode_.rate, &force_.rate}, {&mode_.second, &force_.second}}};
-  std::vector<double> force(basis_.node_freedoms());
+  std::vector<std::vector<double>> force(3, std::vector<double>(basis_.node_freedoms()));
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t row = 0; row < force.size(); ++row) force[row] = from[k][1]->at(row, lane);
-    *to[k] = rest_shape(basis_, body_, force);
+    for (std::size_t row = 0; row < force[k].size(); ++row) force[k][row] = from[k][1]->at(row, lane);
+  }
+  std::vector<std::vector<double>> shapes = rest_shapes(basis_, body_, force);
+  for (std::size_t k = 0; k < 3; ++k) {
+    *to[k] = std::move(shapes[k]);
     for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
       const double* shape = basis_.modes.of(mode);
       const double amount = from[k][0]->at(mode, lane);

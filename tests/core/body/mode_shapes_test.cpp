@@ -118,7 +118,7 @@ TEST(ModalBasis, KeepsTheStaticShape) {
   double left_before = 1.0;
   for (const std::size_t count : {std::size_t{5}, std::size_t{40}, std::size_t{400}}) {
     const ModalBasis basis = modal_basis(body, count, nodes);
-    std::vector<double> shape = rest_shape(basis, body, force);
+    std::vector<double> shape = rest_shapes(basis, body, std::vector<std::vector<double>>{force}).front();
     for (std::size_t mode = kRigidModes; mode < basis.modes.count(); ++mode) {
       double along = 0.0;
       for (std::size_t i = 0; i < all.size(); ++i) along += basis.modes.of(mode)[i] * all[i];

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draws torques and speeds of an arm's joints over the time of one scenario, as shares of their limits.
+"""Draws torques and speeds of an arm's joints over the time of one scenario, as shares of their limits, and, where the joints
+give way, how far the palm is from where it was told to be.
 
     plot_robot.py SCENARIO.h5 [-o FILE.png]     robot_joints.png beside the results unless given
 
@@ -23,7 +24,7 @@ COLOURS = ["#1b9e77", "#d95f02", "#7570b3", "#e7298a", "#66a61e", "#a6761d", "#2
 
 
 def read(path):
-    """Time, torques and speeds as shares of their limits, phases as (begin, word)."""
+    """Time, torques and speeds as shares of their limits, phases as (begin, word), the palm's sway [m] or None."""
     with opened(path) as file:
         trace = file.get("trace")
         if trace is None or "joint_torque_N_m" not in trace:
@@ -37,8 +38,9 @@ def read(path):
         begins = np.flatnonzero(np.r_[True, words[1:] != words[:-1]])
         named = words_of(trace["phase"])
         phases = [(time[i], named[int(words[i])]) for i in begins]
+        sway = trace["palm_position_m"][:] - trace["palm_told_m"][:] if "palm_told_m" in trace else None
         return (time, trace["joint_torque_N_m"][:] / limit["torque_N_m"],
-                trace["joint_speed_rad_s"][:] / limit["speed_rad_s"], phases)
+                trace["joint_speed_rad_s"][:] / limit["speed_rad_s"], phases, sway)
 
 
 def draw_shares(axes, time, share, what):
@@ -64,13 +66,25 @@ def draw_phases(axes, time, phases):
                          va="bottom", color=INK, fontsize=8)
 
 
-def draw(time, torque, speed, phases):
-    figure, axes = plt.subplots(2, 1, figsize=(8.0, 5.2), sharex=True)
+def draw_sway(axes, time, sway):
+    for direction, (name, colour) in enumerate(zip("xyz", COLOURS)):
+        axes.plot(time, 1e3 * sway[:, direction], color=colour, lw=1.3, label=name)
+    axes.axhline(0.0, color=SOFT, lw=0.6)
+    axes.set_ylabel("palm - told [mm]")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False)
+
+
+def draw(time, torque, speed, phases, sway):
+    panels = 2 if sway is None else 3
+    figure, axes = plt.subplots(panels, 1, figsize=(8.0, 2.6 * panels), sharex=True)
     draw_shares(axes[0], time, torque, "torque")
     draw_shares(axes[1], time, speed, "speed")
+    if sway is not None:
+        draw_sway(axes[2], time, sway)
     draw_phases(axes, time, phases)
-    axes[1].set_xlabel("time [s]")
-    axes[1].set_xlim(time[0], time[-1])
+    axes[-1].set_xlabel("time [s]")
+    axes[-1].set_xlim(time[0], time[-1])
     axes[0].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False)
     return figure
 
@@ -87,14 +101,17 @@ def main():
     parser.add_argument("-o", "--output", type=Path)
     arguments = parser.parse_args()
     try:
-        time, torque, speed, phases = read(arguments.results)
+        time, torque, speed, phases, sway = read(arguments.results)
     except Unsuitable as error:
         print(f"plot_robot: {error}", file=sys.stderr)
         return 2
     output = arguments.output or arguments.results.parent / "robot_joints.png"
-    save(draw(time, torque, speed, phases), output)
+    save(draw(time, torque, speed, phases, sway), output)
     table(time, torque, "torque")
     table(time, speed, "speed")
+    if sway is not None:
+        away = np.linalg.norm(sway, axis=1)
+        print(f"palm: {1e3 * away.max():.3g} mm from where it was told to be, at {time[away.argmax()]:.3f} s")
     return 0
 
 

@@ -35,7 +35,7 @@ std::optional<ArmLeg> leg_of(CyclePhase phase) {
 /// What the samples of an arm use of its limits.
 class Uses {
  public:
-  Uses(const ArmRider& rider) : rider_(rider), robot_(rider.arm().robot()) {}
+  explicit Uses(const ArmRider& rider) : rider_(rider), robot_(rider.arm().robot()) {}
 
   /// The first limit that a sample breaks.
   [[nodiscard]] std::optional<ArmBreach> breach_of(const ArmSample& sample) const {

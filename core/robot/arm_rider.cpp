@@ -57,7 +57,8 @@ void ArmRider::add_jerk(ArmSample& sample) const {
   sample.jerk_rad_s3.assign(arm_.joint_count(), 0.0);
   for (const double h : {-kJerkStep_s, kJerkStep_s}) {
     const Stop beside = motion_at(sample.time_s + h, sample.motion.angle_rad);
-    if (!beside.sample) continue;
+    const auto stops = [](const ArmSample& each) { return each.phase == CyclePhase::stop; };
+    if (!beside.sample || stops(*beside.sample) != stops(sample)) continue;
     for (std::size_t j = 0; j < arm_.joint_count(); ++j) {
       const double change = beside.sample->motion.acceleration_rad_s2[j] - sample.motion.acceleration_rad_s2[j];
       sample.jerk_rad_s3[j] = std::max(sample.jerk_rad_s3[j], std::abs(change / h));

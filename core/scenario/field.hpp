@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/scenario/attitude.hpp"
+#include "core/scenario/product_parameters.hpp"
 #include "core/scenario/range.hpp"
 
 namespace unbruised {
@@ -34,6 +35,7 @@ inline constexpr Range kQuaternion{.min = -1.000001, .max = 1.000001};
 inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 
+inline constexpr Range kExponent{.min = kLeastExponent, .max = kLargestExponent};
 inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
 
 inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};

@@ -42,7 +42,7 @@ def digits(value):
 
 def volume_m3(product):
     x, y, z = product["size_m"]
-    return x * y * z * {"box": 1.0, "cylinder": math.pi / 4}.get(product["shape"], math.pi / 6)
+    return x * y * z * {"box": 1.0, "cylinder": math.pi / 4, "sphere": math.pi / 6, "ellipsoid": math.pi / 6}[product["shape"]]
 
 
 def mass(product):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "core/scenario/true_shape.hpp"
@@ -12,29 +13,41 @@ namespace {
 
 using Index3 = std::array<int, 3>;
 
-/// `TrueShape` on the grid of its bounding box [-1, 1]^3, exact: sum over the round axes of q^2 <= 1.
-/// Every q of a cell centre or particle is m / n with n cells along the axis and -n <= m <= n, so that
-/// questions of inside and outside are answered in integers, alike for mirrored places.
+/// `TrueShape` on the grid of its bounding box [-1, 1]^3. Every q of a cell centre or particle is m / n with n
+/// cells along the axis and -n <= m <= n, so that questions of inside and outside, sum over the round axes of q^2
+/// <= 1, are answered in integers, alike for mirrored places. Other solids are asked at the place itself.
 class UnitShape {
  public:
-  UnitShape(const LatticeParameters& parameters, const Index3& cell_count) : cell_count_(cell_count) {
-    const TrueShape shape(parameters);
-    for (std::size_t axis = 0; axis < 3; ++axis) round_[axis] = shape.is_round(axis);
+  UnitShape(const LatticeParameters& parameters, const Index3& cell_count)
+      : cell_count_(cell_count), size_m_(parameters.size_m), shape_(parameters) {
+    for (std::size_t axis = 0; axis < 3; ++axis) round_[axis] = shape_.is_round(axis);
   }
 
-  bool contains(const Index3& m) const { return deficit(m, round_) >= 0.0; }
+  bool contains(const Index3& m) const {
+    return shape_.solid() != nullptr ? shape_.contains(place_m(m)) : deficit(m, round_) >= 0.0;
+  }
 
-  /// Half chord along `axis` through the place m (its own component along the axis does not count); negative
-  /// where the line misses the shape.
-  double half_chord(std::size_t axis, const Index3& m) const {
+  /// As `TrueShape::column_m`, over half the extent.
+  std::optional<double> column(std::size_t side, const Index3& m) const {
+    const std::size_t axis = side / 2;
+    if (shape_.solid() != nullptr) {
+      const auto column_m = shape_.column_m(side, place_m(m));
+      return column_m ? std::optional(*column_m / (0.5 * size_m_[axis])) : std::nullopt;
+    }
     std::array<bool, 3> counted = round_;
     counted[axis] = false;
     const double rest = deficit(m, counted);
-    if (rest < 0.0) return -1.0;
+    if (rest < 0.0) return std::nullopt;
     return round_[axis] ? std::sqrt(rest) : 1.0;
   }
 
  private:
+  std::array<double, 3> place_m(const Index3& m) const {
+    std::array<double, 3> place{};
+    for (std::size_t d = 0; d < 3; ++d) place[d] = 0.5 * size_m_[d] * (static_cast<double>(m[d]) / cell_count_[d]);
+    return place;
+  }
+
   /// 1 - sum over counted axes of (m / n)^2; its sign is exact.
   double deficit(const Index3& m, const std::array<bool, 3>& counted) const {
     long long numerator = 1;
@@ -50,13 +63,16 @@ class UnitShape {
   }
 
   Index3 cell_count_;
+  std::array<double, 3> size_m_;
+  TrueShape shape_;
   std::array<bool, 3> round_{};
 };
 
 /// Which cells of the bounding box belong to the body, and how its particles are numbered.
 ///
-/// The body is face-connected without further ado: each shape is symmetric about the three mid-planes and
-/// convex, so that a cell stays inside when it moves along one axis towards the middle.
+/// The body is face-connected without further ado: boxes, ellipsoids and cylinders are symmetric about the three
+/// mid-planes and convex, so that a cell stays inside when it moves along one axis towards the middle; of a solid
+/// of revolution a rule asks that no layer of cells be empty between others.
 class Grid {
  public:
   Grid(const LatticeParameters& parameters, const Index3& cell_count)
@@ -153,9 +169,9 @@ std::vector<SurfacePoint> surface_points(const Grid& grid, const Lattice& lattic
   std::vector<SurfacePoint> points;
   grid.for_each_node([&](const Index3& node) {
     if (!is_outermost(grid, axis, step, node)) return;
-    const double half_chord = grid.shape().half_chord(axis, grid.from_middle(node));
-    if (half_chord < 0.0) return;
-    const double position = lattice.center_m[axis] + step * (0.5 * parameters.size_m[axis] * half_chord);
+    const auto column = grid.shape().column(2 * axis + (step > 0 ? 1 : 0), grid.from_middle(node));
+    if (!column) return;
+    const double position = lattice.center_m[axis] + step * (0.5 * parameters.size_m[axis] * *column);
     points.push_back({grid.node(node), position});
   });
   return points;

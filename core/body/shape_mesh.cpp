@@ -129,12 +129,63 @@ ShapeMesh cylinder_mesh(std::size_t axis, const std::array<double, 3>& size_m) {
   return mesh;
 }
 
+/// Rings around the axis of a solid of revolution, from end to end; a flat end is a disc of its own.
+ShapeMesh revolution_mesh(std::size_t axis, const TrueShape& shape, const std::array<double, 3>& size_m) {
+  ShapeMesh mesh;
+  const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
+  const auto place = [&](double along, double radius, double angle) {
+    Place at{};
+    at[axis] = along;
+    at[a] = radius * std::cos(angle);
+    at[b] = radius * std::sin(angle);
+    return at;
+  };
+  constexpr int kAlong = 18;
+  const auto radius_at = [&](double along) {
+    return shape.column_m(2 * a + 1, place(along, 0.0, 0.0)).value_or(0.0);
+  };
+  // Close together at the ends, where a round one falls away.
+  const auto along_at = [&](int r) { return -0.5 * size_m[axis] * std::cos(std::numbers::pi * r / kAlong); };
+  add_rings(
+      kAlong, [&](int r, double angle) { return place(along_at(r), radius_at(along_at(r)), angle); }, mesh);
+  for (const int end : {0, kAlong}) {
+    const double rim = radius_at(along_at(end));
+    if (rim < 1e-6 * size_m[a]) continue;
+    const auto disc = [&](int r, double angle) {
+      const double share = end == 0 ? r : kRings - r;
+      return place(along_at(end), rim * share / kRings, angle);
+    };
+    add_rings(kRings, disc, mesh);
+  }
+  return mesh;
+}
+
+/// Each place moved along its ray from the middle onto the surface.
+void draw_to_surface(const TrueShape& shape, ShapeMesh& mesh) {
+  for (Place& place : mesh.place_m) {
+    double inside = 0.0, outside = 4.0;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (shape.contains({middle * place[0], middle * place[1], middle * place[2]}) ? inside : outside) = middle;
+    }
+    for (double& component : place) component *= inside;
+  }
+}
+
 }  // namespace
 
 std::optional<ShapeMesh> shape_mesh(const ProductParameters& product) {
   const std::optional<TrueShape> shape = true_shape(product);
   if (!shape) return std::nullopt;
   const std::array<double, 3> size_m = shape_extents_m(product).value();
+  if (shape->solid() != nullptr) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!shape->is_mirrored(axis)) return revolution_mesh(axis, *shape, size_m);
+    }
+    ShapeMesh mesh = ellipsoid_mesh(size_m);
+    draw_to_surface(*shape, mesh);
+    return mesh;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!shape->is_round(axis) && shape->is_round((axis + 1) % 3)) return cylinder_mesh(axis, size_m);
   }

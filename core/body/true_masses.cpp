@@ -9,22 +9,29 @@
 namespace unbruised {
 namespace {
 
-/// Mean square of the places along an axis over the extent's square.
-double mean_square_share(const TrueShape& shape, std::size_t axis) {
-  int round_axes = 0;
-  for (std::size_t d = 0; d < 3; ++d) round_axes += shape.is_round(d) ? 1 : 0;
-  if (!shape.is_round(axis)) return 1.0 / 12.0;
-  return round_axes == 3 ? 1.0 / 20.0 : 1.0 / 16.0;
+/// The axis along which the centre of mass is off the middle; 3: none.
+std::size_t lopsided_axis(const TrueShape& shape) {
+  std::size_t axis = 0;
+  while (axis < 3 && shape.is_mirrored(axis)) ++axis;
+  return axis;
 }
 
-/// What a particle counts for mass and moments: 1 and the squares of its place from the centre over the extents.
-std::vector<Eigen::Vector4d> counts_of(const LatticeParameters& parameters, const Lattice& lattice) {
-  std::vector<Eigen::Vector4d> counts;
+template <int n>
+using Vector = Eigen::Matrix<double, n, 1>;
+
+/// What a particle counts for mass and moments: 1, the squares of its place from the centre over the extents, and
+/// with a fifth number that place along a lopsided axis.
+template <int n>
+std::vector<Vector<n>> counts_of(const LatticeParameters& parameters, const Lattice& lattice,
+                                 std::size_t lopsided) {
+  std::vector<Vector<n>> counts;
   for (const auto& position_m : lattice.position_m) {
-    Eigen::Vector4d count(1.0, 0.0, 0.0, 0.0);
+    Vector<n> count = Vector<n>::Zero();
+    count[0] = 1.0;
     for (std::size_t d = 0; d < 3; ++d) {
       const double q = (position_m[d] - lattice.center_m[d]) / parameters.size_m[d];
       count[static_cast<Eigen::Index>(d) + 1] = q * q;
+      if (n == 5 && d == lopsided) count[n - 1] = q;
     }
     counts.push_back(count);
   }
@@ -33,21 +40,22 @@ std::vector<Eigen::Vector4d> counts_of(const LatticeParameters& parameters, cons
 
 /// Factors 1 / (c . counts) of the masses: the least change, by sum m log, that meets the wanted sums. Every c on
 /// the way leaves all of them positive.
+template <int n>
 class Factors {
  public:
-  Factors(const std::vector<double>& mass_kg, const std::vector<Eigen::Vector4d>& counts,
-          const Eigen::Vector4d& wanted)
+  Factors(const std::vector<double>& mass_kg, const std::vector<Vector<n>>& counts, const Vector<n>& wanted)
       : mass_kg_(mass_kg), counts_(counts), wanted_(wanted) {}
 
   /// Newton's method; a step that does not come nearer is halved, until none does: that is rounding.
   [[nodiscard]] std::vector<double> solve() const {
-    Eigen::Vector4d c(1.0, 0.0, 0.0, 0.0);
+    Vector<n> c = Vector<n>::Zero();
+    c[0] = 1.0;
     double missing = slope(c).norm();
     for (bool nearer = true; nearer;) {
       nearer = false;
-      const Eigen::Vector4d way = curvature(c).ldlt().solve(slope(c));
+      const Vector<n> way = curvature(c).ldlt().solve(slope(c));
       for (double stretch = 1.0; !nearer && stretch > kLeastStretch; stretch *= 0.5) {
-        const Eigen::Vector4d next = c + stretch * way;
+        const Vector<n> next = c + stretch * way;
         if (!leaves_positive(next) || !(slope(next).norm() < missing)) continue;
         nearer = true;
         c = next;
@@ -55,34 +63,49 @@ class Factors {
       }
     }
     std::vector<double> factors;
-    for (const Eigen::Vector4d& count : counts_) factors.push_back(1.0 / c.dot(count));
+    for (const Vector<n>& count : counts_) factors.push_back(1.0 / c.dot(count));
     return factors;
   }
 
  private:
   static constexpr double kLeastStretch = 1e-3;
 
-  [[nodiscard]] Eigen::Vector4d slope(const Eigen::Vector4d& c) const {
-    Eigen::Vector4d sum = -wanted_;
+  [[nodiscard]] Vector<n> slope(const Vector<n>& c) const {
+    Vector<n> sum = -wanted_;
     for (std::size_t p = 0; p < counts_.size(); ++p) sum += mass_kg_[p] / c.dot(counts_[p]) * counts_[p];
     return sum;
   }
-  [[nodiscard]] Eigen::Matrix4d curvature(const Eigen::Vector4d& c) const {
-    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+  [[nodiscard]] Eigen::Matrix<double, n, n> curvature(const Vector<n>& c) const {
+    Eigen::Matrix<double, n, n> sum = Eigen::Matrix<double, n, n>::Zero();
     for (std::size_t p = 0; p < counts_.size(); ++p) {
       const double factor = 1.0 / c.dot(counts_[p]);
       sum += mass_kg_[p] * factor * factor * counts_[p] * counts_[p].transpose();
     }
     return sum;
   }
-  [[nodiscard]] bool leaves_positive(const Eigen::Vector4d& c) const {
+  [[nodiscard]] bool leaves_positive(const Vector<n>& c) const {
     return std::all_of(counts_.begin(), counts_.end(), [&c](const auto& count) { return c.dot(count) > 0.0; });
   }
 
   const std::vector<double>& mass_kg_;
-  const std::vector<Eigen::Vector4d>& counts_;
-  Eigen::Vector4d wanted_;
+  const std::vector<Vector<n>>& counts_;
+  Vector<n> wanted_;
 };
+
+template <int n>
+std::vector<double> factors(const TrueShape& shape, const LatticeParameters& parameters, const Lattice& lattice,
+                            double mass_kg) {
+  const std::size_t lopsided = lopsided_axis(shape);
+  Vector<n> wanted = Vector<n>::Zero();
+  wanted[0] = mass_kg;
+  for (std::size_t d = 0; d < 3; ++d) {
+    wanted[static_cast<Eigen::Index>(d) + 1] = mass_kg * shape.mean_square_share(d);
+    if (n == 5 && d == lopsided) {
+      wanted[n - 1] = mass_kg * shape.center_of_mass_m()[d] / parameters.size_m[d];
+    }
+  }
+  return Factors<n>(lattice.mass_kg, counts_of<n>(parameters, lattice, lopsided), wanted).solve();
+}
 
 }  // namespace
 
@@ -90,11 +113,8 @@ std::vector<double> true_masses(const LatticeParameters& parameters, const Latti
   const TrueShape shape(parameters);
   double mass_kg = 0.0;
   for (const double of_particle : lattice.mass_kg) mass_kg += of_particle;
-  Eigen::Vector4d wanted(mass_kg, 0.0, 0.0, 0.0);
-  for (std::size_t d = 0; d < 3; ++d) {
-    wanted[static_cast<Eigen::Index>(d) + 1] = mass_kg * mean_square_share(shape, d);
-  }
-  std::vector<double> masses = Factors(lattice.mass_kg, counts_of(parameters, lattice), wanted).solve();
+  std::vector<double> masses = lopsided_axis(shape) == 3 ? factors<4>(shape, parameters, lattice, mass_kg)
+                                                         : factors<5>(shape, parameters, lattice, mass_kg);
   for (std::size_t p = 0; p < masses.size(); ++p) masses[p] *= lattice.mass_kg[p];
   return masses;
 }

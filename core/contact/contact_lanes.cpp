@@ -70,8 +70,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
                  {of_pads, of_pads, support_layer_N_m3(scenario, support_layer_[at])});
   if (shaped_) {
     shaped_->load(lane);
-    shaped_form_[at] =
-        form_under_pad(scenario, model_.patch_form[static_cast<std::size_t>(normal_axis(kLeftPad))]);
+    shaped_form_[at] = form_under_pad(scenario, model_.patch_form[facing_side(kLeftPad)]);
   }
   if (seen_) load_seen(lane);
   wake_all();

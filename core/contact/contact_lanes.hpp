@@ -289,11 +289,11 @@ class ContactLanes {
   void measure_windows(int surface, const ContactEnd& end, const Mask& running);
   void measure_place_windows(int surface, const Mask& running);
   [[nodiscard]] Lane lowest_seen_place_m(int surface, const LaneArray& u) const;
-  /// The axis across which the face of the product lies that a surface meets.
-  [[nodiscard]] std::size_t face_axis(int surface, int lane) const;
+  /// The side of the product that a surface meets.
+  [[nodiscard]] std::size_t face_side(int surface, int lane) const;
   [[nodiscard]] const PatchForm& form_under(int surface, int lane) const {
     return shaped_ && is_pad(surface) ? shaped_form_[static_cast<std::size_t>(lane)]
-                                      : model_.patch_form[face_axis(surface, lane)];
+                                      : model_.patch_form[face_side(surface, lane)];
   }
   /// Stiffness per area of a surface's layer under its present force; that of rubber follows the patch.
   [[nodiscard]] Lane layer_under_force_N_m3(int surface) const;
@@ -325,8 +325,8 @@ class ContactLanes {
   Mask meets_rim_{false};  ///< in this step
   LaneVector free_turn_;   ///< of the body as a whole until t + theta dt without contact forces
   std::array<LaneArray, 2> place_theta_;  ///< per candidate: displacement of its place at t + theta dt, tangential
-  /// Of each surface: which face of the product faces it, the one across x or across z; else across y.
-  std::array<std::array<Mask, 2>, kSurfaceCount> faces_;
+  /// Of each surface: which side of the product faces it, across x or across z, else across y; the low one?
+  std::array<std::array<Mask, 3>, kSurfaceCount> faces_;
   const LaneArray* ended_ = nullptr;   ///< displacement at the end of a step, as it is given
   const FrameLanes* frame_ = nullptr;  ///< of the present step
   /// The carriers as such a product's nodes see them, the palm standing still, at both times of a start or an end.

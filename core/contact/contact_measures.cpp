@@ -138,17 +138,17 @@ Lane ContactLanes::layer_under_force_N_m3(int surface) const {
   return stiffness;
 }
 
-std::size_t ContactLanes::face_axis(int surface, int lane) const {
-  if (!model_.has_places(surface)) return static_cast<std::size_t>(normal_axis(surface));
-  const auto& [across_x, across_z] = faces_[static_cast<std::size_t>(surface)];
-  return across_x[lane] ? 0 : across_z[lane] ? 2 : 1;
+std::size_t ContactLanes::face_side(int surface, int lane) const {
+  if (!model_.has_places(surface)) return facing_side(surface);
+  const auto& [across_x, across_z, at_low] = faces_[static_cast<std::size_t>(surface)];
+  return (across_x[lane] ? 0 : across_z[lane] ? 4 : 2) + (at_low[lane] ? 0 : 1);
 }
 
 Lane ContactLanes::yield_ratio(int surface, const Lane& yield_stress) const {
   const Lane layer_N_m3 = layer_under_force_N_m3(surface);
   Lane ratio(0.0);
   for (int lane = 0; lane < kLanes; ++lane) {
-    const std::size_t axis = face_axis(surface, lane);
+    const std::size_t axis = face_side(surface, lane) / 2;
     const PressedFace face{tally_[surface], form_under(surface, lane), model_.cell_extent_m[axis],
                            surfaces_[surface], is_pad(surface) || !model_.has_places(surface)};
     ratio.set(lane, unbruised::yield_ratio(face, layer_N_m3[lane], yield_stress[lane], lane));

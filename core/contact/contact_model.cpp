@@ -20,9 +20,6 @@
 namespace unbruised {
 namespace {
 
-/// Sides of a lattice (-x, +x, -y, +y, -z, +z) that face the surfaces.
-constexpr std::array<std::size_t, kFirstCellSurface> kFacingSide = {0, 1, 4};
-
 /// Cell compliance x E / (1 - nu^2) / width of the rectangle. Calibrated: with it Hertz's force at a given
 /// approach is met within 15 % from five cells per radius on, be it a particle or a cell that stands under the
 /// pole (docs/validation.md); without it a stiff plate meets 1.4 to 1.7 times that force. It vanishes with the
@@ -37,16 +34,16 @@ double cell_compliance_m_Pa(const LatticeParameters& parameters, double cell_m2)
 
 /// Heights of the true surface around the particle; places outside the body never touch.
 /// @param shaped it meets a shaped pad
-void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, std::size_t axis, bool shaped,
+void fill_relief(const LatticeParameters& parameters, const TrueShape& shape, const Lattice& lattice, bool shaped,
                  ContactCandidate& c) {
+  const std::size_t side = facing_side(c.surface);
   const auto tangents = tangent_axes(c.surface);
   std::array<double, 3> place{};
   for (std::size_t t = 0; t < 2; ++t) {
     const auto along = static_cast<std::size_t>(tangents[t]);
     place[along] = c.tributary[t].place_m - lattice.center_m[along];
   }
-  const TrueShape shape(parameters);
-  const double here = shape.half_chord_m(axis, place);
+  const double here = shape.column_m(side, place).value_or(-1.0);
   for (int q = 0; q < kReliefPlaces; ++q) {
     std::array<double, 3> there = place;
     const auto offset = place_offset_m(c, q);
@@ -56,11 +53,11 @@ void fill_relief(const LatticeParameters& parameters, const Lattice& lattice, st
       there[along] += offset[t];
       beside = beside || (c.tributary[t].sampled && std::abs(there[along]) > 0.5 * parameters.size_m[along]);
     }
-    const double chord = shape.half_chord_m(axis, there);
-    c.relief_m[static_cast<std::size_t>(q)] = beside || chord < 0.0 ? kBeside_m : here - chord;
+    const auto column = shape.column_m(side, there);
+    c.relief_m[static_cast<std::size_t>(q)] = beside || !column ? kBeside_m : here - *column;
   }
   // A face without curvature along both directions, edges included, is flat.
-  c.curved_face = shape.curvatures(axis) > 0;
+  c.curved_face = !shape.is_plane(side / 2);
   c.flat = !c.curved_face && !shaped;
   if (c.flat) {
     c.relief_m.fill(0.0);
@@ -125,7 +122,7 @@ void number_nodes(ContactModel& contact) {
 /// The particles of one side that can touch a surface.
 void add_candidates(const LatticeParameters& parameters, const Lattice& lattice, int surface,
                     const FacePlane& plane, double pole_m, ContactModel& contact) {
-  const auto& points = lattice.side[kFacingSide[static_cast<std::size_t>(surface)]];
+  const auto& points = lattice.side[facing_side(surface)];
   const TrueShape shape(parameters);
   const TributaryFace face(shape, lattice, plane, points);
   const double sign = normal_sign(surface);
@@ -144,7 +141,7 @@ void add_candidates(const LatticeParameters& parameters, const Lattice& lattice,
       candidate.tributary[t].sampled = shaped && !candidate.tributary[t].curved;
       candidate.edge_compliance_m_Pa[t] = candidate.tributary[t].extent_m / plane_strain_modulus_Pa(parameters);
     }
-    fill_relief(parameters, lattice, plane.axis, shaped, candidate);
+    fill_relief(parameters, shape, lattice, shaped, candidate);
     contact.candidate.push_back(candidate);
   }
 }
@@ -181,12 +178,16 @@ void add_places(const LatticeParameters& parameters, const Lattice& lattice, con
 /// The patch that each face makes, where a surface can meet it.
 void add_face_forms(const LatticeParameters& parameters, const Lattice& lattice, ContactSet set,
                     ContactModel& contact) {
+  const TrueShape shape(parameters);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::array<int, 2> tangents = {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
     const FacePlane plane(lattice, axis, tangents);
     contact.cell_extent_m[axis] = plane.extent_m;
     if (axis == 1 && set == ContactSet::pads_and_support) continue;
-    contact.patch_form[axis] = patch_form(parameters, axis, plane.tangent, lattice.center_m);
+    contact.patch_form[2 * axis] = patch_form(parameters, 2 * axis, plane.tangent, lattice.center_m);
+    contact.patch_form[2 * axis + 1] = shape.is_mirrored(axis)
+                                           ? contact.patch_form[2 * axis]
+                                           : patch_form(parameters, 2 * axis + 1, plane.tangent, lattice.center_m);
   }
 }
 

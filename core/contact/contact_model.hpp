@@ -88,8 +88,8 @@ struct ContactModel {
   std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
   std::vector<int> reach;                   ///< supernodes the contact freedoms touch
   std::vector<PlaceArm> place;              ///< of a product that meets the cell with more than its bottom
-  /// Of the faces across x, y, z.
-  std::array<PatchForm, 3> patch_form;
+  /// Of the sides -x, +x, -y, +y, -z, +z.
+  std::array<PatchForm, 6> patch_form;
   std::array<std::array<double, 2>, 3> cell_extent_m{};  ///< of a contact's cell on these, along the tangents
   std::array<double, kJawFingers> pole_m{};  ///< outermost place of the true surface along each pad's normal axis
   std::array<FaceGrid, kFirstCellSurface> face;  ///< of a lattice product; none where places meet the surface

@@ -22,11 +22,24 @@ double covered_m(double offset_m, double pad_m, double face_m) {
   return std::max(0.0, high - low);
 }
 
+/// The side -z, on which a product stands.
+constexpr std::size_t kUnderside = 4;
+
+/// Of a side, about as it curves: half its extents, but of the pole where a solid has one that curves.
+double mean_radius_m(const LatticeParameters& product, std::size_t side) {
+  const auto [first, second] = face_tangents(side / 2);
+  const TrueShape shape(product);
+  if (shape.solid() != nullptr && shape.curvatures(side) == 2) {
+    return std::sqrt(shape.pole_radius_m(side, first) * shape.pole_radius_m(side, second));
+  }
+  return 0.25 * (product.size_m[first] + product.size_m[second]);
+}
+
 /// Springs ask for no patch.
-FaceLayer face_layer(const LayerParameters& layer, const LatticeParameters& product, std::size_t axis,
+FaceLayer face_layer(const LayerParameters& layer, const LatticeParameters& product, std::size_t side,
                      const std::array<double, 2>& covered) {
   if (layer.is_springs()) return {layer, {}, covered};
-  return {layer, patch_area(product, axis, face_tangents(axis)), covered};
+  return {layer, patch_area(product, side, face_tangents(side / 2)), covered};
 }
 
 /// Across which axis the face of the product lies that the pads meet; of listed fingers the first one.
@@ -47,10 +60,10 @@ FaceLayer pad_under(const LatticeParameters& product, const ParallelJawParameter
   if (is_shaped(jaw.pad)) {
     return {pad_layer(jaw), pad_patch_area(product, PadFace(jaw)), under_pad_m(product, jaw, cell)};
   }
-  return face_layer(pad_layer(jaw), product, axis_at_pad(jaw), under_pad_m(product, jaw, cell));
+  return face_layer(pad_layer(jaw), product, 2 * axis_at_pad(jaw), under_pad_m(product, jaw, cell));
 }
 FaceLayer support_under(const LatticeParameters& product, const CellParameters& cell) {
-  return face_layer(support_layer(cell), product, 2, {product.size_m[0], product.size_m[1]});
+  return face_layer(support_layer(cell), product, kUnderside, TrueShape(product).face_extents_m(kUnderside));
 }
 
 }  // namespace
@@ -78,9 +91,8 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
                         const CellParameters& cell) {
   const std::array<double, 2> covered = under_pad_m(product, gripper, cell);
   const std::size_t axis = axis_at_pad(gripper);
-  const auto [first, second] = face_tangents(axis);
-  double radius_m = 0.25 * (product.size_m[first] + product.size_m[second]);
-  bool is_flat = TrueShape(product).curvatures(axis) == 0;
+  double radius_m = mean_radius_m(product, 2 * axis);
+  bool is_flat = TrueShape(product).curvatures(2 * axis) == 0;
   if (is_shaped(gripper.pad)) {
     const std::array<double, 2> curvature = relative_curvature_1_m(product, PadFace(gripper));
     is_flat = curvature[0] + curvature[1] == 0.0;
@@ -97,13 +109,14 @@ LayeredFace side_at_pad(const LatticeParameters& product, const ParallelJawParam
 }
 
 LayeredFace side_at_support(const LatticeParameters& product, const CellParameters& cell) {
-  const double base_m2 = product.size_m[0] * product.size_m[1];
+  const std::array<double, 2> base_m = TrueShape(product).face_extents_m(kUnderside);
+  const double base_m2 = base_m[0] * base_m[1];
   return {.youngs_modulus_Pa = instantaneous_modulus_Pa(product),
           .poisson_ratio = product.poisson_ratio,
           .half_depth_m = 0.5 * product.size_m[2],
-          .is_flat = TrueShape(product).curvatures(2) == 0,
+          .is_flat = TrueShape(product).curvatures(kUnderside) == 0,
           .flat_area_m2 = base_m2,
-          .radius_m = 0.25 * (product.size_m[0] + product.size_m[1]),
+          .radius_m = mean_radius_m(product, kUnderside),
           .largest_patch_m2 = base_m2,
           .layer = support_under(product, cell)};
 }

@@ -66,7 +66,7 @@ std::array<double, 2> relative_curvature_1_m(const LatticeParameters& product, c
   const TrueShape shape(product);
   std::array<double, 2> curvature = pad.curvature_1_m();
   for (std::size_t t = 0; t < 2; ++t) {
-    if (shape.is_round(0) && shape.is_round(1 + t)) curvature[t] += 1.0 / shape.pole_radius_m(0, 1 + t);
+    if (shape.curves(0, 1 + t)) curvature[t] += 1.0 / shape.pole_radius_m(0, 1 + t);
     // Both fit each other: the patch ends where the pad does.
     constexpr double kFlat = 0.02;
     if (curvature[t] * pad.half_size_m()[t] < kFlat) curvature[t] = 0.0;
@@ -83,19 +83,19 @@ PatchArea pad_patch_area(const LatticeParameters& product, const PadFace& pad) {
   return ellipse_area({1.0 / curvature[0], 1.0 / curvature[1]}, modulus);
 }
 
-PatchArea patch_area(const LatticeParameters& product, std::size_t axis,
+PatchArea patch_area(const LatticeParameters& product, std::size_t side,
                      const std::array<std::size_t, 2>& tangent) {
   const TrueShape shape(product);
   const double modulus = plane_strain_modulus_Pa(product);
-  switch (shape.curvatures(axis)) {
+  switch (shape.curvatures(side)) {
     case 0:
       return {};
     case 1: {
-      const std::size_t straight = shape.is_round(tangent[0]) ? 1 : 0;
-      return strip_area(shape.pole_radius_m(axis, tangent[1 - straight]), modulus, straight);
+      const std::size_t straight = shape.curves(side, tangent[0]) ? 1 : 0;
+      return strip_area(shape.pole_radius_m(side, tangent[1 - straight]), modulus, straight);
     }
     default:
-      return ellipse_area({shape.pole_radius_m(axis, tangent[0]), shape.pole_radius_m(axis, tangent[1])}, modulus);
+      return ellipse_area({shape.pole_radius_m(side, tangent[0]), shape.pole_radius_m(side, tangent[1])}, modulus);
   }
 }
 

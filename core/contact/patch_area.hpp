@@ -34,8 +34,8 @@ struct PatchArea {
 /// E / (1 - nu^2) [Pa].
 double plane_strain_modulus_Pa(const LatticeParameters& product);
 
-/// Of the face across an axis. @param tangent the other two axes
-PatchArea patch_area(const LatticeParameters& product, std::size_t axis,
+/// Of a side. @param tangent the two axes across it
+PatchArea patch_area(const LatticeParameters& product, std::size_t side,
                      const std::array<std::size_t, 2>& tangent);
 
 /// Of the face that meets the pads, by the relative curvature of both, 1 / R' + 1 / R'' along each tangent: kind

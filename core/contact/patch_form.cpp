@@ -6,6 +6,7 @@
 
 #include "core/contact/half_space.hpp"
 #include "core/contact/linear_table.hpp"
+#include "core/scenario/true_shape.hpp"
 
 namespace unbruised {
 namespace {
@@ -46,14 +47,17 @@ double StripPeak::at(double half_width_over_half_thickness) const {
 namespace {
 
 /// Of a patch of this area.
-PatchForm form_of(const PatchArea& area, const LatticeParameters& product, std::size_t axis,
+PatchForm form_of(const PatchArea& area, const LatticeParameters& product, std::size_t side,
                   const std::array<std::size_t, 2>& tangent, const std::array<double, 3>& center_m) {
+  const TrueShape shape(product);
+  const std::array<double, 3> pole_m = shape.pole_m(side);
+  const std::array<double, 2> face_m = shape.face_extents_m(side);
   PatchForm form;
   form.area = area;
   form.plane_strain_modulus_Pa = plane_strain_modulus_Pa(product);
   for (std::size_t t = 0; t < 2; ++t) {
-    form.middle_m[t] = center_m[tangent[t]];
-    form.half_face_m[t] = 0.5 * product.size_m[tangent[t]];
+    form.middle_m[t] = center_m[tangent[t]] + pole_m[tangent[t]];
+    form.half_face_m[t] = 0.5 * face_m[t];
   }
   // Second moments of a uniform rectangle L^2/12, of a Hertz ellipse a^2/5, of a Hertz strip a^2/4 across.
   switch (form.area.kind) {
@@ -64,7 +68,7 @@ PatchForm form_of(const PatchArea& area, const LatticeParameters& product, std::
       form.area_factor = 4.0 * std::sqrt(12.0);
       form.edge = PadEdge::of_strip();
       form.strip_peak = StripPeak(product.poisson_ratio);
-      form.half_thickness_m = 0.5 * product.size_m[axis];
+      form.half_thickness_m = 0.5 * product.size_m[side / 2];
       form.traction = TractionFactor::of_curved(product.poisson_ratio);
       return form;
     case PatchKind::ellipse:
@@ -75,15 +79,15 @@ PatchForm form_of(const PatchArea& area, const LatticeParameters& product, std::
   form.yield_factor = 1.0 / (kHertzPeakOverMean * peak_stress_below(patch));
   form.traction = TractionFactor::of_curved(product.poisson_ratio);
   form.field = PatchField(product.poisson_ratio);
-  form.cross_section_m2 = 0.25 * std::numbers::pi * product.size_m[tangent[0]] * product.size_m[tangent[1]];
+  form.cross_section_m2 = shape.section_m2(side / 2);
   return form;
 }
 
 }  // namespace
 
-PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const std::array<std::size_t, 2>& tangent,
+PatchForm patch_form(const LatticeParameters& product, std::size_t side, const std::array<std::size_t, 2>& tangent,
                      const std::array<double, 3>& center_m) {
-  return form_of(patch_area(product, axis, tangent), product, axis, tangent, center_m);
+  return form_of(patch_area(product, side, tangent), product, side, tangent, center_m);
 }
 
 namespace {
@@ -96,8 +100,8 @@ PatchForm under_pad(const NetworkParameters& /*product*/, const ParallelJawParam
 PatchForm under_pad(const LatticeParameters& product, const ParallelJawParameters& jaw,
                     const PatchForm& before_plane) {
   const PadFace face(jaw);
-  PatchForm form = form_of(pad_patch_area(product, face), product, 0, {1, 2},
-                           {0.0, before_plane.middle_m[0], before_plane.middle_m[1]});
+  PatchForm form = form_of(pad_patch_area(product, face), product, 0, {1, 2}, {});
+  form.middle_m = before_plane.middle_m;
   form.bounded = true;
   if (jaw.pad.shape == PadShape::v_groove) {
     form.patches = 2.0;

@@ -38,7 +38,7 @@ struct PatchForm {
   TractionFactor traction = TractionFactor::of_flat();
   PadEdge edge;
   double plane_strain_modulus_Pa = 0.0;
-  /// Middle of the face and half its extents, along the tangents.
+  /// The side's pole and half its face's extents, along the tangents.
   std::array<double, 2> middle_m{0.0, 0.0}, half_face_m{0.0, 0.0};
   /// Of a strip.
   StripPeak strip_peak;
@@ -56,8 +56,8 @@ struct PatchForm {
 /// Of the face under the pads of a scenario, from that before a plane.
 PatchForm form_under_pad(const Scenario& scenario, const PatchForm& before_plane);
 
-/// Of the face across an axis. @param tangent the other two axes @param center_m of the product's true shape
-PatchForm patch_form(const LatticeParameters& product, std::size_t axis, const std::array<std::size_t, 2>& tangent,
+/// Of a side. @param tangent the two axes across it @param center_m of the product's true shape
+PatchForm patch_form(const LatticeParameters& product, std::size_t side, const std::array<std::size_t, 2>& tangent,
                      const std::array<double, 3>& center_m);
 
 }  // namespace unbruised

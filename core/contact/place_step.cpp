@@ -255,14 +255,16 @@ void ContactLanes::see_facing(const FrameLanes& frame, const CarrierMotion& ther
     if (!model_.has_places(surface)) continue;
     const LaneVector n = places_->normal(surface);
     const Lane x = abs(n[0]), y = abs(n[1]), z = abs(n[2]);
-    const Mask across_z = (z >= x) & (z >= y);
-    faces_[static_cast<std::size_t>(surface)] = {(x >= y) & !across_z, across_z};
+    const Mask across_z = (z >= x) & (z >= y), across_x = (x >= y) & !across_z;
+    // The surface lies at the low end where its normal points up.
+    const Mask at_low = select(across_x, n[0], select(across_z, n[2], n[1])) > Lane(0.0);
+    faces_[static_cast<std::size_t>(surface)] = {across_x, across_z, at_low};
   }
 }
 
 /// Where on the face that its surface meets a place lies.
 std::array<Lane, 2> ContactLanes::place_on_face(const ContactCandidate& candidate) const {
-  const auto& [across_x, across_z] = faces_[static_cast<std::size_t>(candidate.surface)];
+  const auto& [across_x, across_z, at_low] = faces_[static_cast<std::size_t>(candidate.surface)];
   const LaneVector place = to_lanes(body_.position_m[static_cast<std::size_t>(candidate.node)]) +
                            to_lanes(model_.place[static_cast<std::size_t>(candidate.place)].arm_m);
   return {select(across_x, place[1], place[0]), select(across_z, place[1], place[2])};

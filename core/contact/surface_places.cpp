@@ -41,6 +41,7 @@ class Side {
       : lattice_(lattice),
         size_m_(parameters.size_m),
         shape_(parameters),
+        side_(side),
         plane_(lattice, side / 2, {static_cast<int>((side / 2 + 1) % 3), static_cast<int>((side / 2 + 2) % 3)}),
         sign_(side % 2 == 0 ? -1.0 : 1.0) {
     for (std::size_t t = 0; t < 2; ++t) {
@@ -57,7 +58,7 @@ class Side {
     for (int i = 0; i <= steps(0); ++i) {
       for (int j = 0; j <= steps(1); ++j) append_place({i, j}, set, places);
     }
-    if (shape_.curvatures(plane_.axis) > 0) return;
+    if (!shape_.is_plane(plane_.axis)) return;
     double sum = 0.0;
     for (std::size_t p = first; p < places.size(); ++p) sum += places[p].area_m2;
     const double scale = shape_.face_area_m2(plane_.axis) / sum;
@@ -69,16 +70,16 @@ class Side {
 
   void append_place(const std::array<int, 2>& step, ContactSet set, std::vector<SurfacePlace>& places) const {
     std::array<double, 3> from_center = in_plane(step, {0.0, 0.0});
-    const double chord = shape_.half_chord_m(plane_.axis, from_center);
+    const auto column = shape_.column_m(side_, from_center);
     const double pole = 0.5 * size_m_[plane_.axis];
-    if (!(chord >= 0.0)) return;
-    if (set == ContactSet::six_sides && pole - chord > kDeepestMeeting * size_m_[plane_.axis]) return;
+    if (!column) return;
+    if (set == ContactSet::six_sides && pole - *column > kDeepestMeeting * size_m_[plane_.axis]) return;
     SurfacePlace place;
     place.area_m2 = area_m2(step);
     if (!(place.area_m2 > 0.0)) return;
-    from_center[plane_.axis] = sign_ * chord;
-    place.outward = outward(from_center);
-    place.curved = shape_.curvatures(plane_.axis) > 0;
+    from_center[plane_.axis] = sign_ * *column;
+    place.outward = shape_.outward(side_, from_center);
+    place.curved = !shape_.is_plane(plane_.axis);
     place.node = nearest_node(step);
     for (std::size_t d = 0; d < 3; ++d) place.place_m[d] = lattice_.center_m[d] + from_center[d];
     places.push_back(place);
@@ -108,28 +109,13 @@ class Side {
     for (int i = 0; i < kParts * kParts; ++i) {
       std::array<double, 3> there = in_plane(step, {low[0] + width[0] * (i % kParts + 0.5) / kParts,
                                                     low[1] + width[1] * (i / kParts + 0.5) / kParts});
-      there[plane_.axis] = sign_ * shape_.half_chord_m(plane_.axis, there);
-      if (!(sign_ * there[plane_.axis] >= 0.0)) continue;
-      const std::array<double, 3> normal = outward(there);
+      const auto column = shape_.column_m(side_, there);
+      if (!column) continue;
+      there[plane_.axis] = sign_ * *column;
+      const std::array<double, 3> normal = shape_.outward(side_, there);
       sum += share_of_side(normal) * part_m2 / std::abs(normal[plane_.axis]);
     }
     return sum;
-  }
-
-  /// Normal of the surface at a place of this side.
-  [[nodiscard]] std::array<double, 3> outward(const std::array<double, 3>& from_center) const {
-    std::array<double, 3> normal{};
-    if (!shape_.is_round(plane_.axis)) {
-      normal[plane_.axis] = sign_;
-      return normal;
-    }
-    double square = 0.0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      if (shape_.is_round(d)) normal[d] = from_center[d] / (size_m_[d] * size_m_[d]);
-      square += normal[d] * normal[d];
-    }
-    for (double& component : normal) component /= std::sqrt(square);
-    return normal;
   }
 
   /// 1: the place is this side's alone; between sides that it faces alike it is shared.
@@ -168,6 +154,7 @@ class Side {
   const Lattice& lattice_;
   std::array<double, 3> size_m_;
   TrueShape shape_;
+  std::size_t side_;
   FacePlane plane_;
   double sign_;
   std::array<int, 2> per_cell_{};           ///< spaces between places along the edge of a cell

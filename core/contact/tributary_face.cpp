@@ -33,7 +33,7 @@ std::array<int, 2> FacePlane::grid_place(const std::array<double, 3>& position_m
 TributaryFace::TributaryFace(const TrueShape& shape, const Lattice& lattice, const FacePlane& plane,
                              const std::vector<SurfacePoint>& points)
     : shape_(shape), plane_(plane), has_particle_(plane.size(), 0), has_cell_(plane.size(), 0) {
-  const bool flat = shape.curvatures(plane.axis) == 0;
+  const bool flat = shape.is_plane(plane.axis);
   for (std::size_t t = 0; t < 2; ++t) curved_[t] = !flat && shape.is_round(plane.tangent[t]);
   for (const SurfacePoint& point : points) {
     has_particle_[plane.index(plane.grid_place(lattice.position_m[static_cast<std::size_t>(point.node)]))] = 1;
@@ -115,7 +115,7 @@ void TributaryFace::fill_flat_areas() {
       std::array<double, 3> place{};
       const double share = (k + 0.5) / kStrips;
       place[plane_.tangent[0]] = plane_.low_m[0] + (i + share) * plane_.extent_m[0] - plane_.center_m[0];
-      add_strip(i, width, share, shape_.half_chord_m(plane_.tangent[1], place));
+      add_strip(i, width, share, shape_.column_m(2 * plane_.tangent[1], place).value_or(-1.0));
     }
   }
   const double sum = std::accumulate(area_m2_.begin(), area_m2_.end(), 0.0);

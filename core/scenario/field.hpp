@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/scenario/attitude.hpp"
+#include "core/scenario/product_parameters.hpp"
 #include "core/scenario/range.hpp"
 
 namespace unbruised {
@@ -35,6 +36,7 @@ inline constexpr Range kPronyShare{.min = 0.0, .min_open = true, .max = 1.0};
 inline constexpr Range kAccuracy{.min = 0.0, .max = 1.0, .max_open = true};
 inline constexpr Range kDampingRatio{.min = 0.0, .max = 1.0, .max_open = true};
 
+inline constexpr Range kExponent{.min = kLeastExponent, .max = kLargestExponent};
 inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
 
 inline constexpr Range kModeCount{.min = 0.0, .max = 2000.0};

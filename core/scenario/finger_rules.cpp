@@ -197,7 +197,8 @@ std::vector<Rule> finger_rules() {
       {{kAngle, kDirection}, "excludes direction", angle_or_direction, "excludes angle_rad"},
       {{kDirection}, "not zero", directions_point_somewhere},
       {{kOffset, kAngle, kDirection, "gripper.pad_size_m", "gripper.opening_m", "cell.approach_gap_m",
-        "cell.grip_offset_m", "cell.grip_height_m", "product.size_m", "product.shape", "product.axis"},
+        "cell.grip_offset_m", "cell.grip_height_m", "product.size_m", "product.shape", "product.axis",
+        "product.profile_height", "product.profile_radius", "product.exponents"},
        "clear of each other's pads until the product is touched",
        fingers_clear_each_other},
   };

@@ -62,17 +62,20 @@ constexpr std::string_view kAngle = "gripper.finger[].angle_rad", kDirection = "
 std::vector<Rule> gripper_rules() {
   return {
       {{"gripper.stroke_m", "cell.approach_gap_m", "gripper.opening_m", "product.size_m", kAngle, kDirection,
-        kOffset, "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis"},
+        kOffset, "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis",
+        "product.profile_height", "product.profile_radius", "product.exponents"},
        "> the way to the product",
        fingers_reach},
       bounded("gripper.min_force_N", "<= max_force_N", "gripper.max_force_N"),
       bounded("gripper.force_step_N", "<= max_force_N", "gripper.max_force_N"),
       {{"gripper.opening_m", "product.size_m", kAngle, kDirection, kOffset, "cell.grip_offset_m",
-        "cell.grip_height_m", "product.shape", "product.axis"},
+        "cell.grip_height_m", "product.shape", "product.axis", "product.profile_height", "product.profile_radius",
+        "product.exponents"},
        "> product.size_m[0]",
        product_fits_opening},
       {{"cell.approach_gap_m", "gripper.opening_m", "product.size_m", kAngle, kDirection, kOffset,
-        "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis"},
+        "cell.grip_offset_m", "cell.grip_height_m", "product.shape", "product.axis", "product.profile_height",
+        "product.profile_radius", "product.exponents"},
        "with gripper.opening_m: what the opening leaves",
        gap_follows_opening},
   };

@@ -13,6 +13,11 @@ namespace {
 
 using Place = std::array<double, 2>;
 
+/// Of the side -x that the left pad meets, in the column through a place; where there is none, far inside.
+double half_chord_m(const TrueShape& shape, const std::array<double, 3>& place_m) {
+  return shape.column_m(0, place_m).value_or(-1.0);
+}
+
 /// A shaped pad before the side of a product.
 struct FacingPad {
   PadFace face;
@@ -25,7 +30,7 @@ struct FacingPad {
   [[nodiscard]] double ahead_m(const Place& on_pad) const {
     const std::array<double, 3> there = {0.0, center_m[0] + on_pad[0], center_m[1] + on_pad[1]};
     if (!shape.contains(there)) return -1e3;
-    return face.height_m(on_pad) - (half_width_m - shape.half_chord_m(0, there));
+    return face.height_m(on_pad) - (half_width_m - half_chord_m(shape, there));
   }
 };
 
@@ -60,7 +65,7 @@ PadMeeting shaped_meeting(const FacingPad& pad, Place on_pad) {
   std::array<double, 3> there = {0.0, pad.center_m[0] + on_pad[0], pad.center_m[1] + on_pad[1]};
   PadMeeting meeting;
   meeting.reach_m = pad.ahead_m(on_pad);
-  there[0] = pad.shape.half_chord_m(0, there);
+  there[0] = half_chord_m(pad.shape, there);
   meeting.depth_share = 0.5 - 0.5 * there[0] / pad.half_width_m;
   if (!pad.shape.is_round(0)) return meeting;
   // Of the least of the angles between the product's normal and the face to both sides of the place: a face may
@@ -89,23 +94,23 @@ std::optional<PadMeeting> pad_meeting(const Scenario& scenario) {
   const auto* jaw = parallel_jaw(scenario);
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   if (jaw == nullptr || !jaw->finger.empty() || lattice == nullptr) return std::nullopt;
-  // Every shape falls away from the axis, so it stands highest where the pad comes nearest to it.
+  // Every shape falls away from its pole, so it stands highest where the pad comes nearest to that.
+  const TrueShape shape(*lattice);
+  const std::array<double, 3> pole_m = shape.pole_m(0);
   const std::array<double, 2> center_m = {scenario.cell.grip_offset_m, scenario.cell.grip_height_m};
   std::array<double, 3> place_m{};
   for (std::size_t t = 0; t < 2; ++t) {
     const double half = 0.5 * jaw->pad_size_m[t];
-    place_m[t + 1] = std::clamp(0.0, center_m[t] - half, center_m[t] + half);
+    place_m[t + 1] = std::clamp(pole_m[t + 1], center_m[t] - half, center_m[t] + half);
   }
-  const TrueShape shape(*lattice);
   if (!shape.contains(place_m)) return std::nullopt;
   if (is_shaped(jaw->pad)) {
     const Place on_pad = {place_m[1] - center_m[0], place_m[2] - center_m[1]};
     return shaped_meeting({PadFace(*jaw), shape, 0.5 * lattice->size_m[0], center_m}, on_pad);
   }
-  const double half_chord_m = shape.half_chord_m(0, place_m);
-  place_m[0] = half_chord_m;
+  place_m[0] = half_chord_m(shape, place_m);
   const double along = shape.is_round(0) ? std::abs(shape.nearest(place_m).normal[0]) : 1.0;
-  return PadMeeting{0.5 - half_chord_m / lattice->size_m[0], std::acos(std::min(1.0, along)), 0.0};
+  return PadMeeting{0.5 - place_m[0] / lattice->size_m[0], std::acos(std::min(1.0, along)), 0.0};
 }
 
 double pad_reach_m(const Scenario& scenario) {

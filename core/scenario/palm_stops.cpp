@@ -82,8 +82,9 @@ bool hangs_off_centre(const Scenario& scenario) {
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   if (lattice == nullptr || !has_gripper(scenario) || turns_product(scenario)) return false;
   if (has_shaped_pads(scenario) || has_lattice_pads(scenario)) return false;
-  return std::abs(scenario.cell.grip_offset_m) > kCentred * lattice->size_m[1] ||
-         std::abs(scenario.cell.grip_height_m) > kCentred * lattice->size_m[2];
+  const std::array<double, 3> mass_m = TrueShape(*lattice).center_of_mass_m();
+  return std::abs(scenario.cell.grip_offset_m - mass_m[1]) > kCentred * lattice->size_m[1] ||
+         std::abs(scenario.cell.grip_height_m - mass_m[2]) > kCentred * lattice->size_m[2];
 }
 
 PalmStop placing_stop(const Scenario& scenario) {

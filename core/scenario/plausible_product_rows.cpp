@@ -3,6 +3,7 @@
 
 #include "core/scenario/lattice_cells.hpp"
 #include "core/scenario/plausible_parts.hpp"
+#include "core/scenario/profile_curve.hpp"
 
 namespace unbruised::plausible {
 namespace {
@@ -16,6 +17,16 @@ void cells_across(const Scenario& s, const MeasureVisit& visit) {
   const LatticeParameters& p = lattice_of(s);
   const double smallest = *std::min_element(p.size_m.begin(), p.size_m.end());
   visit({"product.cell_size_m", p.cell_size_m, std::max(2.0, std::round(smallest / p.cell_size_m))});
+}
+
+/// How much more slender the product is than its profile.
+void stretched_profile(const Scenario& s, const MeasureVisit& visit) {
+  const LatticeParameters& p = lattice_of(s);
+  if (p.shape != Shape::revolution || profile_fault(p.profile_height, p.profile_radius)) return;
+  const auto axis = static_cast<std::size_t>(p.axis);
+  const double widest = *std::max_element(p.profile_radius.begin(), p.profile_radius.end());
+  const double slender = (p.profile_height.back() - p.profile_height.front()) / (2.0 * widest);
+  visit({"product.size_m", p.size_m[axis], p.size_m[axis] / p.size_m[(axis + 1) % 3] / slender});
 }
 
 void yield_strain(const Scenario& s, const MeasureVisit& visit) {
@@ -41,11 +52,21 @@ Rows product_rows() {
        "kg/m3",
        100.0,
        3000.0,
-       {"product.mass_kg", "product.size_m", "product.shape"},
+       {"product.mass_kg", "product.size_m", "product.shape", "product.profile_height", "product.profile_radius",
+        "product.exponents"},
        grams,
        "",
        "bread 200, apple 850 (Mohsenin), kiwi 1022 (Du et al. 2019), silicone 1070 to 1500, glass 2500 kg/m3",
        density_from_mass},
+      {"stretch of the profile",
+       "",
+       0.8,
+       1.25,
+       {"product.profile_height", "product.profile_radius", "product.size_m", "product.shape", "product.axis"},
+       {},
+       "the solid is that much more slender than the points of its profile",
+       "size_m says how large a solid of revolution is, whatever the unit of its profile",
+       stretched_profile},
       plain("product.density_kg_m3", "density", "kg/m3", 100.0, 3000.0, {{1e-3, "g/cm3 taken for kg/m3"}},
             "as the density from mass and size"),
       {"cell count across the product",

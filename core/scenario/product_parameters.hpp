@@ -10,7 +10,9 @@
 
 namespace unbruised {
 
-enum class Shape { box, sphere, ellipsoid, cylinder };
+enum class Shape { box, sphere, ellipsoid, cylinder, revolution, superellipsoid };
+/// Of superellipsoids: below, edges are sharp; above, sides are as good as flat.
+inline constexpr double kLeastExponent = 2.0, kLargestExponent = 4.0;
 enum class Axis { x = 0, y = 1, z = 2 };
 /// Which of its moduli the stiffness of a relaxing material is written with.
 enum class PronyFrom { instantaneous, long_term };
@@ -19,10 +21,18 @@ enum class PronyFrom { instantaneous, long_term };
 /// It stands centred on x = y = 0 with the lowest point of its true shape on z = 0.
 struct LatticeParameters {
   Shape shape = Shape::box;
-  /// > 0 each; full extents. A sphere has three equal ones.
+  /// > 0 each; full extents. A sphere has three equal ones, a solid of revolution two across its axis.
   std::array<double, 3> size_m{0.05, 0.05, 0.05};
-  /// Axis of a cylinder.
+  /// Axis of a cylinder or a solid of revolution.
   Axis axis = Axis::z;
+  /// Of a solid of revolution: 4 to 1000 points from its low end to its high one, as many radii as heights; the
+  /// curve through them is stretched to size_m. Radii begin and end at 0, heights rise; a flat end has its middle
+  /// and its rim at one height.
+  std::vector<double> profile_height;
+  /// >= 0
+  std::vector<double> profile_radius;
+  /// >= 2, <= 4; of a superellipsoid: across z, and between z and the outline across it. 2: an ellipse.
+  std::array<double, 2> exponents{2.0, 2.0};
   /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two, whose
   /// sides may differ by 22 %.
   double cell_size_m = 0.005;

@@ -66,6 +66,9 @@ struct Standing {
   [[nodiscard]] double reach_m(const std::array<double, 3>& direction) const {
     return shape.reach_m(turned(back, direction));
   }
+  [[nodiscard]] double reach_to_both_m(const std::array<double, 3>& d) const {
+    return std::max(reach_m(d), reach_m({-d[0], -d[1], -d[2]}));
+  }
 };
 
 /// Does the product stand partly before and partly behind a surface?
@@ -75,10 +78,11 @@ bool stands_in(const CellSurfaceParameters& surface, const Standing& product) {
   std::array<double, 3> way{};
   for (std::size_t d = 0; d < 3; ++d) way[d] = product.center_m[d] - surface.center_m[d];
   for (std::size_t t = 0; t < 2 && surface.size_m; ++t) {
-    if (std::abs(dot(axes[t], way)) >= 0.5 * (*surface.size_m)[t] + product.reach_m(axes[t])) return false;
+    if (std::abs(dot(axes[t], way)) >= 0.5 * (*surface.size_m)[t] + product.reach_to_both_m(axes[t])) return false;
   }
-  const double reach_m = product.reach_m(axes[2]) - kRounding_m;  // all shapes are alike to both sides
-  return std::abs(dot(axes[2], way)) < reach_m;
+  const double before_m = dot(axes[2], way);
+  const std::array<double, 3> behind = {-axes[2][0], -axes[2][1], -axes[2][2]};
+  return before_m < product.reach_m(behind) - kRounding_m && -before_m < product.reach_m(axes[2]) - kRounding_m;
 }
 
 void surfaces_clear_of_product(const Scenario& s, Violations& out) {
@@ -124,7 +128,8 @@ std::vector<Rule> surface_rules() {
       {{"cell.surface", "product.kind"}, "needs a product with a shape", surfaces_of_a_solid},
       {{"cell.surface[].normal"}, "not zero", normals_point_somewhere},
       {{"cell.surface[].center_m", "cell.surface[].normal", "cell.surface[].size_m", "product.shape",
-        "product.size_m", "product.initial_rotation_rad", "product.initial_height_m"},
+        "product.axis", "product.profile_height", "product.profile_radius", "product.exponents", "product.size_m",
+        "product.initial_rotation_rad", "product.initial_height_m"},
        "clear of the product at the start",
        surfaces_clear_of_product},
       {{"cell.surface[].path_m", "cell.surface[].path_time_s"},

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/scenario/finger_axes.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -50,23 +52,47 @@ std::array<double, 3> foot_of(const EllipsoidPlace& place) {
 
 }  // namespace
 
-TrueShape::TrueShape(const LatticeParameters& parameters) : size_m_(parameters.size_m) {
+TrueShape::TrueShape(const LatticeParameters& parameters)
+    : size_m_(parameters.size_m), solid_(solid_of(parameters)) {
   round_.fill(parameters.shape != Shape::box);
   if (parameters.shape == Shape::cylinder) round_[static_cast<std::size_t>(parameters.axis)] = false;
 }
 
-int TrueShape::curvatures(std::size_t axis) const {
-  if (!round_[axis]) return 0;
+bool TrueShape::is_plane(std::size_t axis) const { return !solid_ && curvatures(2 * axis) == 0; }
+
+bool TrueShape::curves(std::size_t side, std::size_t along) const {
+  if (solid_) return solid_->pole_curvature_1_m(side, along) > 0.0;
+  return round_[side / 2] && round_[along];
+}
+
+int TrueShape::curvatures(std::size_t side) const {
   int count = 0;
-  for (std::size_t d = 0; d < 3; ++d) count += d != axis && round_[d] ? 1 : 0;
+  for (std::size_t d = 0; d < 3; ++d) count += d != side / 2 && curves(side, d) ? 1 : 0;
   return count;
 }
 
 double TrueShape::volume_m3() const {
+  if (solid_) return solid_->volume_m3();
   const double box = size_m_[0] * size_m_[1] * size_m_[2];
   const auto round_axes = std::count(round_.begin(), round_.end(), true);
   if (round_axes == 0) return box;
   return std::numbers::pi / (round_axes == 3 ? 6.0 : 4.0) * box;
+}
+
+std::array<double, 3> TrueShape::center_of_mass_m() const {
+  return solid_ ? solid_->center_of_mass_m() : std::array<double, 3>{};
+}
+
+double TrueShape::mean_square_share(std::size_t axis) const {
+  if (solid_) return solid_->mean_square_m2(axis) / (size_m_[axis] * size_m_[axis]);
+  if (!round_[axis]) return 1.0 / 12.0;
+  return std::count(round_.begin(), round_.end(), true) == 3 ? 1.0 / 20.0 : 1.0 / 16.0;
+}
+
+double TrueShape::section_m2(std::size_t axis) const {
+  if (solid_) return solid_->section_m2(axis);
+  const auto [first, second] = face_tangents(axis);
+  return 0.25 * std::numbers::pi * size_m_[first] * size_m_[second];
 }
 
 double TrueShape::face_area_m2(std::size_t axis) const {
@@ -74,7 +100,17 @@ double TrueShape::face_area_m2(std::size_t axis) const {
   return round_[(axis + 1) % 3] && round_[(axis + 2) % 3] ? std::numbers::pi / 4.0 * bounds : bounds;
 }
 
+std::array<double, 2> TrueShape::face_extents_m(std::size_t side) const {
+  if (solid_ && solid_->flat_end_m2(side) > 0.0) {
+    const double extent = std::sqrt(solid_->flat_end_m2(side));
+    return {extent, extent};
+  }
+  const auto [first, second] = face_tangents(side / 2);
+  return {size_m_[first], size_m_[second]};
+}
+
 bool TrueShape::contains(const std::array<double, 3>& place_m) const {
+  if (solid_) return solid_->contains(place_m);
   double round_sum = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
     const double q = 2.0 * place_m[d] / size_m_[d];
@@ -84,16 +120,47 @@ bool TrueShape::contains(const std::array<double, 3>& place_m) const {
   return round_sum <= 1.0;
 }
 
-double TrueShape::half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const {
+std::optional<double> TrueShape::column_m(std::size_t side, const std::array<double, 3>& place_m) const {
+  if (solid_) return solid_->column_m(side, place_m);
+  const std::size_t axis = side / 2;
   double rest = 1.0;
   for (std::size_t d = 0; d < 3; ++d) {
     if (d != axis && round_[d]) rest -= 4.0 * place_m[d] * place_m[d] / (size_m_[d] * size_m_[d]);
   }
-  if (rest < 0.0) return -1.0;
+  if (rest < 0.0) return std::nullopt;
   return 0.5 * size_m_[axis] * (round_[axis] ? std::sqrt(rest) : 1.0);
 }
 
+std::array<double, 3> TrueShape::outward(std::size_t side, const std::array<double, 3>& place_m) const {
+  if (solid_) return solid_->outward(side, place_m);
+  std::array<double, 3> normal{};
+  if (!round_[side / 2]) {
+    normal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+    return normal;
+  }
+  double square = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (round_[d]) normal[d] = place_m[d] / (size_m_[d] * size_m_[d]);
+    square += normal[d] * normal[d];
+  }
+  for (double& component : normal) component /= std::sqrt(square);
+  return normal;
+}
+
+std::array<double, 3> TrueShape::pole_m(std::size_t side) const {
+  if (solid_) return solid_->pole_m(side);
+  std::array<double, 3> pole{};
+  pole[side / 2] = (side % 2 == 0 ? -0.5 : 0.5) * size_m_[side / 2];
+  return pole;
+}
+
+double TrueShape::pole_radius_m(std::size_t side, std::size_t along) const {
+  if (solid_) return 1.0 / solid_->pole_curvature_1_m(side, along);
+  return 0.5 * size_m_[along] * size_m_[along] / size_m_[side / 2];
+}
+
 double TrueShape::reach_m(const std::array<double, 3>& direction) const {
+  if (solid_) return solid_->reach_m(direction);
   double flat_m = 0.0, round_m2 = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
     const double along_m = 0.5 * size_m_[d] * direction[d];
@@ -133,6 +200,7 @@ NearestSurface TrueShape::nearest_round(const std::array<double, 3>& place_m) co
 }
 
 NearestSurface TrueShape::nearest(const std::array<double, 3>& place_m) const {
+  if (solid_) return solid_->nearest(place_m);
   // The round axes together and each flat one bound the shape in directions that do not mix: outside, the
   // distances add up by squares; inside, the nearest of them counts.
   std::array<NearestSurface, 4> part;
@@ -209,6 +277,7 @@ TrueShape::Chord TrueShape::flat_chord(std::size_t axis, double place_m, double 
 
 std::optional<ShapeHit> TrueShape::first_hit(const std::array<double, 3>& place_m,
                                              const std::array<double, 3>& direction) const {
+  if (solid_) return solid_->first_hit(place_m, direction);
   Chord inside = round_chord(place_m, direction);
   for (std::size_t d = 0; d < 3; ++d) {
     if (round_[d]) continue;

@@ -2,49 +2,59 @@
 
 /// @file
 /// The true shape of a lattice product: its one definition, asked by the lattice for its cells and by contact for
-/// the surface. With q the place from the centre over the half extents, a place is inside where the sum of q^2
-/// over the round axes is at most 1, and each other |q|.
+/// the surface. With q the place from the centre over the half extents, a place of a box, an ellipsoid or a
+/// cylinder is inside where the sum of q^2 over the round axes is at most 1, and each other |q|; other shapes are
+/// `Solid`s.
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "core/scenario/scenario.hpp"
+#include "core/scenario/solid.hpp"
 
 namespace unbruised {
 
-/// The place of the surface that is nearest to some place.
-struct NearestSurface {
-  double distance_m = 0;                  ///< negative inside
-  std::array<double, 3> normal{0, 0, 1};  ///< outward, of length 1
-};
-
-/// Where a ray meets the surface.
-struct ShapeHit {
-  double distance_m = 0;           ///< along the ray; 0 where it starts inside
-  std::array<double, 3> normal{};  ///< outward, of any length; against the ray where it starts inside
-};
-
-/// Places are relative to the centre of the shape.
+/// Places are relative to the centre of the shape, that of its bounding box. Sides are -x, +x, -y, +y, -z, +z.
 class TrueShape {
  public:
   explicit TrueShape(const LatticeParameters& parameters);
 
+  /// What kind of solid it is; null: a box, an ellipsoid or a cylinder.
+  [[nodiscard]] const Solid* solid() const { return solid_.get(); }
   /// Does the surface curve along this axis?
   [[nodiscard]] bool is_round(std::size_t axis) const { return round_[axis]; }
-  /// Along how many of the two directions across it does the side that faces `axis` curve?
-  [[nodiscard]] int curvatures(std::size_t axis) const;
+  /// Are the sides across `axis` planes?
+  [[nodiscard]] bool is_plane(std::size_t axis) const;
+  /// Does the pole of a side curve along an axis?
+  [[nodiscard]] bool curves(std::size_t side, std::size_t along) const;
+  /// Along how many of the two directions across it does the pole of a side curve?
+  [[nodiscard]] int curvatures(std::size_t side) const;
   [[nodiscard]] double volume_m3() const;
-  /// Area of the flat side that faces `axis` [m2].
+  [[nodiscard]] std::array<double, 3> center_of_mass_m() const;
+  /// Mean square of the places along `axis` over the square of the extent.
+  [[nodiscard]] double mean_square_share(std::size_t axis) const;
+  /// Of the widest cut across `axis` [m2].
+  [[nodiscard]] double section_m2(std::size_t axis) const;
+  /// Area of the sides that are planes across `axis` [m2].
   [[nodiscard]] double face_area_m2(std::size_t axis) const;
+  /// Extents of the flat face of a side along the two axes across it, in the order of x, y, z [m]: of a round end
+  /// the sides of a square as large, of a side without a plane those of the box.
+  [[nodiscard]] std::array<double, 2> face_extents_m(std::size_t side) const;
   [[nodiscard]] bool contains(const std::array<double, 3>& place_m) const;
-  /// Half the chord along `axis` through a place (its own component along the axis does not count) [m]; negative
-  /// where the line passes beside its round axes (flat ones are not asked).
-  [[nodiscard]] double half_chord_m(std::size_t axis, const std::array<double, 3>& place_m) const;
-  /// Radius of curvature at the pole of `axis` along another, round one [m].
-  [[nodiscard]] double pole_radius_m(std::size_t axis, std::size_t along) const {
-    return 0.5 * size_m_[along] * size_m_[along] / size_m_[axis];
-  }
+  /// How far outward from the centre a side's surface lies in the column along its axis through a place (whose own
+  /// component along the axis does not count) [m]; none where the column passes beside round axes (flat ones are
+  /// not asked).
+  [[nodiscard]] std::optional<double> column_m(std::size_t side, const std::array<double, 3>& place_m) const;
+  /// The normal at a place of the surface that faces a side, of length 1.
+  [[nodiscard]] std::array<double, 3> outward(std::size_t side, const std::array<double, 3>& place_m) const;
+  /// The outermost place of a side.
+  [[nodiscard]] std::array<double, 3> pole_m(std::size_t side) const;
+  /// Radius of curvature at the pole of a side along an axis where it curves [m].
+  [[nodiscard]] double pole_radius_m(std::size_t side, std::size_t along) const;
+  /// Are both sides across `axis` each other's mirror image?
+  [[nodiscard]] bool is_mirrored(std::size_t axis) const { return !solid_ || solid_->is_mirrored(axis); }
   /// How far it reaches from its centre along a unit vector: its support function [m].
   [[nodiscard]] double reach_m(const std::array<double, 3>& direction) const;
   /// Distance and normal at a place; where several places are nearest, as in the middle, one of them.
@@ -63,6 +73,7 @@ class TrueShape {
 
   std::array<double, 3> size_m_;
   std::array<bool, 3> round_{};
+  std::shared_ptr<const Solid> solid_;
 };
 
 }  // namespace unbruised

@@ -230,7 +230,7 @@ std::vector<Rule> turn_rules() {
        s_curves_have_jerks},
       {{kPlace, "strategy.tilt_rad", "strategy.waypoint[].via_m", kRotation, kQuaternion, "gripper",
         "cell.lift_height_m", "cell.place_height_m", "cell.grip_offset_m", "cell.grip_height_m", "product.size_m",
-        "product.shape", "product.axis"},
+        "product.shape", "product.axis", "product.profile_height", "product.profile_radius", "product.exponents"},
        "clear of the plane below",
        stops_clear_the_plane,
        "clear of the plane below"},

@@ -61,6 +61,11 @@ constexpr std::size_t finger_of(int surface) {
 constexpr bool has_own_axes(int surface) { return surface >= kFirstCellSurface; }
 constexpr int normal_axis(int surface) { return geometry_of(surface).normal_axis; }
 constexpr double normal_sign(int surface) { return geometry_of(surface).normal_sign; }
+/// The side of a lattice (-x, +x, -y, +y, -z, +z) that faces a surface, which lies at the low end where its force
+/// points up.
+constexpr std::size_t facing_side(int surface) {
+  return 2 * static_cast<std::size_t>(normal_axis(surface)) + (normal_sign(surface) > 0.0 ? 0 : 1);
+}
 constexpr std::array<int, 2> tangent_axes(int surface) { return geometry_of(surface).tangent_axes; }
 
 /// Pads, support, and what the cell lists: in the order in which traces and contact events number them.

@@ -161,7 +161,9 @@ struct Assembler {
     const bool lattice = std::holds_alternative<LatticeParameters>(out.scenario.product);
     switch (spec.use) {
       case Use::lattice:
-      case Use::cylinder:
+      case Use::with_axis:
+      case Use::revolution:
+      case Use::superellipsoid:
         return lattice || !spec.path.starts_with("product.");
       case Use::network:
       case Use::network_support:

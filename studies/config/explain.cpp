@@ -108,8 +108,12 @@ std::string where_used(Use use) {
       return "lattice products";
     case Use::network:
       return "networks";
-    case Use::cylinder:
-      return "cylinders";
+    case Use::with_axis:
+      return "cylinders and solids of revolution";
+    case Use::revolution:
+      return "solids of revolution";
+    case Use::superellipsoid:
+      return "superellipsoids";
     case Use::gripper:
       return "studies with a gripper";
     case Use::not_gripper:

@@ -55,8 +55,13 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return lattice != nullptr;
     case Use::network:
       return lattice == nullptr;
-    case Use::cylinder:
-      return lattice != nullptr && (lattice->shape == Shape::cylinder || varied("product.shape"));
+    case Use::with_axis:
+      return lattice != nullptr &&
+             (lattice->shape == Shape::cylinder || lattice->shape == Shape::revolution || varied("product.shape"));
+    case Use::revolution:
+      return lattice != nullptr && (lattice->shape == Shape::revolution || varied("product.shape"));
+    case Use::superellipsoid:
+      return lattice != nullptr && (lattice->shape == Shape::superellipsoid || varied("product.shape"));
     case Use::gripper:
     case Use::not_window:
       return has_gripper(scenario);
@@ -111,8 +116,12 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: the product is a network";
     case Use::network:
       return "not used: only products of kind = \"network\" have it";
-    case Use::cylinder:
-      return "not used: only a cylinder has an axis";
+    case Use::with_axis:
+      return "not used: only a cylinder or a solid of revolution has an axis";
+    case Use::revolution:
+      return "not used: only a solid of revolution (product.shape = \"revolution\") has it";
+    case Use::superellipsoid:
+      return "not used: only a superellipsoid has exponents";
     case Use::gripper:
       return "not used: the study has no [gripper]";
     case Use::not_gripper:

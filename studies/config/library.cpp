@@ -172,6 +172,7 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
   for (const Problem& problem : document.problems) problems.add(problem);
   std::vector<Entry> entries = library_entries(document, "", table, problems);
   read_profile(entries, problems);
+  read_product_profile(entries, problems);
   return entries;
 }
 

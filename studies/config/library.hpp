@@ -49,6 +49,9 @@ class Library {
   /// Appends the places and heights of the last profile that entries name a file of.
   void read_profile(std::vector<Entry>& entries, Problems& problems);
 
+  /// Appends the profile of a solid of revolution that entries name a file of.
+  void read_product_profile(std::vector<Entry>& entries, Problems& problems);
+
   /// Appends the joints and the flange of the URDF file that entries name.
   void read_arm(std::vector<Entry>& entries, Problems& problems);
 

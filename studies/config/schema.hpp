@@ -207,7 +207,9 @@ enum class Use {
   always,
   lattice,
   network,
-  cylinder,
+  with_axis,  ///< cylinders and solids of revolution
+  revolution,
+  superellipsoid,
   gripper,
   not_gripper,
   not_window,

@@ -92,6 +92,7 @@ class Reader {
       if (Library::names_file(entry.path)) text_.study.push_back(entry);
     }
     library_.read_profile(text_.study, problems_);
+    library_.read_product_profile(text_.study, problems_);
     library_.read_arm(text_.study, problems_);
     library_.read_waypoints(text_.study, problems_);
     library_.read_demonstration(text_.study, problems_);

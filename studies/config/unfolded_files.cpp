@@ -4,6 +4,7 @@
 
 #include "studies/config/demonstration.hpp"
 #include "studies/config/library.hpp"
+#include "studies/config/product_profile.hpp"
 #include "studies/config/urdf_arm.hpp"
 #include "studies/config/waypoint_csv.hpp"
 #include "studies/text/joined.hpp"
@@ -48,14 +49,26 @@ void append_unsaid(std::vector<Entry> more, std::vector<Entry>& entries) {
 }  // namespace
 
 bool Library::names_file(std::string_view key) {
-  return key == kProfileFileKey || key == kWaypointFileKey || key == "robot.urdf" || key == "robot.tip_link" ||
-         key.starts_with(kDemonstrationKey);
+  return key == kProfileFileKey || key == kProductProfileKey || key == kWaypointFileKey || key == "robot.urdf" ||
+         key == "robot.tip_link" || key.starts_with(kDemonstrationKey);
 }
 
 void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {
   const auto named = file_named(entries, kProfileFileKey);
   const auto text = named ? open(*named, problems) : std::nullopt;
   if (text) append(profile_entries(text->content, text->file, text->rank, problems), entries);
+}
+
+void Library::read_product_profile(std::vector<Entry>& entries, Problems& problems) {
+  const auto named = file_named(entries, kProductProfileKey);
+  if (!named) return;
+  if (last_of(entries, "product.profile_height") != nullptr) {
+    problems.add(named->origin, named->path, spelled(named->value),
+                 "excludes product.profile_height; give one of them");
+    return;
+  }
+  const auto text = open(*named, problems);
+  if (text) append(product_profile_entries(text->content, text->file, text->rank, problems), entries);
 }
 
 void Library::read_waypoints(std::vector<Entry>& entries, Problems& problems) {

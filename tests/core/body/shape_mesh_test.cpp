@@ -7,6 +7,7 @@
 
 #include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
+#include "tests/core/scenario/solids.hpp"
 
 namespace unbruised {
 namespace {
@@ -21,8 +22,13 @@ LatticeParameters product_of(Shape shape, const std::array<double, 3>& size_m, A
 
 const std::vector<LatticeParameters>& products() {
   static const std::vector<LatticeParameters> all = {
-      product_of(Shape::box, {0.03, 0.05, 0.02}), product_of(Shape::sphere, {0.04, 0.04, 0.04}),
-      product_of(Shape::ellipsoid, {0.05, 0.04, 0.06}), product_of(Shape::cylinder, {0.03, 0.05, 0.03}, Axis::y)};
+      product_of(Shape::box, {0.03, 0.05, 0.02}),
+      product_of(Shape::sphere, {0.04, 0.04, 0.04}),
+      product_of(Shape::ellipsoid, {0.05, 0.04, 0.06}),
+      product_of(Shape::cylinder, {0.03, 0.05, 0.03}, Axis::y),
+      testing::revolution_of(testing::pear_profile(), {0.06, 0.08, 0.06}, Axis::y),
+      testing::revolution_of(testing::bottle_profile(), {0.03, 0.03, 0.066}),
+      testing::superellipsoid_of({4.0, 2.5}, {0.05, 0.04, 0.03})};
   return all;
 }
 

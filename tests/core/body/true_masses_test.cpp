@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scenario/true_shape.hpp"
+#include "tests/core/scenario/solids.hpp"
+
 namespace unbruised {
 namespace {
 
@@ -37,6 +40,34 @@ TEST(TrueMasses, HaveTheMassAndTheMomentsOfTheShapeAndStayPositive) {
       // Newton's method ends at rounding.
       EXPECT_NEAR(mass_kg, 0.1, 1e-14);
       for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(square[d] / 0.1, each.mean_square_share[d], 1e-13);
+    }
+  }
+}
+
+TEST(TrueMasses, OfASolidOfRevolutionHaveItsCentreToo) {
+  for (const Axis axis : {Axis::y, Axis::z}) {
+    std::array<double, 3> size_m = {0.06, 0.06, 0.06};
+    size_m[static_cast<std::size_t>(axis)] = 0.08;
+    LatticeParameters pear = testing::revolution_of(testing::pear_profile(), size_m, axis);
+    pear.cell_size_m = 0.006;
+    const TrueShape shape(pear);
+    const Lattice lattice = build_lattice(pear);
+    const std::vector<double> masses = true_masses(pear, lattice);
+    double mass_kg = 0.0;
+    std::array<double, 3> first{}, square{};
+    for (std::size_t p = 0; p < masses.size(); ++p) {
+      EXPECT_GT(masses[p], 0.0);
+      mass_kg += masses[p];
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double q = (lattice.position_m[p][d] - lattice.center_m[d]) / size_m[d];
+        first[d] += masses[p] * q;
+        square[d] += masses[p] * q * q;
+      }
+    }
+    EXPECT_NEAR(mass_kg, 0.1, 1e-14);
+    for (std::size_t d = 0; d < 3; ++d) {
+      EXPECT_NEAR(first[d] / 0.1, shape.center_of_mass_m()[d] / size_m[d], 1e-13);
+      EXPECT_NEAR(square[d] / 0.1, shape.mean_square_share(d), 1e-13);
     }
   }
 }

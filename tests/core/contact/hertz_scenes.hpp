@@ -19,7 +19,9 @@ struct Pressed {
 
 /// Presses a frictionless sphere of R = 30 mm, E = 1 MPa, nu = 0.3 with a force until it rests.
 /// @param layer_ratio stiffness of the plates' layer over that of a column of the product 8.5 mm deep
-inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio) {
+/// @param change of the sphere, as it is
+inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio,
+                            void (*change)(LatticeParameters&) = nullptr) {
   const double E = 1e6, nu = 0.3, R = 0.03;
   const double plane = E / (1.0 - nu * nu);
   const double layer = layer_ratio * E / 0.0085;
@@ -27,6 +29,7 @@ inline Pressed press_sphere(int cells_across, double force_N, double layer_ratio
   LatticeParameters& ball = lattice_of(scenario);
   ball.shape = Shape::sphere;
   ball.size_m = {2 * R, 2 * R, 2 * R};
+  if (change != nullptr) change(ball);
   ball.cell_size_m = 2 * R / cells_across;
   ball.youngs_modulus_Pa = E;
   ball.poisson_ratio = nu;

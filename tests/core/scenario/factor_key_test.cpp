@@ -117,6 +117,23 @@ Scenario by_loss() {
   return scenario;
 }
 
+Scenario by_profile() {
+  Scenario scenario = by_mass();
+  LatticeParameters& product = lattice_of(scenario);
+  product.shape = Shape::revolution;
+  product.size_m = {0.024, 0.024, 0.024};
+  product.profile_height = {0.0, 1.0, 2.5, 3.0};
+  product.profile_radius = {0.0, 1.0, 1.1, 0.0};
+  return scenario;
+}
+
+Scenario by_exponents() {
+  Scenario scenario = by_mass();
+  lattice_of(scenario).shape = Shape::superellipsoid;
+  lattice_of(scenario).exponents = {2.5, 3.0};
+  return scenario;
+}
+
 Scenario network() {
   Scenario scenario = oscillator(1.0, 100.0, 1e-3, 10);
   NetworkParameters& network = network_of(scenario);
@@ -172,7 +189,8 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Products, FactorKeys, ::testing::Values(by_mass, by_loss, network));
+INSTANTIATE_TEST_SUITE_P(Products, FactorKeys,
+                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, network));
 
 TEST(FactorKey, TellsProductsOfDifferentKindsApart) {
   EXPECT_NE(factor_key(by_mass()), factor_key(network()));

@@ -200,7 +200,11 @@ bool can_be_tripped(const PlausibleRow& row) {
   grip.sensor.ring_stiffness_N_m = grip.sensor.stiffness_N_m = grip.sensor.stiffness_N_m_rad = stiff;
   grip.sensor.stiffness_matrix.emplace().fill(1.0);
   grip.sensor.position_m = std::array<double, 3>{};
-  for (const Scenario& base : {grip, small_pads_up_a_ball()}) {
+  Scenario turned = usual_grip();
+  lattice_in(turned).shape = Shape::revolution;
+  lattice_in(turned).profile_height = {0.0, 1.0, 3.0, 4.0};
+  lattice_in(turned).profile_radius = {0.0, 1.5, 1.5, 0.0};
+  for (const Scenario& base : {grip, turned, small_pads_up_a_ball()}) {
     for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, -1.0}) {
       Scenario scenario = base;
       find_number_field(row.fields.front())->each(scenario, [&](const NumberPlace&, NumberSlot slot) {

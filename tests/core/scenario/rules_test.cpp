@@ -27,12 +27,36 @@ struct Breach {
 
 using S = Scenario&;
 
+void make_revolution(S s) {
+  lattice_in(s).shape = Shape::revolution;
+  lattice_in(s).profile_height = {0.0, 1.0, 3.0, 4.0};
+  lattice_in(s).profile_radius = {0.0, 1.5, 1.5, 0.0};
+}
+
 std::vector<Breach> lattice_breaches() {
   return {
       {"product.size_m", "a sphere has three equal", usual_grip,
        [](S s) {
          lattice_in(s).shape = Shape::sphere;
          lattice_in(s).size_m = {0.05, 0.05, 0.06};
+       }},
+      {"product.profile_height", "missing; shape = \"revolution\" needs", usual_grip,
+       [](S s) { lattice_in(s).shape = Shape::revolution; }},
+      {"product.profile_radius", "must end at 0, on the axis", usual_grip,
+       [](S s) {
+         make_revolution(s);
+         lattice_in(s).profile_radius.back() = 0.5;
+       }},
+      {"product.size_m", "a solid of revolution has two equal", usual_grip,
+       [](S s) {
+         make_revolution(s);
+         lattice_in(s).size_m[0] = 0.051;
+       }},
+      {"product.cell_size_m", "must be smaller than the product's waist", usual_grip,
+       [](S s) {
+         make_revolution(s);
+         lattice_in(s).profile_height = {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0};
+         lattice_in(s).profile_radius = {0.0, 0.8, 0.4, 0.1, 0.08, 0.1, 0.4, 0.8, 0.0};
        }},
       {"product.cell_size_m", "must be <= half", usual_grip, [](S s) { lattice_in(s).cell_size_m = 0.03; }},
       {"product.cell_size_m", "makes more than", usual_grip, [](S s) { lattice_in(s).cell_size_m = 4e-4; }},

@@ -151,13 +151,13 @@ TEST(TrueShape, AStepOfTheDistanceAgainstTheNormalEndsOnTheSurface) {
 
 TEST(TrueShape, ChordAndCurvatureAtThePoleAreThoseOfTheEllipsoid) {
   const TrueShape ellipsoid(product(Shape::ellipsoid, {0.04, 0.06, 0.1}));
-  EXPECT_EQ(ellipsoid.half_chord_m(0, {0.0, 0.0, 0.0}), 0.02);
-  EXPECT_DOUBLE_EQ(ellipsoid.half_chord_m(0, {0.0, 0.03 * 0.6, 0.0}), 0.02 * 0.8);
-  EXPECT_EQ(ellipsoid.half_chord_m(0, {0.0, 0.031, 0.0}), -1.0);
+  EXPECT_EQ(ellipsoid.column_m(0, {0.0, 0.0, 0.0}), 0.02);
+  EXPECT_DOUBLE_EQ(ellipsoid.column_m(1, {0.0, 0.03 * 0.6, 0.0}).value(), 0.02 * 0.8);
+  EXPECT_EQ(ellipsoid.column_m(0, {0.0, 0.031, 0.0}), std::nullopt);
   EXPECT_DOUBLE_EQ(ellipsoid.pole_radius_m(0, 1), 0.03 * 0.03 / 0.02);
   EXPECT_EQ(ellipsoid.curvatures(0), 2);
   EXPECT_EQ(TrueShape(product(Shape::cylinder, {0.05, 0.05, 0.02})).curvatures(0), 1);
-  EXPECT_EQ(TrueShape(product(Shape::cylinder, {0.05, 0.05, 0.02})).curvatures(2), 0);
+  EXPECT_EQ(TrueShape(product(Shape::cylinder, {0.05, 0.05, 0.02})).curvatures(4), 0);
 }
 
 }  // namespace

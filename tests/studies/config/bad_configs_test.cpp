@@ -35,6 +35,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+/// A solid of revolution with lines after it; the first of them is line 9.
+BadConfig revolution(const std::string& what, const std::string& lines, const std::vector<std::string>& messages) {
+  std::string text = replaced(gripped_block("simulate"), "\"box\"", "\"revolution\"");
+  text = replaced(text, "[0.05, 0.06, 0.07]", "[0.05, 0.05, 0.07]");
+  return {what, replaced(text, "[gripper]\n", lines + "[gripper]\n"), {}, messages};
+}
+
 std::vector<BadConfig> bad_configs() {
   const std::string network = small_network();
   return {

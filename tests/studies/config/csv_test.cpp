@@ -3,6 +3,7 @@
 #include <map>
 
 #include "studies/config/library.hpp"
+#include "studies/config/product_profile.hpp"
 #include "studies/config/waypoint_csv.hpp"
 #include "tests/studies/config/config_testing.hpp"
 
@@ -73,6 +74,33 @@ TEST(ProfileCsv, IsRefusedWithFileAndLine) {
             "place"});
   EXPECT_EQ(said_of_profile("place_m,height_m\n0.01,0\n"),
             Lines{"tip.csv:1: gripper.pad.profile_file: the file must have two rows at least"});
+}
+
+std::vector<std::string> said_of_product(const std::string& text) {
+  Problems problems;
+  product_profile_entries(text, std::make_shared<const std::string>("pear.csv"), 1, problems);
+  return problems.lines();
+}
+
+TEST(ProductProfileCsv, IsTwoListsOfNumbers) {
+  Problems problems;
+  const auto entries = product_profile_entries("# a pear\nradius,height\n0,0\n1.5,1e-3\n0,2\n",
+                                               std::make_shared<const std::string>("pear.csv"), 1, problems);
+  EXPECT_EQ(problems.lines(), std::vector<std::string>{});
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_EQ(entries[0].path, "product.profile_height");
+  EXPECT_EQ(entries[0].value.items[1].number, 1e-3);
+  EXPECT_EQ(entries[1].path, "product.profile_radius");
+  EXPECT_EQ(entries[1].value.items[1].number, 1.5);
+}
+
+TEST(ProductProfileCsv, IsRefusedWithFileAndLine) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(said_of_product("z,r\n0,0\n"),
+            Lines{"pear.csv:1: product.profile_file: the first line must name the columns height and radius"});
+  EXPECT_EQ(said_of_product("height,radius\n0\n"),
+            Lines{"pear.csv:2: product.profile_file: a row must have 2 cells, not 1"});
+  EXPECT_EQ(said_of_product("height,radius\n0,0\n1,wide\n"), Lines{"pear.csv:3: radius = wide: must be a number"});
 }
 
 std::vector<std::string> said_of_waypoints(const std::string& text) {

@@ -99,9 +99,9 @@ class Writer {
 
   /// Keys that have an effect only beside others are written rarely.
   bool is_chosen(const KeySpec& spec, double share) {
-    const std::set<Use> conditional = {Use::network,       Use::cylinder,   Use::tracking,    Use::stop,
-                                       Use::range,         Use::guard,      Use::range_guard, Use::force_guard,
-                                       Use::position_hold, Use::not_gripper};
+    const std::set<Use> conditional = {Use::network,     Use::with_axis,     Use::superellipsoid, Use::tracking,
+                                       Use::stop,        Use::range,         Use::guard,          Use::range_guard,
+                                       Use::force_guard, Use::position_hold, Use::not_gripper};
     const bool is_rare = conditional.contains(spec.use) || spec.path.starts_with("gripper.pad.");
     return chance(is_rare ? 0.15 * share : share);
   }

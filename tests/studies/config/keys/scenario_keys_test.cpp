@@ -40,6 +40,26 @@ std::vector<Arrival> product_arrivals() {
          return lattice(s).size_m == A3{0.5, 0.25, 0.75};
        }},
       {"product.axis", "\"y\"", [](S s) { return lattice(s).axis == Axis::y; }, {"product.shape=cylinder"}},
+      {"product.profile_height",
+       "[0.0, 0.5, 1.5, 2.0]",
+       [](S s) {
+         return lattice(s).profile_height == std::vector<double>{0.0, 0.5, 1.5, 2.0};
+       },
+       {"product.shape=revolution", "product.size_m=[0.05, 0.05, 0.07]",
+        "product.profile_radius=[0.0, 1.0, 1.0, 0.0]"}},
+      {"product.profile_radius",
+       "[0.0, 1.0, 0.75, 0.0]",
+       [](S s) {
+         return lattice(s).profile_radius == std::vector<double>{0.0, 1.0, 0.75, 0.0};
+       },
+       {"product.shape=revolution", "product.size_m=[0.05, 0.05, 0.07]",
+        "product.profile_height=[0.0, 0.5, 1.5, 2.0]"}},
+      {"product.exponents",
+       "[2.5, 3.5]",
+       [](S s) {
+         return lattice(s).exponents == A2{2.5, 3.5};
+       },
+       {"product.shape=superellipsoid"}},
       {"product.cell_size_m", "0.0125", [](S s) { return lattice(s).cell_size_m == 0.0125; }},
       {"product.mass_kg", "0.375", [](S s) { return lattice(s).mass_kg == 0.375 && !lattice(s).density_kg_m3; }},
       {"product.density_kg_m3", "875.0",

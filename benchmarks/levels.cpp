@@ -1,7 +1,7 @@
 /// @file
-/// What step levels and modes are worth: scenarios of a study as shipped, each with steps of its own choice, by every
-/// particle and by modes, against the shortest step throughout, by turns on one thread; and one scenario alone, as a
-/// search that waits for its answer has it.
+/// What step levels and modes are worth: scenarios of a study as shipped, each with steps of its own choice, by
+/// every particle and by modes, against the shortest step throughout, by turns on one thread; and one scenario
+/// alone, as a search that waits for its answer has it.
 
 #include <algorithm>
 #include <cmath>

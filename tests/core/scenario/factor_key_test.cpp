@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scenario/body_modes.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/fields.hpp"
 #include "core/scenario/pad_face.hpp"
@@ -134,6 +135,12 @@ Scenario by_exponents() {
   return scenario;
 }
 
+Scenario by_modes() {
+  Scenario scenario = by_mass();
+  scenario.simulation.body = ProductBody::modes;
+  return scenario;
+}
+
 Scenario network() {
   Scenario scenario = oscillator(1.0, 100.0, 1e-3, 10);
   NetworkParameters& network = network_of(scenario);
@@ -173,11 +180,11 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
     if (!perturbation.happened()) break;
     const bool key_changed = factor_key(changed) != factor_key(base);
     // A rotation of the gripper that becomes one lets the product turn, a height to fall from lets it roll; the
-    // faces of shaped pads are met at places.
+    // faces of shaped pads are met at places; modes move instead of particles.
     const bool decides =
         perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base) ||
         contact_set(changed) != contact_set(base) || has_shaped_pads(changed) != has_shaped_pads(base) ||
-        has_lattice_pads(changed) != has_lattice_pads(base);
+        has_lattice_pads(changed) != has_lattice_pads(base) || mode_count(changed) != mode_count(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.
     const auto other = Model::build(changed, error);
@@ -190,7 +197,7 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Products, FactorKeys,
-                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, network));
+                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, by_modes, network));
 
 TEST(FactorKey, TellsProductsOfDifferentKindsApart) {
   EXPECT_NE(factor_key(by_mass()), factor_key(network()));

@@ -756,7 +756,7 @@ std::vector<Breach> robot_breaches() {
          one_joint(s);
          s.robot.bandwidth_Hz = {1.0, 1.0};
        }},
-      {"robot.jerk_rad_s3", "the acceleration of a trapezoid jumps", usual_grip,
+      {"robot.jerk_rad_s3", "needs strategy.profile", usual_grip,
        [](S s) {
          one_joint(s);
          s.robot.jerk_rad_s3 = {100.0};

@@ -67,8 +67,8 @@ class BodyMotion {
   /// damps; of bodies whose stiffness fades.
   [[nodiscard]] virtual const LaneArray& rate() const { return v_; }
   [[nodiscard]] virtual const LaneArray& stiffness_rate() const { return v_; }
-  /// Sums of contact forces at t + theta dt on a body in a floating frame, for `advance`.
-  /// @param active, force as in `add_contact`
+  /// Sums of contact forces at t + theta dt on a body in a floating frame, for `advance`; particles, active and
+  /// force as in `add_contact`.
   [[nodiscard]] virtual OuterForces outer_forces(std::span<const int> /*particles*/,
                                                  std::span<const int> /*active*/,
                                                  const LaneArray& /*force*/) const {

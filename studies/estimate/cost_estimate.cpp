@@ -64,8 +64,8 @@ double pad_factor_entries(const Scenario& scenario) {
 }  // namespace
 
 LaneStepRate measured_lane_step_rate() {
-  if (instruction_set() == "avx512f") return {1.5e-10, 4.3e-11, "an AVX-512 core (Zen 5)"};
-  return {8.7e-10, 1.27e-10, "an AVX2 core (Zen 3 at 2.4 GHz)"};
+  if (instruction_set() == "avx512f") return {1.5e-10, 4.3e-11, 3e-7, "an AVX-512 core (Zen 5)"};
+  return {8.7e-10, 1.27e-10, 6e-7, "an AVX2 core (Zen 3 at 2.4 GHz)"};
 }
 
 double estimated_steps(const Scenario& scenario) {
@@ -105,7 +105,8 @@ double estimated_lane_step_s(const Scenario& scenario, const ModelSize& size) {
   if (const int modes = mode_count(scenario); modes > 0) {
     const double at_nodes = 3.0 * static_cast<double>(size.contact_node_count);
     const double products = modes * (2.0 * at_nodes + freedoms) + at_nodes * freedoms;
-    return rate.seconds_per_contact_entry * (products + contact);
+    return rate.seconds_per_contact_entry * (products + contact) +
+           rate.seconds_per_contact_node * static_cast<double>(size.contact_node_count);
   }
   // Half of the contacts of a grip face the other pad.
   const double answering = has_lattice_pads(scenario) ? 1.5 * contact : contact;

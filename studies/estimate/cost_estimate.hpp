@@ -15,6 +15,7 @@ namespace unbruised::studies {
 struct LaneStepRate {
   double seconds_per_factor_entry = 0.0;
   double seconds_per_contact_entry = 0.0;  ///< of the compliance, per sweep
+  double seconds_per_contact_node = 0.0;   ///< of a product by modes, beside its products and sweeps
   std::string_view measured_on;            ///< kind of core
 };
 
@@ -23,7 +24,8 @@ inline constexpr double kFactorEntriesPerFreedomPower = 12.6;
 
 /// The rate of this build's instruction set, measured over 512 scenarios of a kiwi of 1,099 particles between two
 /// pads (configs/kiwi_sweep.toml, 16 lanes, two threads): 84 s on Zen 5 with AVX-512, 455 s on Zen 3 at 2.4 GHz.
-/// Without either set it is that of AVX2, which flatters the machine.
+/// Without either set it is that of AVX2, which flatters the machine. By modes the same takes 24 s on Zen 3; with
+/// AVX-512 that was not measured, and half is assumed.
 LaneStepRate measured_lane_step_rate();
 
 /// Of a run in which everything goes as planned.

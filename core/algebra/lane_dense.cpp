@@ -37,6 +37,11 @@ DenseMatrix::DenseMatrix(std::size_t rows, std::size_t columns,
   }
 }
 
+double DenseMatrix::at(std::size_t row, std::size_t column) const {
+  const std::size_t first = row / kRows * kRows, height = std::min(kRows, rows_ - first);
+  return panel(first)[column * height + row - first];
+}
+
 void multiply(const DenseMatrix& A, std::span<const int> columns, const LaneArray& x, const BusyPacks& lanes,
               LaneArray& y) {
   require(x.rows() == A.columns() && y.rows() == A.rows(), "multiply: vectors of another size than the matrix");

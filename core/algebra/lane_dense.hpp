@@ -23,6 +23,7 @@ class DenseMatrix {
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] double at(std::size_t row, std::size_t column) const;
   /// Of the panel whose first row is `row`.
   [[nodiscard]] const double* panel(std::size_t row) const { return value_.data() + row * columns_; }
 

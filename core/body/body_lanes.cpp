@@ -44,11 +44,12 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_a_[i].set(lane, sum_a);
   }
   if (frame_) frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
-  clear_damping(lane);
+  damped_.load(lane);
 }
 
 void BodyLanes::archive(LaneArchive& lane) {
-  lane(u_, v_, a_, gravity_, mass_u_, mass_a_, turn_, last_step_s_, damping_power_, damped_);
+  lane(u_, v_, a_, gravity_, mass_u_, mass_a_, turn_);
+  damped_.archive(lane);
   if (frame_) frame_->archive(lane);
 }
 
@@ -111,7 +112,7 @@ template <class Acceleration>
   }
   Lane power(0.0);
   busy.each([&](int first) { widen(power, power_of[pack_at(first)], first); });
-  book_damping(w_.dt, power, running);
+  damped_.book(w_.dt, power, running);
 }
 
 void BodyLanes::add_forces(int lane, std::span<const double> force_N) {

@@ -54,7 +54,7 @@ class BodyLanes final : public BodyMotion {
   [[nodiscard]] double rotation_rad(int lane) const override;
   [[nodiscard]] std::array<double, 3> momentum(int lane) const override;
   [[nodiscard]] double kinetic_energy_J(int lane) const override;
-  [[nodiscard]] double damped_J(int lane) const override { return booked_damping_J(lane); }
+  [[nodiscard]] double damped_J(int lane) const override { return damped_.work_J(lane); }
 
  private:
   [[nodiscard]] LaneMotion motion() { return {u_, v_, a_}; }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/body/body_state.hpp"
+#include "core/body/booked_work.hpp"
 #include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/lanes/lane_archive.hpp"
@@ -96,25 +97,11 @@ class BodyMotion {
  protected:
   explicit BodyMotion(std::size_t freedoms) : u_(freedoms), v_(freedoms), a_(freedoms), u_theta_(freedoms) {}
 
-  /// Books the power of the damping at the start of a step, by the trapezoid rule over time.
-  void book_damping(double step_s, const Lane& power, const Mask& running) {
-    damped_ += select(running, Lane(0.5) * (last_step_s_ + Lane(step_s)) * power, Lane(0.0));
-    last_step_s_ = Lane(step_s);
-    damping_power_ = power;
-  }
-  [[nodiscard]] double booked_damping_J(int lane) const {
-    return damped_[lane] + 0.5 * last_step_s_[lane] * damping_power_[lane];
-  }
-  void clear_damping(int lane) {
-    for (Lane* value : {&last_step_s_, &damping_power_, &damped_}) value->set(lane, 0.0);
-  }
-
   LaneArray u_, v_, a_, u_theta_;  ///< [3n]
   std::array<Lane, 3> gravity_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};
-  Lane last_step_s_{0.0};  ///< 0: not stepped yet
-  Lane damping_power_{0.0}, damped_{0.0};
+  BookedWork damped_;  ///< v'Cv
 };
 
 }  // namespace unbruised

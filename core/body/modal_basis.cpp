@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/body/static_columns.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -26,20 +27,7 @@ Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& fo
   for (Eigen::Index i = 0; i < mass.size(); ++i) mass[i] = body.mass_kg[static_cast<std::size_t>(i) / 3];
   const Matrix taken = S * (S.transpose() * force_N).eval();
   const Matrix load = force_N - mass.asDiagonal() * taken;
-  LaneArray rows(static_cast<std::size_t>(S.rows())), moved(rows.rows());
-  rows.fill(0.0);
-  for (Eigen::Index j = 0; j < load.cols(); ++j) {
-    for (Eigen::Index i = 0; i < load.rows(); ++i) {
-      rows.at(static_cast<std::size_t>(i), static_cast<int>(j)) = load(i, j);
-    }
-  }
-  body.statics->shifted_solve(rows, moved);
-  Matrix shape(load.rows(), load.cols());
-  for (Eigen::Index j = 0; j < load.cols(); ++j) {
-    for (Eigen::Index i = 0; i < load.rows(); ++i) {
-      shape(i, j) = body.relaxation.rest_share() * moved.at(static_cast<std::size_t>(i), static_cast<int>(j));
-    }
-  }
+  Matrix shape = body.relaxation.rest_share() * shifted_columns(*body.statics, load);
   const Matrix weighed = S.transpose() * (mass.asDiagonal() * shape).eval();
   shape -= S * weighed;
   return shape;
@@ -86,6 +74,16 @@ DenseMatrix packed(const Matrix& values) {
           }};
 }
 
+Matrix unpacked(const DenseMatrix& packed) {
+  Matrix values(static_cast<Eigen::Index>(packed.rows()), static_cast<Eigen::Index>(packed.columns()));
+  for (std::size_t i = 0; i < packed.rows(); ++i) {
+    for (std::size_t j = 0; j < packed.columns(); ++j) {
+      values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = packed.at(i, j);
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
 ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node) {
@@ -118,7 +116,6 @@ ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector
   }
   rest = 0.5 * (rest + rest.transpose()).eval();
   basis.rest = packed(rest);
-  basis.rest_m_N.assign(rest.data(), rest.data() + rest.size());
   basis.strain_of_rest = packed(strain);
   return basis;
 }
@@ -135,17 +132,11 @@ std::vector<double> effective_square_1_s2(const ModalBasis& basis, const BodyMod
 
 std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& body, const WilsonTheta& w) {
   const std::vector<double> effective = effective_square_1_s2(basis, body, w);
-  const Shapes S = shapes_of(basis.modes);
-  const std::size_t rows = basis.node_freedoms(), m = basis.node.size();
-  Matrix at_nodes(static_cast<Eigen::Index>(rows), S.cols());
-  for (std::size_t i = 0; i < rows; ++i) {
-    at_nodes.row(static_cast<Eigen::Index>(i)) = S.row(freedom_of(basis.node, i));
-  }
   const Eigen::Map<const Eigen::VectorXd> square(effective.data(), static_cast<Eigen::Index>(effective.size()));
-  const Eigen::Map<const Matrix> rest(basis.rest_m_N.data(), static_cast<Eigen::Index>(rows),
-                                      static_cast<Eigen::Index>(rows));
-  const Matrix W =
-      at_nodes * square.cwiseInverse().asDiagonal() * at_nodes.transpose() + rest / viscous_share(body, w);
+  const Matrix at_nodes = unpacked(basis.at_nodes);
+  const Matrix W = at_nodes * square.cwiseInverse().asDiagonal() * at_nodes.transpose() +
+                   unpacked(basis.rest) / viscous_share(body, w);
+  const std::size_t rows = basis.node_freedoms(), m = basis.node.size();
   std::vector<double> block(9 * m * m);
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < rows; ++j) {
@@ -157,20 +148,14 @@ std::vector<double> modal_compliance(const ModalBasis& basis, const BodyModel& b
 }
 
 double share_left_out(const ModalBasis& basis, std::span<const int> which, std::size_t axis) {
-  const std::size_t rows = basis.node_freedoms();
-  const Shapes S = shapes_of(basis.modes);
+  const auto row_of = [axis](int node) { return 3 * static_cast<std::size_t>(node) + axis; };
   double left = 0.0, kept = 0.0;
   for (const int i : which) {
-    for (const int j : which) {
-      left +=
-          basis.rest_m_N[(3 * static_cast<std::size_t>(i) + axis) * rows + 3 * static_cast<std::size_t>(j) + axis];
-    }
+    for (const int j : which) left += basis.rest.at(row_of(i), row_of(j));
   }
   for (std::size_t mode = kRigidModes; mode < basis.modes.count(); ++mode) {
     double sum = 0.0;
-    for (const int i : which) {
-      sum += S(freedom_of(basis.node, 3 * static_cast<std::size_t>(i) + axis), static_cast<Eigen::Index>(mode));
-    }
+    for (const int i : which) sum += basis.at_nodes.at(row_of(i), mode);
     kept += sum * sum / basis.modes.square_1_s2[mode];
   }
   return left / (left + kept);

@@ -19,13 +19,12 @@ namespace unbruised {
 /// Read-only once built; for steps of any length.
 struct ModalBasis {
   ModeShapes modes;
-  std::vector<int> node;         ///< particles that can be touched, ascending
-  DenseMatrix at_nodes;          ///< S there, [3 x nodes, modes]
-  DenseMatrix from_nodes;        ///< its transpose
-  DenseMatrix rest;              ///< G there, symmetric [3 x nodes, 3 x nodes; m/N]
-  std::vector<double> rest_m_N;  ///< the same, row-major
-  DenseMatrix strain_of_modes;   ///< of the cells at these nodes, 6 rows each (Voigt, tensor shears)
-  DenseMatrix strain_of_rest;    ///< per contact force
+  std::vector<int> node;        ///< particles that can be touched, ascending
+  DenseMatrix at_nodes;         ///< S there, [3 x nodes, modes]
+  DenseMatrix from_nodes;       ///< its transpose
+  DenseMatrix rest;             ///< G there, symmetric [3 x nodes, 3 x nodes; m/N]
+  DenseMatrix strain_of_modes;  ///< of the cells at these nodes, 6 rows each (Voigt, tensor shears)
+  DenseMatrix strain_of_rest;   ///< per contact force
 
   [[nodiscard]] std::size_t node_freedoms() const { return 3 * node.size(); }
 };

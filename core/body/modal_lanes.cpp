@@ -24,6 +24,7 @@ ModalLanes::ModalLanes(const BodyModel& body, const ModalBasis& basis, const Wil
       inverse_effective_(effective_square_1_s2(basis, body, wilson)),
       root_mass_(std::sqrt(body.total_mass_kg)),
       every_mode_(basis.modes.count()),
+      every_row_(basis.node_freedoms()),
       mode_(basis.modes.count(), body.relaxation),
       rest_(basis.node_freedoms(), body.relaxation),
       force_(basis.node_freedoms(), body.relaxation),
@@ -35,7 +36,7 @@ ModalLanes::ModalLanes(const BodyModel& body, const ModalBasis& basis, const Wil
       strain_(basis.strain_of_modes.rows()),
       strain_of_rest_(basis.strain_of_modes.rows()) {
   for (double& square : inverse_effective_) square = 1.0 / square;
-  std::iota(every_mode_.begin(), every_mode_.end(), 0);
+  for (std::vector<int>* every : {&every_mode_, &every_row_}) std::iota(every->begin(), every->end(), 0);
 }
 
 void ModalLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
@@ -73,7 +74,7 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     double sum = 0.0;
     for (std::size_t k = 0; k < basis_.node_freedoms(); ++k) {
-      sum += basis_.rest_m_N[row * basis_.node_freedoms() + k] * force_.now.at(k, lane);
+      sum += basis_.rest.at(row, k) * force_.now.at(k, lane);
     }
     rest_.now.at(row, lane) = sum;
   }
@@ -83,7 +84,7 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
     mass_a_[axis].set(lane, root_mass_ * mode_.second.at(axis, lane));
   }
   for (Lane* value : {&force_sum_, &strained_by_, &largest_strain_}) value->set(lane, 0.0);
-  clear_damping(lane);
+  damped_.load(lane);
   deformed_.load(lane);
   start_energy_J_[static_cast<std::size_t>(lane)] = elastic_J(lane);
 }
@@ -94,9 +95,10 @@ void ModalLanes::archive(LaneArchive& lane) {
     const std::size_t i = freedom_of(row);
     lane(u_.at(i, lane.lane()), v_.at(i, lane.lane()), a_.at(i, lane.lane()));
   }
+  damped_.archive(lane);
   deformed_.archive(lane);
   lane(start_energy_J_[static_cast<std::size_t>(lane.lane())]);
-  lane(gravity_, mass_u_, mass_a_, last_step_s_, damping_power_, damped_, strained_by_, largest_strain_);
+  lane(gravity_, mass_u_, mass_a_, strained_by_, largest_strain_);
 }
 
 void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
@@ -132,7 +134,7 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   }
   Lane power(0.0);
   busy.each([&](int first) { widen(power, NarrowPack(relaxation_s_) * power_of[pack_at(first)], first); });
-  book_damping(w_.dt, power, running);
+  damped_.book(w_.dt, power, running);
   if (mode_.memory) book_fading(running);
 }
 
@@ -218,10 +220,8 @@ void ModalLanes::measure_strain(const Mask& lanes) {
   const Mask due = lanes & (force_sum_ > Lane(kForceStep) * strained_by_);
   if (none(due)) return;
   const BusyPacks busy(due);
-  std::vector<int> every_row(basis_.node_freedoms());
-  std::iota(every_row.begin(), every_row.end(), 0);
   multiply(basis_.strain_of_modes, every_mode_, mode_.theta, busy, strain_);
-  multiply(basis_.strain_of_rest, every_row, force_.theta, busy, strain_of_rest_);
+  multiply(basis_.strain_of_rest, every_row_, force_.theta, busy, strain_of_rest_);
   Lane largest(0.0);
   for (std::size_t row = 0; row < strain_.rows(); row += 6) {
     Lane square(0.0);
@@ -235,39 +235,28 @@ void ModalLanes::measure_strain(const Mask& lanes) {
   strained_by_ = select(due, force_sum_, strained_by_);
 }
 
-void ModalLanes::advance(const WilsonTheta& wilson, const NarrowPacks& busy, const Mask& running, Motion& motion) {
-  for (std::size_t row = 0; row < motion.now.rows(); ++row) {
-    busy.each([&](int first) {
-      const PackMask moves = narrow(running, first);
-      const NarrowPack old_u = get_pack(motion.now, row, first), old_v = get_pack(motion.rate, row, first),
-                       old_a = get_pack(motion.second, row, first);
-      NarrowPack u = old_u, v = old_v, a = old_a;
-      wilson.advance(get_pack(motion.theta, row, first), u, v, a);
-      put_pack(motion.now, row, select(moves, u, old_u), first);
-      put_pack(motion.rate, row, select(moves, v, old_v), first);
-      put_pack(motion.second, row, select(moves, a, old_a), first);
-    });
-  }
-}
-
 void ModalLanes::advance(const Mask& running, const OuterForces&) {
   const NarrowPacks busy(running);
+  const auto advance_row = [&](std::size_t row, const LaneArray& theta, LaneArray& u, LaneArray& v, LaneArray& a) {
+    busy.each([&](int first) {
+      const PackMask moves = narrow(running, first);
+      const NarrowPack old_u = get_pack(u, row, first), old_v = get_pack(v, row, first),
+                       old_a = get_pack(a, row, first);
+      NarrowPack new_u = old_u, new_v = old_v, new_a = old_a;
+      w_.advance(get_pack(theta, row, first), new_u, new_v, new_a);
+      put_pack(u, row, select(moves, new_u, old_u), first);
+      put_pack(v, row, select(moves, new_v, old_v), first);
+      put_pack(a, row, select(moves, new_a, old_a), first);
+    });
+  };
   for (Motion* motion : {&mode_, &rest_, &force_}) {
-    advance(w_, busy, running, *motion);
+    for (std::size_t row = 0; row < motion->now.rows(); ++row) {
+      advance_row(row, motion->theta, motion->now, motion->rate, motion->second);
+    }
     if (motion->memory) motion->memory->end_step(motion->now, running);
   }
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
-    const std::size_t i = freedom_of(row);
-    busy.each([&](int first) {
-      const PackMask moves = narrow(running, first);
-      const NarrowPack old_u = get_pack(u_, i, first), old_v = get_pack(v_, i, first),
-                       old_a = get_pack(a_, i, first);
-      NarrowPack u = old_u, v = old_v, a = old_a;
-      w_.advance(get_pack(u_theta_, i, first), u, v, a);
-      put_pack(u_, i, select(moves, u, old_u), first);
-      put_pack(v_, i, select(moves, v, old_v), first);
-      put_pack(a_, i, select(moves, a, old_a), first);
-    });
+    advance_row(freedom_of(row), u_theta_, u_, v_, a_);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     mass_u_[axis] = Lane(root_mass_) * mode_.now.get(axis);
@@ -322,7 +311,7 @@ double ModalLanes::elastic_J(int lane) const {
 }
 
 double ModalLanes::damped_J(int lane) const {
-  const double damped = booked_damping_J(lane);
+  const double damped = damped_.work_J(lane);
   if (!mode_.memory) return damped;
   return damped + deformed_.work_J(lane) - (elastic_J(lane) - start_energy_J_[static_cast<std::size_t>(lane)]);
 }

@@ -65,7 +65,6 @@ class ModalLanes final : public BodyMotion {
       return memory ? damped - get_pack(memory->remembered(), row, first) : damped;
     }
   };
-  static void advance(const WilsonTheta& wilson, const NarrowPacks& busy, const Mask& running, Motion& motion);
   void measure_strain(const Mask& lanes);
   void book_fading(const Mask& running);
   [[nodiscard]] double elastic_J(int lane) const;
@@ -81,7 +80,7 @@ class ModalLanes final : public BodyMotion {
   double viscous_;                         ///< viscous_share
   std::vector<double> inverse_effective_;  ///< of each mode [s2]
   double root_mass_;
-  std::vector<int> every_mode_;
+  std::vector<int> every_mode_, every_row_;
 
   Motion mode_;                 ///< y
   Motion rest_;                 ///< G f at the nodes

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <stdexcept>
 
 #include <Eigen/Dense>
 
+#include "core/body/static_columns.hpp"
 #include "core/chance/philox.hpp"
 #include "core/door/require.hpp"
 
@@ -40,21 +40,7 @@ class ScaledBody {
 
   /// M^1/2 (share K + shift M)^-1 M^1/2 on up to kLanes columns, share being what of K is left at rest.
   [[nodiscard]] Matrix inverse(const Matrix& columns) const {
-    LaneArray force(static_cast<std::size_t>(root_.size())), moved(force.rows());
-    force.fill(0.0);
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-      for (Eigen::Index i = 0; i < root_.size(); ++i) {
-        force.at(static_cast<std::size_t>(i), static_cast<int>(j)) = root_[i] * columns(i, j);
-      }
-    }
-    body_.statics->shifted_solve(force, moved);
-    Matrix result(columns.rows(), columns.cols());
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-      for (Eigen::Index i = 0; i < root_.size(); ++i) {
-        result(i, j) = root_[i] * moved.at(static_cast<std::size_t>(i), static_cast<int>(j));
-      }
-    }
-    return result;
+    return root_.asDiagonal() * shifted_columns(*body_.statics, root_.asDiagonal() * columns);
   }
   /// M^-1/2 K M^-1/2 on one column.
   [[nodiscard]] Vector stiffness(const Vector& column) const {

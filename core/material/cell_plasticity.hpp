@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/body/booked_work.hpp"
 #include "core/body/relaxing_rows.hpp"
 #include "core/material/material.hpp"
 

@@ -10,6 +10,7 @@
 #include "core/scenario/gripper.hpp"
 #include "core/scenario/palm_stops.hpp"
 #include "core/scenario/product.hpp"
+#include "core/scenario/vectors.hpp"
 #include "core/scenario/words.hpp"
 
 namespace unbruised {
@@ -181,8 +182,7 @@ void HandlingRecord::observe_belt(const StepObservation& now, const HandlingCycl
 void HandlingRecord::observe_places(const StepObservation& now, const HandlingCycle& cycle) {
   if (cycle.plan().has_track()) {
     const std::array<double, 3> told_m = cycle.plan().told_palm(now.time_s).position_m;
-    raise(Metric::robot_sway_max_m,
-          norm({now.palm_m[0] - told_m[0], now.palm_m[1] - told_m[1], now.palm_m[2] - told_m[2]}));
+    raise(Metric::robot_sway_max_m, norm(between(told_m, now.palm_m)));
   }
   const auto& [x, y, z] = now.center_motion_m;
   if (cycle.has_contact() && now.time_s <= cycle.plan().lift_start_s()) {

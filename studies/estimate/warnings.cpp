@@ -51,19 +51,23 @@ void warn_about_contact(const Study& study, std::vector<std::string>& warnings) 
               short_number(kStepsPerContact / fewest.steps), " times as long a run)"}));
 }
 
-/// The scenarios that are looked at for a light product: at most this many, evenly spread over the study.
+/// The scenarios that are looked at: at most this many, evenly spread over the study.
 constexpr std::size_t kLookedAt = 64;
 
-void warn_about_light_products(const Study& study, std::vector<std::string>& warnings) {
+template <class Look>
+void look_at_some(const Study& study, Look&& look) {
   const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
+  for (std::size_t id = 0; id < study.scenario_count(); id += stride) look(study.scenario(id));
+}
+
+void warn_about_light_products(const Study& study, std::vector<std::string>& warnings) {
   double largest = 0.0, step_s = 0.0;
-  for (std::size_t id = 0; id < study.scenario_count(); id += stride) {
-    const Scenario scenario = study.scenario(id);
+  look_at_some(study, [&](const Scenario& scenario) {
     const double coupling = contact_coupling(scenario);
-    if (coupling <= largest) continue;
+    if (coupling <= largest) return;
     largest = coupling;
     step_s = time_step_of_coupling_s(scenario, kLargestCoupling);
-  }
+  });
   if (!(largest > kLargestCoupling)) return;
   warnings.push_back(
       joined({"the pads or the support are so stiff against so light a product that the contact forces may not be "
@@ -97,16 +101,14 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
 
 /// Scenarios that are computed with every particle although modes are asked for.
 void warn_about_modes(const Study& study, std::vector<std::string>& warnings) {
-  const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
   std::string_view why;
   bool all = true;
-  for (std::size_t id = 0; id < study.scenario_count(); id += stride) {
-    const Scenario scenario = study.scenario(id);
-    if (scenario.simulation.body != ProductBody::modes) continue;
+  look_at_some(study, [&](const Scenario& scenario) {
+    if (scenario.simulation.body != ProductBody::modes) return;
     const std::string_view because = needs_full_body_because(scenario);
     all = all && !because.empty();
     if (why.empty()) why = because;
-  }
+  });
   if (why.empty()) return;
   warnings.push_back(joined({"simulation.body = \"modes\" serves ", all ? "none" : "not all",
                              " of the scenarios: ", why, "; such are computed with every particle"}));

@@ -38,11 +38,11 @@ std::vector<std::string> numeric_keys(const Study& study) {
   std::vector<std::string> keys;
   for (const SearchVariable& variable : study.variables()) keys.push_back(variable.key);
   for (const RandomVariable& random : study.randoms()) keys.push_back(random.key);
-  for (const char* key : {kTimeStepKey, kCellSizeKey}) {
+  for (const char* key : {kTimeStepKey, kCellSizeKey, kModeCountKey}) {
     const bool is_varied = std::find(keys.begin(), keys.end(), key) != keys.end();
-    if (!is_varied && study.base_value(key)) keys.emplace_back(key);
+    const bool is_moot = key == kModeCountKey && mode_count(study.scenario(0)) == 0;
+    if (!is_varied && !is_moot && study.base_value(key)) keys.emplace_back(key);
   }
-  if (mode_count(study.scenario(0)) > 0) keys.emplace_back(kModeCountKey);
   return keys;
 }
 
@@ -259,6 +259,9 @@ class SearchStudy {
     if (interrupted_) found_.checks.clear();
   }
 
+  [[nodiscard]] bool has_key(const char* key) const {
+    return std::find(keys_.begin(), keys_.end(), key) != keys_.end();
+  }
   [[nodiscard]] Change half_step() const { return {kTimeStepKey, 0.5 * study_.base_value(kTimeStepKey).value()}; }
 
   /// Points of the front that rest on impacts, at half the time step.
@@ -280,12 +283,11 @@ class SearchStudy {
     bool going_on = check("as found", {}, points, products, generation++);
     if (going_on) going_on = check(kHalfStep, half_step(), points, products, generation++);
     const std::optional<double> cell_m = study_.base_value(kCellSizeKey);
-    const bool has_mesh = std::find(keys_.begin(), keys_.end(), kCellSizeKey) != keys_.end() && cell_m;
-    if (going_on && has_mesh) {
+    if (going_on && has_key(kCellSizeKey) && cell_m) {
       going_on =
           check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
     }
-    if (going_on && keys_.back() == kModeCountKey) {
+    if (going_on && has_key(kModeCountKey)) {
       going_on = check("every particle", Change{kModeCountKey, 0.0}, points, products, generation++);
     }
     if (going_on && is_sample) {

@@ -43,7 +43,7 @@ class Side {
         shape_(parameters),
         side_(side),
         plane_(lattice, side / 2, {static_cast<int>((side / 2 + 1) % 3), static_cast<int>((side / 2 + 2) % 3)}),
-        sign_(side % 2 == 0 ? -1.0 : 1.0) {
+        sign_(side_sign(side)) {
     for (std::size_t t = 0; t < 2; ++t) {
       per_cell_[t] = spaces_per_cell(shape_, lattice, plane_.axis, plane_.tangent[t]);
     }

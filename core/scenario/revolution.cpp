@@ -16,9 +16,6 @@ constexpr int kStarts = 8;
 
 using Place = std::array<double, 3>;
 
-std::size_t axis_of(std::size_t side) { return side / 2; }
-double sign_of(std::size_t side) { return side % 2 == 0 ? -1.0 : 1.0; }
-
 }  // namespace
 
 Revolution::Revolution(const LatticeParameters& p)
@@ -72,12 +69,12 @@ bool Revolution::contains(const Place& place_m) const {
 }
 
 std::optional<double> Revolution::column_m(std::size_t side, const Place& place_m) const {
-  const std::size_t axis = axis_of(side);
+  const std::size_t axis = side_axis(side);
   if (axis == axis_) {
     const double square = squared_radius(place_m);
     const auto height = side % 2 == 0 ? curve_.first_as_wide(square) : curve_.last_as_wide(square);
     if (!height) return std::nullopt;
-    return sign_of(side) * *height;
+    return side_sign(side) * *height;
   }
   if (std::abs(place_m[axis_]) > 0.5 * length_m_) return std::nullopt;
   const std::size_t other = first_ + second_ - axis;
@@ -89,7 +86,7 @@ std::array<double, 3> Revolution::outward(std::size_t side, const Place& place_m
   Place normal{};
   const double flat_m2 = flat_end_m2(side);
   if (flat_m2 > 0.0 && std::numbers::pi * squared_radius(place_m) <= flat_m2) {
-    normal[axis_] = sign_of(side);
+    normal[axis_] = side_sign(side);
     return normal;
   }
   normal[first_] = place_m[first_];
@@ -102,15 +99,15 @@ std::array<double, 3> Revolution::outward(std::size_t side, const Place& place_m
 
 std::array<double, 3> Revolution::pole_m(std::size_t side) const {
   Place pole{};
-  pole[axis_] = axis_of(side) == axis_ ? sign_of(side) * 0.5 * length_m_ : curve_.widest_m();
-  if (axis_of(side) != axis_) pole[axis_of(side)] = sign_of(side) * widest_m_;
+  pole[axis_] = side_axis(side) == axis_ ? side_sign(side) * 0.5 * length_m_ : curve_.widest_m();
+  if (side_axis(side) != axis_) pole[side_axis(side)] = side_sign(side) * widest_m_;
   return pole;
 }
 
 double Revolution::pole_curvature_1_m(std::size_t side, std::size_t along) const {
-  if (axis_of(side) == axis_) {
+  if (side_axis(side) == axis_) {
     if (flat_end_m2(side) > 0.0) return 0.0;
-    return 2.0 / std::abs(curve_.slope(sign_of(side) * 0.5 * length_m_));
+    return 2.0 / std::abs(curve_.slope(side_sign(side) * 0.5 * length_m_));
   }
   if (along != axis_) return 1.0 / widest_m_;
   const double at = curve_.widest_m(), room = std::min(curve_.high() - at, at - curve_.low());
@@ -121,7 +118,7 @@ double Revolution::pole_curvature_1_m(std::size_t side, std::size_t along) const
 }
 
 double Revolution::flat_end_m2(std::size_t side) const {
-  if (axis_of(side) != axis_) return 0.0;
+  if (side_axis(side) != axis_) return 0.0;
   const auto& piece = side % 2 == 0 ? curve_.pieces().front() : curve_.pieces().back();
   const double q = side % 2 == 0 ? piece.q.at(0.0) : piece.q.at(piece.length);
   constexpr double kRounding = 1e-12;
@@ -166,7 +163,7 @@ NearestSurface Revolution::nearest(const Place& place_m) const {
   double least = square(foot_height);
   bool on_flat_end = false;
   for (const std::size_t side : {2 * axis_, 2 * axis_ + 1}) {
-    const double end = sign_of(side) * 0.5 * length_m_, away = (height - end) * (height - end);
+    const double end = side_sign(side) * 0.5 * length_m_, away = (height - end) * (height - end);
     if (flat_end_m2(side) == 0.0 || std::numbers::pi * radius * radius > flat_end_m2(side) || away >= least)
       continue;
     least = away;

@@ -13,6 +13,10 @@
 
 namespace unbruised {
 
+/// Along which axis a side faces outward, and which way.
+constexpr std::size_t side_axis(std::size_t side) { return side / 2; }
+constexpr double side_sign(std::size_t side) { return side % 2 == 0 ? -1.0 : 1.0; }
+
 /// The place of the surface that is nearest to some place.
 struct NearestSurface {
   double distance_m = 0;                  ///< negative inside

@@ -12,8 +12,6 @@ constexpr double kCurvedOver = 1.0 / 3.0;
 
 using Place = std::array<double, 3>;
 
-double sign_of(std::size_t side) { return side % 2 == 0 ? -1.0 : 1.0; }
-
 }  // namespace
 
 Superellipsoid::Superellipsoid(const LatticeParameters& parameters)
@@ -53,7 +51,7 @@ double Superellipsoid::gauge(const Place& place_m) const {
 bool Superellipsoid::contains(const Place& place_m) const { return gauge(place_m) <= 1.0; }
 
 std::optional<double> Superellipsoid::column_m(std::size_t side, const Place& place_m) const {
-  const std::size_t axis = side / 2;
+  const std::size_t axis = side_axis(side);
   std::array<double, 3> s{};
   for (std::size_t d = 0; d < 3; ++d) s[d] = std::abs(place_m[d]) / half_m_[d];
   if (axis == 2) {
@@ -86,12 +84,12 @@ std::array<double, 3> Superellipsoid::outward(std::size_t, const Place& place_m)
 
 std::array<double, 3> Superellipsoid::pole_m(std::size_t side) const {
   Place pole{};
-  pole[side / 2] = sign_of(side) * half_m_[side / 2];
+  pole[side_axis(side)] = side_sign(side) * half_m_[side_axis(side)];
   return pole;
 }
 
 double Superellipsoid::pole_curvature_1_m(std::size_t side, std::size_t along) const {
-  const std::size_t axis = side / 2;
+  const std::size_t axis = side_axis(side);
   const double e = axis == 2 || along == 2 ? q_ : p_;
   return 2.0 / e * std::pow(kCurvedOver, e - 2.0) * half_m_[axis] / (half_m_[along] * half_m_[along]);
 }

@@ -62,12 +62,12 @@ bool TrueShape::is_plane(std::size_t axis) const { return !solid_ && curvatures(
 
 bool TrueShape::curves(std::size_t side, std::size_t along) const {
   if (solid_) return solid_->pole_curvature_1_m(side, along) > 0.0;
-  return round_[side / 2] && round_[along];
+  return round_[side_axis(side)] && round_[along];
 }
 
 int TrueShape::curvatures(std::size_t side) const {
   int count = 0;
-  for (std::size_t d = 0; d < 3; ++d) count += d != side / 2 && curves(side, d) ? 1 : 0;
+  for (std::size_t d = 0; d < 3; ++d) count += d != side_axis(side) && curves(side, d) ? 1 : 0;
   return count;
 }
 
@@ -105,7 +105,7 @@ std::array<double, 2> TrueShape::face_extents_m(std::size_t side) const {
     const double extent = std::sqrt(solid_->flat_end_m2(side));
     return {extent, extent};
   }
-  const auto [first, second] = face_tangents(side / 2);
+  const auto [first, second] = face_tangents(side_axis(side));
   return {size_m_[first], size_m_[second]};
 }
 
@@ -122,7 +122,7 @@ bool TrueShape::contains(const std::array<double, 3>& place_m) const {
 
 std::optional<double> TrueShape::column_m(std::size_t side, const std::array<double, 3>& place_m) const {
   if (solid_) return solid_->column_m(side, place_m);
-  const std::size_t axis = side / 2;
+  const std::size_t axis = side_axis(side);
   double rest = 1.0;
   for (std::size_t d = 0; d < 3; ++d) {
     if (d != axis && round_[d]) rest -= 4.0 * place_m[d] * place_m[d] / (size_m_[d] * size_m_[d]);
@@ -134,8 +134,8 @@ std::optional<double> TrueShape::column_m(std::size_t side, const std::array<dou
 std::array<double, 3> TrueShape::outward(std::size_t side, const std::array<double, 3>& place_m) const {
   if (solid_) return solid_->outward(side, place_m);
   std::array<double, 3> normal{};
-  if (!round_[side / 2]) {
-    normal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+  if (!round_[side_axis(side)]) {
+    normal[side_axis(side)] = side_sign(side);
     return normal;
   }
   double square = 0.0;
@@ -150,13 +150,13 @@ std::array<double, 3> TrueShape::outward(std::size_t side, const std::array<doub
 std::array<double, 3> TrueShape::pole_m(std::size_t side) const {
   if (solid_) return solid_->pole_m(side);
   std::array<double, 3> pole{};
-  pole[side / 2] = (side % 2 == 0 ? -0.5 : 0.5) * size_m_[side / 2];
+  pole[side_axis(side)] = 0.5 * side_sign(side) * size_m_[side_axis(side)];
   return pole;
 }
 
 double TrueShape::pole_radius_m(std::size_t side, std::size_t along) const {
   if (solid_) return 1.0 / solid_->pole_curvature_1_m(side, along);
-  return 0.5 * size_m_[along] * size_m_[along] / size_m_[side / 2];
+  return 0.5 * size_m_[along] * size_m_[along] / size_m_[side_axis(side)];
 }
 
 double TrueShape::reach_m(const std::array<double, 3>& direction) const {

@@ -12,6 +12,7 @@ pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom console_bridge)
+pkg_check_modules(ASSIMP IMPORTED_TARGET assimp)  # without it no mesh is read
 pkg_check_modules(KDL REQUIRED IMPORTED_TARGET orocos-kdl)  # tests only
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/scenario/product.hpp"
+#include "core/scenario/product_mesh.hpp"
 
 namespace unbruised {
 namespace {
@@ -172,12 +173,65 @@ void draw_to_surface(const TrueShape& shape, ShapeMesh& mesh) {
   }
 }
 
+/// Places that fall into one box of a grid become their mean; finer and finer grids for as long as few enough are
+/// left. Of a mesh with few places all stay.
+ShapeMesh drawn_mesh(const TriangleMesh& surface, const std::array<double, 3>& stretch_m) {
+  constexpr std::size_t kMostPlaces = 1500;
+  constexpr int kCoarsest = 12, kFinest = 40;
+  ShapeMesh mesh;
+  const auto draw = [&](const std::vector<int>& box_of, std::size_t boxes) {
+    mesh = {std::vector<Place>(boxes, Place{}), {}};
+    std::vector<int> count(boxes, 0);
+    for (std::size_t p = 0; p < surface.place.size(); ++p) {
+      const auto box = static_cast<std::size_t>(box_of[p]);
+      ++count[box];
+      for (std::size_t d = 0; d < 3; ++d) mesh.place_m[box][d] += surface.place[p][d] * stretch_m[d];
+    }
+    for (std::size_t b = 0; b < boxes; ++b) {
+      for (double& component : mesh.place_m[b]) component /= count[b];
+    }
+    for (const auto& triangle : surface.triangle) {
+      std::array<int, 3> corner{};
+      for (std::size_t k = 0; k < 3; ++k) corner[k] = box_of[static_cast<std::size_t>(triangle[k])];
+      if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0]) mesh.triangle.push_back(corner);
+    }
+  };
+  std::vector<int> box_of(surface.place.size());
+  if (surface.place.size() <= kMostPlaces) {
+    for (std::size_t p = 0; p < box_of.size(); ++p) box_of[p] = static_cast<int>(p);
+    draw(box_of, box_of.size());
+    return mesh;
+  }
+  const Bounds bounds = bounds_of(surface.place);
+  double longest = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, bounds.high[d] - bounds.low[d]);
+  for (int side = kCoarsest; side <= kFinest; ++side) {
+    std::map<std::array<int, 3>, int> number;
+    for (std::size_t p = 0; p < box_of.size(); ++p) {
+      std::array<int, 3> box{};
+      for (std::size_t d = 0; d < 3; ++d) {
+        box[d] = static_cast<int>(std::floor((surface.place[p][d] - bounds.low[d]) / longest * side));
+      }
+      box_of[p] = number.try_emplace(box, static_cast<int>(number.size())).first->second;
+    }
+    if (number.size() > kMostPlaces && !mesh.place_m.empty()) break;
+    draw(box_of, number.size());
+  }
+  return mesh;
+}
+
 }  // namespace
 
 std::optional<ShapeMesh> shape_mesh(const ProductParameters& product) {
   const std::optional<TrueShape> shape = true_shape(product);
   if (!shape) return std::nullopt;
   const std::array<double, 3> size_m = shape_extents_m(product).value();
+  const auto* lattice = std::get_if<LatticeParameters>(&product);
+  if (lattice != nullptr && lattice->shape == Shape::mesh && lattice->mesh) {
+    std::array<double, 3> stretch_m{};
+    for (std::size_t d = 0; d < 3; ++d) stretch_m[d] = size_m[d] / lattice->mesh->extents()[d];
+    return drawn_mesh(lattice->mesh->given_in_middle(), stretch_m);
+  }
   if (shape->solid() != nullptr) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!shape->is_mirrored(axis)) return revolution_mesh(axis, *shape, size_m);

@@ -19,8 +19,16 @@ std::size_t lopsided_axis(const TrueShape& shape) {
 template <int n>
 using Vector = Eigen::Matrix<double, n, 1>;
 
+/// A mesh is lopsided along all axes and has products of its places along two.
+constexpr int kAllMoments = 10;
+int moment_count(const TrueShape& shape) {
+  const std::size_t lopsided = lopsided_axis(shape);
+  if (lopsided == 3) return 4;
+  return lopsided == 0 && !shape.is_mirrored(1) && !shape.is_mirrored(2) ? kAllMoments : 5;
+}
+
 /// What a particle counts for mass and moments: 1, the squares of its place from the centre over the extents, and
-/// with a fifth number that place along a lopsided axis.
+/// with a fifth number that place along a lopsided axis, with ten that along all and the products of two.
 template <int n>
 std::vector<Vector<n>> counts_of(const LatticeParameters& parameters, const Lattice& lattice,
                                  std::size_t lopsided) {
@@ -32,6 +40,12 @@ std::vector<Vector<n>> counts_of(const LatticeParameters& parameters, const Latt
       const double q = (position_m[d] - lattice.center_m[d]) / parameters.size_m[d];
       count[static_cast<Eigen::Index>(d) + 1] = q * q;
       if (n == 5 && d == lopsided) count[n - 1] = q;
+      if constexpr (n == kAllMoments) {
+        const std::size_t next = (d + 1) % 3;
+        const double other = (position_m[next] - lattice.center_m[next]) / parameters.size_m[next];
+        count[static_cast<Eigen::Index>(d) + 4] = q;
+        count[static_cast<Eigen::Index>(d) + 7] = q * other;
+      }
     }
     counts.push_back(count);
   }
@@ -103,6 +117,11 @@ std::vector<double> factors(const TrueShape& shape, const LatticeParameters& par
     if (n == 5 && d == lopsided) {
       wanted[n - 1] = mass_kg * shape.center_of_mass_m()[d] / parameters.size_m[d];
     }
+    if constexpr (n == kAllMoments) {
+      const std::size_t next = (d + 1) % 3;
+      wanted[static_cast<Eigen::Index>(d) + 4] = mass_kg * shape.center_of_mass_m()[d] / parameters.size_m[d];
+      wanted[static_cast<Eigen::Index>(d) + 7] = mass_kg * shape.mean_product_share(d, next);
+    }
   }
   return Factors<n>(lattice.mass_kg, counts_of<n>(parameters, lattice, lopsided), wanted).solve();
 }
@@ -113,8 +132,10 @@ std::vector<double> true_masses(const LatticeParameters& parameters, const Latti
   const TrueShape shape(parameters);
   double mass_kg = 0.0;
   for (const double of_particle : lattice.mass_kg) mass_kg += of_particle;
-  std::vector<double> masses = lopsided_axis(shape) == 3 ? factors<4>(shape, parameters, lattice, mass_kg)
-                                                         : factors<5>(shape, parameters, lattice, mass_kg);
+  const int moments = moment_count(shape);
+  std::vector<double> masses = moments == 4             ? factors<4>(shape, parameters, lattice, mass_kg)
+                               : moments == kAllMoments ? factors<kAllMoments>(shape, parameters, lattice, mass_kg)
+                                                        : factors<5>(shape, parameters, lattice, mass_kg);
   for (std::size_t p = 0; p < masses.size(); ++p) masses[p] *= lattice.mass_kg[p];
   return masses;
 }

@@ -11,6 +11,7 @@
 #include "core/scenario/pad_face.hpp"
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product_frame.hpp"
+#include "core/scenario/product_mesh.hpp"
 
 namespace unbruised {
 namespace {
@@ -49,6 +50,11 @@ class KeyWriter {
   void add(const std::vector<T>& values) {
     add(values.size());
     for (const T& value : values) add(value);
+  }
+  void add(const std::shared_ptr<const ProductMesh>& mesh) {
+    const std::uint64_t hash = mesh ? mesh->source().hash : 0;
+    add(static_cast<std::uint32_t>(hash >> 32));
+    add(static_cast<std::uint32_t>(hash));
   }
   [[nodiscard]] std::string take() { return std::move(key_); }
 

@@ -20,7 +20,7 @@ namespace unbruised {
 
 template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [shape, size_m, axis, profile_height, profile_radius, exponents, cell_size_m, mass_kg, density_kg_m3,
+  auto& [shape, size_m, axis, profile_height, profile_radius, exponents, mesh, cell_size_m, mass_kg, density_kg_m3,
          youngs_modulus_Pa, poisson_ratio, yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio,
          at_frequency_Hz, prony_modulus, prony_time_s, prony_from, burgers_flow_time_s, burgers_recovery_modulus,
          burgers_recovery_time_s, friction, initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad,
@@ -31,6 +31,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"profile_height", Decides::model, kAnyNumber}, profile_height);
   visit({"profile_radius", Decides::model, kAnyNumber}, profile_radius);
   visit({"exponents", Decides::model, kExponent}, exponents);
+  visit({"mesh", Decides::model}, mesh);
   visit({"cell_size_m", Decides::model, kPositive}, cell_size_m);
   visit({"mass_kg", Decides::model, kPositive}, mass_kg);
   visit({"density_kg_m3", Decides::model, kPositive}, density_kg_m3);

@@ -4,13 +4,16 @@
 /// The parameters of products. Plain data in SI; the inequality a value takes part in stands above it.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 namespace unbruised {
 
-enum class Shape { box, sphere, ellipsoid, cylinder, revolution, superellipsoid };
+class ProductMesh;
+
+enum class Shape { box, sphere, ellipsoid, cylinder, revolution, superellipsoid, mesh };
 /// Of superellipsoids: below, edges are sharp; above, sides are as good as flat.
 inline constexpr double kLeastExponent = 2.0, kLargestExponent = 4.0;
 enum class Axis { x = 0, y = 1, z = 2 };
@@ -33,6 +36,8 @@ struct LatticeParameters {
   std::vector<double> profile_radius;
   /// >= 2, <= 4; of a superellipsoid: across z, and between z and the outline across it. 2: an ellipse.
   std::array<double, 2> exponents{2.0, 2.0};
+  /// The surface of shape = mesh, stretched to size_m; shared by all scenarios that have it.
+  std::shared_ptr<const ProductMesh> mesh;
   /// > 0, <= half the smallest extent. Extents are divided into round(size / cell_size) cells, at least two, whose
   /// sides may differ by 22 %.
   double cell_size_m = 0.005;

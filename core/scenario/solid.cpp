@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scenario/mesh_solid.hpp"
 #include "core/scenario/profile_curve.hpp"
 #include "core/scenario/revolution.hpp"
 #include "core/scenario/superellipsoid.hpp"
@@ -26,6 +27,7 @@ std::shared_ptr<const Solid> solid_of(const LatticeParameters& p) {
   if (p.shape == Shape::revolution && !profile_fault(p.profile_height, p.profile_radius)) {
     return std::make_shared<Revolution>(p);
   }
+  if (p.shape == Shape::mesh && p.mesh) return std::make_shared<MeshSolid>(p);
   return nullptr;
 }
 

@@ -37,6 +37,8 @@ class Solid {
   [[nodiscard]] virtual std::array<double, 3> center_of_mass_m() const = 0;
   /// Of the places along an axis, from the middle.
   [[nodiscard]] virtual double mean_square_m2(std::size_t axis) const = 0;
+  /// Of the products of the places along two axes; 0: it is mirrored across one of them.
+  [[nodiscard]] virtual double mean_product_m2(std::size_t /*a*/, std::size_t /*b*/) const { return 0.0; }
   /// Of the widest cut across an axis; what a side's outline encloses.
   [[nodiscard]] virtual double section_m2(std::size_t axis) const = 0;
   [[nodiscard]] virtual bool contains(const std::array<double, 3>& place_m) const = 0;

@@ -89,6 +89,10 @@ double TrueShape::mean_square_share(std::size_t axis) const {
   return std::count(round_.begin(), round_.end(), true) == 3 ? 1.0 / 20.0 : 1.0 / 16.0;
 }
 
+double TrueShape::mean_product_share(std::size_t a, std::size_t b) const {
+  return solid_ ? solid_->mean_product_m2(a, b) / (size_m_[a] * size_m_[b]) : 0.0;
+}
+
 double TrueShape::section_m2(std::size_t axis) const {
   if (solid_) return solid_->section_m2(axis);
   const auto [first, second] = face_tangents(axis);

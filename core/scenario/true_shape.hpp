@@ -35,6 +35,8 @@ class TrueShape {
   [[nodiscard]] std::array<double, 3> center_of_mass_m() const;
   /// Mean square of the places along `axis` over the square of the extent.
   [[nodiscard]] double mean_square_share(std::size_t axis) const;
+  /// Mean product of the places along two axes over that of the extents.
+  [[nodiscard]] double mean_product_share(std::size_t a, std::size_t b) const;
   /// Of the widest cut across `axis` [m2].
   [[nodiscard]] double section_m2(std::size_t axis) const;
   /// Area of the sides that are planes across `axis` [m2].

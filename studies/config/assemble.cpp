@@ -6,6 +6,7 @@
 
 #include "core/scenario/gripper.hpp"
 #include "core/scenario/opening.hpp"
+#include "studies/config/mesh_file.hpp"
 #include "studies/config/usual_damping.hpp"
 
 namespace unbruised::studies {
@@ -164,6 +165,7 @@ struct Assembler {
       case Use::with_axis:
       case Use::revolution:
       case Use::superellipsoid:
+      case Use::mesh:
         return lattice || !spec.path.starts_with("product.");
       case Use::network:
       case Use::network_support:
@@ -229,6 +231,15 @@ struct Assembler {
         if (const auto rule = missing_place(address)) problems.add(out.origin_of("vary " + key), key, *rule);
       }
     }
+  }
+
+  /// The mesh of the file that the entries name; where it could not be read, that was said.
+  void attach_mesh() {
+    auto* lattice = std::get_if<LatticeParameters>(&out.scenario.product);
+    const auto file = highest({kMeshFileKey}), unit = highest({kMeshUnitKey});
+    if (lattice == nullptr || input.meshes == nullptr || !file || !unit) return;
+    const auto found = input.meshes->find({file->entry->value.text, unit->entry->value.text});
+    if (found != input.meshes->end()) lattice->mesh = found->second;
   }
 
   /// Where no opening says how far the pads stand away, the resolved config says the usual way.
@@ -298,6 +309,7 @@ Assembly assemble(const AssemblyInput& input, Problems& problems) {
   assembler.resolve_lists();
   assembler.prepare();
   for (const LayeredEntry& item : assembler.entries) assembler.apply(item);
+  assembler.attach_mesh();
   assembler.give_damping();
   assembler.settle_approach_gap();
   assembler.report_unused();

@@ -3,9 +3,12 @@
 /// @file
 /// From entries to one scenario: types, ranges, unknown and unused keys, what is missing, what excludes what.
 
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "studies/config/document.hpp"
@@ -34,11 +37,15 @@ struct Assembly {
   std::unordered_map<std::string, Origin> tables;
 };
 
+/// Meshes that were read, by the name of the file as it was written and its unit.
+using Meshes = std::map<std::pair<std::string, std::string>, std::shared_ptr<const ProductMesh>>;
+
 struct AssemblyInput {
   std::vector<LayeredEntry> entries;     ///< in layer order
   std::vector<std::string> varied_keys;  ///< count as given
   std::unordered_map<std::string, Origin> tables;
   Origin fallback;  ///< where a missing key is reported when its table is missing too
+  const Meshes* meshes = nullptr;  ///< null: none
   bool has_gripper = false;
   bool is_complete = true;  ///< false: something could not be read, so nothing is reported as missing
 };

@@ -62,6 +62,8 @@ bool scenario_uses(Use use, const Scenario& scenario, const std::vector<std::str
       return lattice != nullptr && (lattice->shape == Shape::revolution || varied("product.shape"));
     case Use::superellipsoid:
       return lattice != nullptr && (lattice->shape == Shape::superellipsoid || varied("product.shape"));
+    case Use::mesh:
+      return lattice != nullptr && (lattice->shape == Shape::mesh || varied("product.shape"));
     case Use::gripper:
     case Use::not_window:
       return has_gripper(scenario);
@@ -122,6 +124,8 @@ std::string why_unused(Use use, const Scenario& scenario) {
       return "not used: only a solid of revolution (product.shape = \"revolution\") has it";
     case Use::superellipsoid:
       return "not used: only a superellipsoid has exponents";
+    case Use::mesh:
+      return "not used: only a product with shape = \"mesh\" has it";
     case Use::gripper:
       return "not used: the study has no [gripper]";
     case Use::not_gripper:

@@ -6,6 +6,7 @@
 
 #include "studies/config/csv_rows.hpp"
 #include "studies/config/measured_data.hpp"
+#include "studies/config/mesh_file.hpp"
 #include "studies/config/schema.hpp"
 #include "studies/text/joined.hpp"
 
@@ -95,7 +96,7 @@ std::optional<Library::Text> Library::open(const Entry& named, Problems& problem
     return std::nullopt;
   }
   const std::filesystem::path wanted = name;
-  const std::size_t most = named.path.ends_with("_csv") ? kMaxCsvBytes : kMaxBytes;
+  const std::size_t most = named.path.ends_with("_csv") || named.path == kMeshFileKey ? kMaxCsvBytes : kMaxBytes;
   std::string why;
   std::vector<std::string> places;
   for (const auto& folder : {folder_, config_root_}) {
@@ -173,6 +174,7 @@ std::vector<Entry> Library::read(std::string_view table, const Entry& use, Probl
   std::vector<Entry> entries = library_entries(document, "", table, problems);
   read_profile(entries, problems);
   read_product_profile(entries, problems);
+  if (table == "product") read_mesh(entries, problems);
   return entries;
 }
 

@@ -4,12 +4,14 @@
 /// Files that a study refers to: product and gripper files (`use`) and CSV tables of networks.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "studies/config/assemble.hpp"
 #include "studies/config/document.hpp"
 #include "studies/config/problems.hpp"
 
@@ -52,6 +54,11 @@ class Library {
   /// Appends the profile of a solid of revolution that entries name a file of.
   void read_product_profile(std::vector<Entry>& entries, Problems& problems);
 
+  /// Reads the mesh that entries name a file of; its size comes before them, where they say none.
+  void read_mesh(std::vector<Entry>& entries, Problems& problems);
+  /// The meshes that were read, by `mesh_key`.
+  [[nodiscard]] const Meshes& meshes() const { return meshes_; }
+
   /// Appends the joints and the flange of the URDF file that entries name.
   void read_arm(std::vector<Entry>& entries, Problems& problems);
 
@@ -68,10 +75,12 @@ class Library {
     int rank;
   };
   std::optional<Text> open(const Entry& named, Problems& problems);
+  [[nodiscard]] std::string found_again(const std::string& file) const;
 
   std::filesystem::path folder_;
   std::filesystem::path config_root_;
   int next_rank_ = 1;
+  Meshes meshes_;
 };
 
 /// Puts the entries of a product's or gripper's table under their study paths ("product.source.mass_kg" too),

@@ -2,6 +2,7 @@
 
 #include "studies/config/execution_error.hpp"
 #include "studies/config/measured_data.hpp"
+#include "studies/config/mesh_file.hpp"
 #include "studies/config/study_data.hpp"
 
 namespace unbruised::studies {
@@ -18,6 +19,15 @@ struct Writer {
     if (!value.empty()) out += std::string(path.substr(path.rfind('.') + 1)) + " = " + value + "\n";
   }
 
+  /// By which another run finds the same mesh; empty: there is none.
+  static std::string of_mesh(std::string_view path, const Scenario& scenario) {
+    const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+    if (lattice == nullptr || !lattice->mesh) return "";
+    const MeshSource& source = lattice->mesh->source();
+    if (path == kMeshFileKey) return toml_string(source.file);
+    return toml_string(path == kMeshUnitKey ? source.unit : mesh_hash_text(source.hash));
+  }
+
   /// All used keys of one table, e.g. "cell" or "product.particle[]".
   void keys(const std::string& table, Scenario& scenario, int index) {
     StudySettings settings = data.settings;
@@ -26,6 +36,7 @@ struct Writer {
       if (!is_used(spec, scenario, settings.kind, varied_keys)) continue;
       if (spec.study_field != nullptr) line(spec.path, spelled(spec, spec.study_field(settings)));
       if (spec.field != nullptr) line(spec.path, spelled(spec, spec.field(scenario, index)));
+      if (spec.use == Use::mesh) line(spec.path, of_mesh(spec.path, scenario));
       if (spec.path == "product.kind") {
         line(spec.path,
              std::holds_alternative<NetworkParameters>(scenario.product) ? "\"network\"" : "\"lattice\"");

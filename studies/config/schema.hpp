@@ -210,6 +210,7 @@ enum class Use {
   with_axis,  ///< cylinders and solids of revolution
   revolution,
   superellipsoid,
+  mesh,
   gripper,
   not_gripper,
   not_window,

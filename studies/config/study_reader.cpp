@@ -93,6 +93,7 @@ class Reader {
     }
     library_.read_profile(text_.study, problems_);
     library_.read_product_profile(text_.study, problems_);
+    library_.read_mesh(text_.study, problems_);
     library_.read_arm(text_.study, problems_);
     library_.read_waypoints(text_.study, problems_);
     library_.read_demonstration(text_.study, problems_);
@@ -154,7 +155,13 @@ class Reader {
   std::vector<std::vector<Entry>> library_lists(const std::string& table) {
     for (const VaryColumn& column : data_.plan.columns) {
       if (column.input.key != table + ".use") continue;
-      if (!column.variants.empty()) return column.variants;
+      if (!column.variants.empty()) {
+        std::vector<std::vector<Entry>> lists = column.variants;
+        for (std::vector<Entry>& list : lists) {
+          if (table == "product") library_.read_mesh(list, problems_);
+        }
+        return lists;
+      }
       std::vector<std::vector<Entry>> lists;
       for (const std::string& text : column.input.texts) {
         lists.push_back(library_.read(table, {table + ".use", text_value(text), column.origin}, problems_));
@@ -171,6 +178,7 @@ class Reader {
     input.fallback = place(1);
     input.tables = text_.tables;
     input.has_gripper = has_gripper_;
+    input.meshes = &library_.meshes();
     input.is_complete = problems_.count() == known;
     for (const VaryColumn& column : data_.plan.columns) {
       if (!column.is_use()) input.varied_keys.push_back(column.input.key);

@@ -4,6 +4,7 @@
 
 #include "studies/config/demonstration.hpp"
 #include "studies/config/library.hpp"
+#include "studies/config/mesh_file.hpp"
 #include "studies/config/product_profile.hpp"
 #include "studies/config/urdf_arm.hpp"
 #include "studies/config/waypoint_csv.hpp"
@@ -49,7 +50,8 @@ void append_unsaid(std::vector<Entry> more, std::vector<Entry>& entries) {
 }  // namespace
 
 bool Library::names_file(std::string_view key) {
-  return key == kProfileFileKey || key == kProductProfileKey || key == kWaypointFileKey || key == "robot.urdf" ||
+  return key == kProfileFileKey || key == kProductProfileKey || key.starts_with(kMeshKeys) ||
+         key == kWaypointFileKey || key == "robot.urdf" ||
          key == "robot.tip_link" || key.starts_with(kDemonstrationKey);
 }
 
@@ -69,6 +71,42 @@ void Library::read_product_profile(std::vector<Entry>& entries, Problems& proble
   }
   const auto text = open(*named, problems);
   if (text) append(product_profile_entries(text->content, text->file, text->rank, problems), entries);
+}
+
+/// Files below the configs folder by their name there, others by their absolute one.
+std::string Library::found_again(const std::string& file) const {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+  const std::filesystem::path root = std::filesystem::weakly_canonical(config_root_, error);
+  const std::filesystem::path inside = path.lexically_relative(root);
+  const bool is_below = !config_root_.empty() && !inside.empty() && *inside.begin() != "..";
+  return (is_below ? inside : path).string();
+}
+
+void Library::read_mesh(std::vector<Entry>& entries, Problems& problems) {
+  const auto named = file_named(entries, kMeshFileKey);
+  if (!named) {
+    for (const Entry& entry : entries) {
+      if (!entry.path.starts_with(kMeshKeys)) continue;
+      problems.add(entry.origin, entry.path, spelled(entry.value),
+                   "belongs beside product.mesh_file, in the same file; give both");
+    }
+    return;
+  }
+  const auto text = open(*named, problems);
+  if (!text) return;
+  const std::string ending = std::filesystem::path(named->value.text).extension().string();
+  const MeshText mesh_text{.content = text->content,
+                           .file = *named,
+                           .unit = last_of(entries, kMeshUnitKey),
+                           .hash = last_of(entries, kMeshHashKey),
+                           .ending = ending.empty() ? ending : ending.substr(1),
+                           .found_again = found_again(*text->file)};
+  const auto mesh = mesh_of_text(mesh_text, problems);
+  if (!mesh) return;
+  meshes_[{named->value.text, mesh->source().unit}] = mesh;
+  if (last_of(entries, "product.size_m") != nullptr) return;
+  entries.insert(entries.begin(), mesh_size_entry(*mesh, named->origin));
 }
 
 void Library::read_waypoints(std::vector<Entry>& entries, Problems& problems) {

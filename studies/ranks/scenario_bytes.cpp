@@ -1,12 +1,17 @@
 #include "studies/ranks/scenario_bytes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <variant>
 #include <vector>
 
 #include "core/scenario/fields.hpp"
+#include "core/scenario/product_mesh.hpp"
 #include "studies/results/bytes.hpp"
 
 namespace unbruised::studies {
@@ -17,6 +22,20 @@ constexpr std::uint64_t kLongestList = 1'000'000;
 
 template <class T>
 concept Word = std::is_enum_v<T>;
+
+/// The same mesh for all scenarios that come here with its hash: to make it ready takes longer than to read it.
+std::shared_ptr<const ProductMesh> one_for_all(TriangleMesh mesh, const MeshSource& source) {
+  static std::mutex mutex;
+  static std::map<std::uint64_t, std::weak_ptr<const ProductMesh>> known;
+  const std::lock_guard lock(mutex);
+  std::weak_ptr<const ProductMesh>& kept = known[source.hash];
+  auto shared = kept.lock();
+  if (!shared) {
+    shared = std::make_shared<const ProductMesh>(std::move(mesh), source);
+    kept = shared;
+  }
+  return shared;
+}
 
 class FieldWriter {
  public:
@@ -44,6 +63,13 @@ class FieldWriter {
   void put(const std::vector<T>& values) {
     put_size(values.size());
     for (const T& value : values) put(value);
+  }
+  void put(const std::shared_ptr<const ProductMesh>& mesh) {
+    put(static_cast<std::uint8_t>(mesh != nullptr));
+    if (!mesh) return;
+    put(mesh->source().hash);
+    put(mesh->given().place);
+    put(mesh->given().triangle);
   }
   void put_size(std::size_t size) { out_.put(static_cast<std::uint64_t>(size)); }
   [[nodiscard]] const std::string& text() const { return out_.text(); }
@@ -79,6 +105,20 @@ class FieldReader {
   void get(std::vector<T>& values) {
     get_size(values);
     for (T& value : values) get(value);
+  }
+  void get(std::shared_ptr<const ProductMesh>& mesh) {
+    mesh.reset();
+    if (in_.get<std::uint8_t>() == 0) return;
+    MeshSource source;
+    TriangleMesh given;
+    get(source.hash);
+    get(given.place);
+    get(given.triangle);
+    const auto has = [&](int corner) { return corner >= 0 && static_cast<std::size_t>(corner) < given.place.size(); };
+    bool sound = in_.ok() && !given.triangle.empty() && given.triangle.size() <= kMostTriangles;
+    for (const auto& triangle : given.triangle) sound = sound && std::ranges::all_of(triangle, has);
+    sizes_sound_ = sizes_sound_ && sound;
+    if (sizes_sound_) mesh = one_for_all(std::move(given), source);
   }
   template <class T>
   void get_size(std::vector<T>& values) {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Work that may crash, done in a child process.
+/// Reading that may crash, done in a child process.
 
 #include <filesystem>
 #include <functional>

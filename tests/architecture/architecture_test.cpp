@@ -35,7 +35,7 @@ const std::vector<SourceFile>& sources() {
 }
 
 /// The floors of studies, from the ground up: a folder sees itself and what stands below it.
-const std::vector<std::string> kStudiesFloors = {"text",      "statistics", "goals",  "config",   "results",
+const std::vector<std::string> kStudiesFloors = {"text",      "process",    "statistics", "goals",  "config",   "results",
                                                  "scenarios", "execution",  "ranks",  "findings", "kinds",
                                                  "estimate",  "controller", "report", "cli"};
 

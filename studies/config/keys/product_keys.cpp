@@ -20,13 +20,14 @@ Table shape_keys() {
       {.path = "product.shape",
        .type = choice,
        .meaning = "True shape of the product.",
-       .choices = {"box", "sphere", "ellipsoid", "cylinder", "revolution", "superellipsoid"},
+       .choices = {"box", "sphere", "ellipsoid", "cylinder", "revolution", "superellipsoid", "mesh"},
        .use = use,
        .required = true,
        .field = lattice<&L::shape>},
       {.path = "product.size_m",
        .type = numbers,
-       .meaning = "Full extents along x (grip axis), y and z (up).",
+       .meaning = "Full extents along x (grip axis), y and z (up). A mesh brings its own, and is stretched to these "
+                  "where they are given.",
        .size = 3,
        .use = use,
        .required = true,
@@ -62,6 +63,24 @@ Table shape_keys() {
        .size = 2,
        .use = Use::superellipsoid,
        .field = lattice<&L::exponents>},
+      {.path = "product.mesh_file",
+       .type = text,
+       .meaning =
+           "STL, OBJ or PLY file of the product's surface: one closed mesh that looks outward, x, y and z as of "
+           "the product, 200,000 triangles at most. Between its corners the surface is smooth, but for edges at "
+           "which it turns by more than 40 degrees.",
+       .use = Use::mesh,
+       .required = true},
+      {.path = "product.mesh_unit",
+       .type = text,
+       .meaning = "Unit of the numbers in that file, which does not say it itself: \"mm\", \"cm\", \"m\" or \"in\".",
+       .use = Use::mesh,
+       .required = true},
+      {.path = "product.mesh_hash",
+       .type = text,
+       .meaning = "XXH3 of that file, 16 hexadecimal digits; where it is given, another file is refused. The "
+                  "resolved config gives it.",
+       .use = Use::mesh},
       {.path = "product.cell_size_m",
        .type = number,
        .meaning =

@@ -7,6 +7,7 @@
 
 #include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/core/scenario/solids.hpp"
 
 namespace unbruised {
@@ -28,7 +29,8 @@ const std::vector<LatticeParameters>& products() {
       product_of(Shape::cylinder, {0.03, 0.05, 0.03}, Axis::y),
       testing::revolution_of(testing::pear_profile(), {0.06, 0.08, 0.06}, Axis::y),
       testing::revolution_of(testing::bottle_profile(), {0.03, 0.03, 0.066}),
-      testing::superellipsoid_of({4.0, 2.5}, {0.05, 0.04, 0.03})};
+      testing::superellipsoid_of({4.0, 2.5}, {0.05, 0.04, 0.03}),
+      testing::mesh_product(testing::icosphere(3), {0.05, 0.05, 0.06})};
   return all;
 }
 
@@ -72,6 +74,19 @@ TEST(ShapeMesh, ClosesARoundSurface) {
     EXPECT_EQ(count, 1);
     EXPECT_TRUE(edges.contains({edge.second, edge.first})) << "an edge with one side";
   }
+}
+
+// Of a fine mesh places are put together: the mean of those of a box lies inside, by less than a box.
+TEST(ShapeMesh, DrawsAFineMeshWithFewerPlaces) {
+  const LatticeParameters product = testing::mesh_product(testing::lobed_mesh(5), {0.08, 0.05, 0.05});
+  const ShapeMesh mesh = shape_mesh(product).value();
+  EXPECT_GT(mesh.place_m.size(), 500U);
+  EXPECT_LT(mesh.place_m.size(), 2000U);
+  const TrueShape shape = true_shape(product).value();
+  for (const auto& place : mesh.place_m) EXPECT_NEAR(shape.nearest(place).distance_m, 0.0, 1e-3);
+  double six = 0.0;
+  for (const auto& triangle : mesh.triangle) six += six_volumes(mesh, triangle);
+  EXPECT_NEAR(six / 6.0 / shape.volume_m3(), 1.0, 0.03);
 }
 
 TEST(ShapeMesh, IsNothingWithoutAShape) { EXPECT_FALSE(shape_mesh(NetworkParameters{}).has_value()); }

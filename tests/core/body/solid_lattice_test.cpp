@@ -1,4 +1,4 @@
-// Lattices of solids of revolution and superellipsoids: mass, surface, and the patch test inside them.
+// Lattices of solids of revolution, superellipsoids and meshes: mass, surface, and the patch test inside them.
 
 #include <cmath>
 #include <numeric>
@@ -11,6 +11,7 @@
 #include "core/body/lattice_stiffness.hpp"
 #include "core/scenario/true_shape.hpp"
 #include "tests/core/algebra/dense.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/core/scenario/solids.hpp"
 
 namespace unbruised {
@@ -22,7 +23,9 @@ std::vector<LatticeParameters> solids(double cell_m) {
   std::vector<LatticeParameters> all = {revolution_of(pear_profile(), {0.06, 0.06, 0.08}),
                                         revolution_of(pear_profile(), {0.06, 0.08, 0.06}, Axis::y),
                                         revolution_of(bottle_profile(), {0.04, 0.04, 0.088}),
-                                        superellipsoid_of({3.0, 2.5}, {0.04, 0.06, 0.05})};
+                                        superellipsoid_of({3.0, 2.5}, {0.04, 0.06, 0.05}),
+                                        mesh_product(icosphere(4), {0.05, 0.05, 0.05}),
+                                        mesh_product(lobed_mesh(3), {0.09, 0.06, 0.06})};
   for (LatticeParameters& solid : all) solid.cell_size_m = cell_m;
   return all;
 }

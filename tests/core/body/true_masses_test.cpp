@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scenario/true_shape.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/core/scenario/solids.hpp"
 
 namespace unbruised {
@@ -69,6 +70,33 @@ TEST(TrueMasses, OfASolidOfRevolutionHaveItsCentreToo) {
       EXPECT_NEAR(first[d] / 0.1, shape.center_of_mass_m()[d] / size_m[d], 1e-13);
       EXPECT_NEAR(square[d] / 0.1, shape.mean_square_share(d), 1e-13);
     }
+  }
+}
+
+TEST(TrueMasses, OfAMeshHaveItsCentreAndItsProductsToo) {
+  LatticeParameters lobes = testing::mesh_product(testing::lobed_mesh(4), {0.08, 0.05, 0.05});
+  lobes.cell_size_m = 0.006;
+  const TrueShape shape(lobes);
+  const Lattice lattice = build_lattice(lobes);
+  const std::vector<double> masses = true_masses(lobes, lattice);
+  double mass_kg = 0.0;
+  std::array<double, 3> first{}, square{}, product{};
+  for (std::size_t p = 0; p < masses.size(); ++p) {
+    EXPECT_GT(masses[p], 0.0);
+    mass_kg += masses[p];
+    std::array<double, 3> q{};
+    for (std::size_t d = 0; d < 3; ++d) q[d] = (lattice.position_m[p][d] - lattice.center_m[d]) / lobes.size_m[d];
+    for (std::size_t d = 0; d < 3; ++d) {
+      first[d] += masses[p] * q[d];
+      square[d] += masses[p] * q[d] * q[d];
+      product[d] += masses[p] * q[d] * q[(d + 1) % 3];
+    }
+  }
+  EXPECT_NEAR(mass_kg, 0.1, 1e-14);
+  for (std::size_t d = 0; d < 3; ++d) {
+    EXPECT_NEAR(first[d] / 0.1, shape.center_of_mass_m()[d] / lobes.size_m[d], 1e-13);
+    EXPECT_NEAR(square[d] / 0.1, shape.mean_square_share(d), 1e-13);
+    EXPECT_NEAR(product[d] / 0.1, shape.mean_product_share(d, (d + 1) % 3), 1e-13);
   }
 }
 

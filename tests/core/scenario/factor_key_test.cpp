@@ -12,6 +12,7 @@
 #include "core/scenario/pad_lattice.hpp"
 #include "core/scenario/product_frame.hpp"
 #include "core/simulation/model_parts.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -51,6 +52,9 @@ class Perturbation {
   static void change(std::optional<std::array<T, N>>& values) {
     if (!values) values.emplace();
     change(values->back());
+  }
+  static void change(std::shared_ptr<const ProductMesh>& mesh) {
+    mesh = mesh_product(cube_mesh(), {}, mesh ? mesh->source().hash + 1 : 5).mesh;
   }
   template <class T>
   static void change(std::vector<T>& values) {
@@ -164,6 +168,14 @@ Scenario network() {
   return scenario;
 }
 
+Scenario by_mesh() {
+  Scenario scenario = by_mass();
+  LatticeParameters& product = lattice_of(scenario);
+  product.shape = Shape::mesh;
+  product.mesh = mesh_product(icosphere(1), {}, (std::uint64_t{7} << 40) + 3).mesh;
+  return scenario;
+}
+
 class FactorKeys : public ::testing::TestWithParam<Scenario (*)()> {};
 
 TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
@@ -197,7 +209,7 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Products, FactorKeys,
-                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, by_modes, network));
+                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, by_mesh, by_modes, network));
 
 TEST(FactorKey, TellsProductsOfDifferentKindsApart) {
   EXPECT_NE(factor_key(by_mass()), factor_key(network()));

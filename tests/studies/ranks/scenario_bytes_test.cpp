@@ -12,6 +12,7 @@
 #include "studies/config/study.hpp"
 #include "studies/ranks/rank_messages.hpp"
 #include "studies/results/digest.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/places.hpp"
 
 namespace unbruised::studies {
@@ -91,6 +92,7 @@ struct Disturb {
     values.resize(2);
     for (T& value : values) set(value);
   }
+  void set(std::shared_ptr<const ProductMesh>& mesh) { mesh = testing::mesh_product(testing::cube_mesh(), {}, 7).mesh; }
 };
 
 /// Equal where all fields are.
@@ -120,6 +122,12 @@ struct Spelling {
   void add(const std::vector<T>& values) {
     text += std::to_string(values.size());
     for (const auto value : values) add(value);
+  }
+  void add(const std::shared_ptr<const ProductMesh>& mesh) {
+    if (!mesh) return;
+    text += std::to_string(mesh->source().hash);
+    add(mesh->given().place);
+    add(mesh->given().triangle);
   }
 };
 

@@ -37,13 +37,18 @@ set(api_headers
   core/scenario/cell_surface.hpp
   core/scenario/factor_key.hpp
   core/scenario/finger.hpp
+  core/scenario/mesh_fault.hpp
   core/scenario/pad.hpp
+  core/scenario/product_mesh.hpp
   core/scenario/product_parameters.hpp
   core/scenario/range_sensor.hpp
   core/scenario/robot.hpp
   core/scenario/rules.hpp
   core/scenario/scenario.hpp
   core/scenario/sensor.hpp
+  core/scenario/smooth_mesh.hpp
+  core/scenario/triangle_mesh.hpp
+  core/scenario/triangle_tree.hpp
   core/simulation/simulation.hpp)
 foreach(header ${api_headers})
   cmake_path(GET header PARENT_PATH folder)

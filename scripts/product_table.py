@@ -73,7 +73,7 @@ def limit(product):
 
 def product_row(path):
     product = read(path)
-    size = " x ".join(digits(1e3 * length) for length in product["size_m"])
+    size = " x ".join(digits(1e3 * length) for length in product["size_m"]) if "size_m" in product else "of its mesh"
     cells = [f"`{path.stem}`", product["shape"], shown(product, "size_m", size), mass(product), modulus(product, "youngs_modulus_Pa"),
              shown(product, "poisson_ratio", f"{product['poisson_ratio']:g}"), modulus(product, "yield_stress_Pa"),
              modulus(product, "tangent_modulus_Pa"), time_dependent(product), shown(product, "friction", f"{product['friction']:g}"),

@@ -153,7 +153,7 @@ double six_volumes(const TriangleMesh& mesh) {
   return total;
 }
 
-/// Does a stretch pass through the inside of a triangle?
+/// Does a stretch pass through a triangle, its edges included?
 bool passes_through(const TriangleMesh& mesh, std::size_t t, const Place& from, const Place& to, double tolerance) {
   const Place &a = mesh.corner(t, 0), ab = between(a, mesh.corner(t, 1)), ac = between(a, mesh.corner(t, 2));
   const Place normal = cross(ab, ac);
@@ -163,9 +163,9 @@ bool passes_through(const TriangleMesh& mesh, std::size_t t, const Place& from, 
                below = dot(between(a, to), normal) / std::sqrt(square);
   if ((above > 0.0) == (below > 0.0) || std::min(std::abs(above), std::abs(below)) < tolerance) return false;
   const Place way = between(a, sum(from, times(above / (above - below), between(from, to))));
-  constexpr double kInside = 1e-6;  // of the triangle: what only touches does not pass
+  constexpr double kRounding = 1e-9;  // of the triangle
   const double u = dot(cross(way, ac), normal) / square, v = dot(cross(ab, way), normal) / square;
-  return u > kInside && v > kInside && u + v < 1.0 - kInside;
+  return u > -kRounding && v > -kRounding && u + v < 1.0 + kRounding;
 }
 
 /// Does an edge of one triangle that does not end at a corner of the other pass through that?

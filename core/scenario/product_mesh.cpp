@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -22,9 +23,12 @@ constexpr int kShadowColumns = 300;
 /// A side ends in a plane where triangles within kFlatWithin of the extent of its end, that lean by less than
 /// kFlatLean_rad, make up kFlatShare of its shadow: far more than the cap of a sphere does.
 constexpr double kFlatWithin = 1e-3, kFlatLean_rad = 0.03, kFlatShare = 0.02;
-/// A pole's curvature is that of the quadric that fits the surface best so far around it: of the least extent
-/// across, or of the mesh's edges there. Of a sphere 0.2 of its radius, over which it curves 1 % more.
-constexpr double kFitWithin = 0.1, kFitEdges = 3.0;
+/// A pole's curvature is that of the quadric that fits the surface best within this part of the least extent across
+/// around it, and farther for as long as fewer corners of triangles lie there.
+constexpr double kFitWithin = 0.1, kFitGrowth = 1.5;
+constexpr std::size_t kFitCorners = 60;
+/// Corners are as high as the pole within this part of the extent.
+constexpr double kAsHigh = 1e-6;
 /// Of a curvature times half the least extent across: less is straight, as of a solid of revolution.
 constexpr double kStraight = 0.02;
 
@@ -205,47 +209,79 @@ struct End {
     return flat;
   }
 
+  /// Of several corners that are as high, as on a cylinder's wall, the one in their middle.
   [[nodiscard]] Place highest() const {
-    return *std::max_element(mesh.place.begin(), mesh.place.end(),
-                             [this](const Place& a, const Place& b) { return height(a) < height(b); });
-  }
-
-  /// Mean length of the edges of the triangles that have the place as a corner.
-  [[nodiscard]] double edges_at(const Place& place) const {
-    double total = 0.0;
-    int count = 0;
-    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (mesh.corner(t, k) != place) continue;
-        total += length(between(place, mesh.corner(t, (k + 1) % 3)));
-        ++count;
-      }
+    double most = -top();
+    for (const Place& place : mesh.place) most = std::max(most, height(place));
+    std::vector<Place> as_high;
+    Place middle{};
+    for (const Place& place : mesh.place) {
+      if (height(place) < most - kAsHigh * extents[axis]) continue;
+      as_high.push_back(place);
+      middle = sum(middle, place);
     }
-    return count > 0 ? total / count : 0.0;
+    middle = times(1.0 / static_cast<double>(as_high.size()), middle);
+    return *std::min_element(as_high.begin(), as_high.end(), [&](const Place& a, const Place& b) {
+      return length(between(middle, a)) < length(between(middle, b));
+    });
   }
 };
 
-/// Curvatures along u and v of the quadric c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2 below the top that
-/// fits best the corners within a reach of a place, each weighted by a third of its triangles' areas.
-std::array<double, 2> fitted_curvature(const End& end, const Place& pole, double reach) {
-  Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> heights = Eigen::Matrix<double, 6, 1>::Zero();
-  for (std::size_t t = 0; t < end.mesh.triangle.size(); ++t) {
-    const Place twice = cross(between(end.mesh.corner(t, 0), end.mesh.corner(t, 1)),
-                              between(end.mesh.corner(t, 0), end.mesh.corner(t, 2)));
-    if (end.sign * twice[end.axis] <= 0.0) continue;  // looks away
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Place way = between(pole, end.mesh.corner(t, k));
-      const double x = way[end.u] / reach, y = way[end.v] / reach, z = -end.sign * way[end.axis] / reach;
-      if (x * x + y * y > 1.0 || z > 1.0) continue;
-      Eigen::Matrix<double, 6, 1> row;
-      row << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
-      products += length(twice) * row * row.transpose();
-      heights += length(twice) * z * row;
+/// Corners of triangles around a pole, from it and over the reach within which they lie; z downward.
+struct Around {
+  std::vector<Place> place;
+  std::vector<double> area;
+
+  Around(const End& end, const Place& pole, double reach) {
+    for (std::size_t t = 0; t < end.mesh.triangle.size(); ++t) {
+      const Place twice = cross(between(end.mesh.corner(t, 0), end.mesh.corner(t, 1)),
+                                between(end.mesh.corner(t, 0), end.mesh.corner(t, 2)));
+      if (end.sign * twice[end.axis] <= 0.0) continue;  // looks away
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Place way = times(1.0 / reach, between(pole, end.mesh.corner(t, k)));
+        const Place at = {way[end.u], way[end.v], -end.sign * way[end.axis]};
+        if (at[0] * at[0] + at[1] * at[1] > 1.0 || at[2] > 1.0) continue;
+        place.push_back(at);
+        area.push_back(length(twice));
+      }
     }
   }
-  const Eigen::Matrix<double, 6, 1> c = products.completeOrthogonalDecomposition().solve(heights);
-  return {c[3] / reach, c[5] / reach};
+
+  /// Are there several along both directions?
+  [[nodiscard]] bool is_enough() const {
+    constexpr double kSpread = 0.08;  // of the mean square; a disc has 0.25
+    std::array<double, 2> square{};
+    double total = 0.0;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      total += area[i];
+      for (std::size_t d = 0; d < 2; ++d) square[d] += area[i] * place[i][d] * place[i][d];
+    }
+    return place.size() >= kFitCorners && std::min(square[0], square[1]) > kSpread * total;
+  }
+};
+
+/// Curvatures along both directions of the quadric z = c0 + c1 x + c2 y + (c3 x^2 + 2 c4 x y + c5 y^2) / 2 that fits
+/// best. A sphere falls away by more than its parabola, z - k z^2 / 2 = k r^2 / 2: with the curvature k towards each
+/// corner, by Euler's formula, taken from the round before, it is met exactly.
+std::array<double, 2> fitted_curvature(const Around& around) {
+  constexpr int kRounds = 5;
+  std::array<double, 2> curvature{};
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> heights = Eigen::Matrix<double, 6, 1>::Zero();
+    for (std::size_t i = 0; i < around.place.size(); ++i) {
+      const auto [x, y, z] = around.place[i];
+      const double square = x * x + y * y;
+      const double towards = square > 0.0 ? (curvature[0] * x * x + curvature[1] * y * y) / square : 0.0;
+      Eigen::Matrix<double, 6, 1> row;
+      row << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
+      products += around.area[i] * row * row.transpose();
+      heights += around.area[i] * (z - 0.5 * towards * z * z) * row;
+    }
+    const Eigen::Matrix<double, 6, 1> c = products.completeOrthogonalDecomposition().solve(heights);
+    curvature = {c[3], c[5]};
+  }
+  return curvature;
 }
 
 }  // namespace
@@ -262,8 +298,15 @@ MeshPole ProductMesh::pole_of(std::size_t side) const {
     return pole;
   }
   pole.place = end.highest();
-  const double reach = std::max(kFitWithin * end.across(), kFitEdges * end.edges_at(pole.place));
-  const auto curvature = fitted_curvature(end, pole.place, reach);
+  std::array<double, 2> curvature{};
+  for (double share = kFitWithin; share < 2.0; share *= kFitGrowth) {
+    const double reach = share * end.across();
+    const Around around(end, pole.place, reach);
+    if (!around.is_enough()) continue;
+    curvature = fitted_curvature(around);
+    for (double& c : curvature) c /= reach;
+    break;
+  }
   const double straight = 2.0 * kStraight / end.across();
   pole.curvature[end.u] = curvature[0] < straight ? 0.0 : curvature[0];
   pole.curvature[end.v] = curvature[1] < straight ? 0.0 : curvature[1];

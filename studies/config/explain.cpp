@@ -114,6 +114,8 @@ std::string where_used(Use use) {
       return "solids of revolution";
     case Use::superellipsoid:
       return "superellipsoids";
+    case Use::mesh:
+      return "products whose shape is a mesh";
     case Use::gripper:
       return "studies with a gripper";
     case Use::not_gripper:

@@ -269,6 +269,7 @@ TEST(Architecture, Hdf5StaysInResults) {
 TEST(Architecture, UrdfdomAndKdlStayBehindTheirDoors) {
   expect_included_only_below("^(urdf_parser|urdf_model|urdf_exception|console_bridge|kdl)/",
                              {"studies/config/urdf_arm"});
+  expect_included_only_below("^assimp/", {"studies/config/mesh_reader"});
 }
 
 TEST(Architecture, TomlStaysInConfig) {

@@ -51,7 +51,7 @@ TEST(SolidContact, OfAMeshedSphereIsPressedAsASphere) {
   EXPECT_NEAR(meshed.over_hertz / sphere.over_hertz, 1.0, 0.02);
 }
 
-// Curvature is fitted so far around the pole that a sphere has curved 1 % more than its parabola.
+// Curvature is fitted to a fifth of the half extent around the pole, where an ellipsoid is no parabola any more.
 TEST(SolidContact, AMeshedEllipsoidHasItsPatches) {
   LatticeParameters kiwi;
   kiwi.shape = Shape::ellipsoid;

@@ -3,6 +3,7 @@
 #include "core/scenario/mesh_fault.hpp"
 
 #include <algorithm>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -58,7 +59,7 @@ TEST(MeshFault, SaysWhereAHoleIs) {
   TriangleMesh mesh = cube_mesh();
   mesh.triangle.pop_back();  // corners 1, 7, 5
   EXPECT_EQ(fault_of(mesh),
-            "has a hole at (1.0, 0.0, 1.0): 3 edges belong to one triangle only; close it in the program that made "
+            "has a hole at (1, 0, 1): 3 edges belong to one triangle only; close it in the program that made "
             "it");
 }
 
@@ -100,12 +101,57 @@ TEST(MeshFault, RefusesWhatIsNoBody) {
   TriangleMesh fin = cube_mesh();
   fin.place.push_back({0.0, 0.0, 3.0});
   fin.triangle.push_back({4, 5, 8});
-  EXPECT_NE(fault_of(fin).find("more than two triangles meet at the edge near (0.0, -1.0, 1.0)"), std::string::npos)
+  EXPECT_NE(fault_of(fin).find("more than two triangles meet at the edge near (0, -1, 1)"), std::string::npos)
       << fault_of(fin);
   TriangleMesh many;
   many.place = cube_mesh().place;
   many.triangle.assign(kMostTriangles + 1, {0, 1, 2});
   EXPECT_NE(fault_of(many).find("has 200001 triangles, more than 200000"), std::string::npos);
+}
+
+// Whatever is done to a mesh, it is refused in a sentence, or is a body that can be asked.
+TEST(MeshFault, IsASentenceOrTheMeshIsABody) {
+  std::mt19937 random(17);
+  int sound = 0;
+  for (int round = 0; round < 300; ++round) {
+    TriangleMesh mesh = round % 2 == 0 ? icosphere(1) : cube_mesh();
+    const auto any = [&](std::size_t count) { return random() % count; };
+    for (std::size_t changes = 1 + any(3); changes > 0; --changes) {
+      auto& triangle = mesh.triangle[any(mesh.triangle.size())];
+      auto& place = mesh.place[any(mesh.place.size())];
+      switch (any(5)) {
+        case 0:
+          std::swap(triangle[0], triangle[2]);
+          break;
+        case 1:
+          triangle[any(3)] = static_cast<int>(any(mesh.place.size()));
+          break;
+        case 2:
+          place = mesh.place[any(mesh.place.size())];
+          break;
+        case 3:
+          for (double& x : place) x *= 0.8;
+          break;
+        default:
+          place[any(3)] *= -1.3;
+          break;
+      }
+    }
+    const TriangleMesh joined = welded(mesh);
+    const auto fault = mesh_fault(joined);
+    if (fault) {
+      EXPECT_GT(fault->size(), 10U);
+      continue;
+    }
+    ++sound;
+    const ProductMesh body(joined, {});
+    EXPECT_GT(body.volume(), 0.0);
+    for (std::size_t side = 0; side < 6; ++side) {
+      EXPECT_GT(body.section(side / 2), 0.0);
+      for (const double curvature : body.pole(side).curvature) EXPECT_GE(curvature, 0.0);
+    }
+  }
+  EXPECT_GT(sound, 20);
 }
 
 }  // namespace

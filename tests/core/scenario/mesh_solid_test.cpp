@@ -32,8 +32,7 @@ Place direction_of(std::mt19937& random) {
   return times(1.0 / length(way), way);
 }
 
-// Smoothed to 1e-4 of the extent, and of that the facets leave a third: so near are all lengths. Curvature is
-// fitted to a fifth of the radius, where a sphere has curved 1 % more than its parabola.
+// Smoothed to 1e-4 of the extent, and of that the facets leave a third: so near are all lengths.
 TEST(MeshSolid, OfASphereOrAnEllipsoidHasItsNumbers) {
   for (const Place& size_m : {Place{0.05, 0.05, 0.05}, Place{0.04, 0.05, 0.06}}) {
     LatticeParameters same;
@@ -62,7 +61,9 @@ TEST(MeshSolid, OfASphereOrAnEllipsoidHasItsNumbers) {
         const Place place = place_in(random, size_m, 1.6);
         const double distance_m = ellipsoid.nearest(place).distance_m;
         EXPECT_NEAR(shape.nearest(place).distance_m, distance_m, 1e-5);
-        if (std::abs(distance_m) > 1e-5) EXPECT_EQ(shape.contains(place), ellipsoid.contains(place));
+        if (std::abs(distance_m) > 1e-5) {
+          EXPECT_EQ(shape.contains(place), ellipsoid.contains(place));
+        }
         for (std::size_t side = 0; side < 6; ++side) {
           const auto column = shape.column_m(side, place), expected = ellipsoid.column_m(side, place);
           // Near its rim a column is short of it by more than the surface is.
@@ -92,7 +93,8 @@ TEST(MeshSolid, OfACubeKeepsItsEdges) {
   for (std::size_t side = 0; side < 6; ++side) {
     EXPECT_EQ(cube.curvatures(side), 0);
     const auto extents = cube.face_extents_m(side);
-    EXPECT_NEAR(extents[0] * extents[1], 0.04 * 0.06 * 0.08 / std::array{0.04, 0.06, 0.08}[side / 2], 1e-12);
+    const Place size_m = {0.04, 0.06, 0.08};
+    EXPECT_NEAR(extents[0] * extents[1], cube.volume_m3() / size_m[side / 2], 1e-12);
   }
   EXPECT_NEAR(cube.nearest({0.0, 0.0, 0.05}).distance_m, 0.01, 1e-12);
   EXPECT_NEAR(cube.nearest({0.019, 0.0, 0.0}).distance_m, -0.001, 1e-12);

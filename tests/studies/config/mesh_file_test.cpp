@@ -239,7 +239,7 @@ TEST_F(MeshFile, SurvivesChangedBytes) {
       for (int i = 0; i < 6; ++i) bytes[next() % bytes.size()] = static_cast<char>(next() >> 24);
       if (round % 3 == 0) bytes.resize(next() % bytes.size());
       const auto read = read_triangles(bytes, ending);
-      if (!read) EXPECT_FALSE(read.error().empty());
+      EXPECT_TRUE(read || !read.error().empty());
     }
   }
 }

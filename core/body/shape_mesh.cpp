@@ -193,7 +193,8 @@ ShapeMesh drawn_mesh(const TriangleMesh& surface, const std::array<double, 3>& s
     for (const auto& triangle : surface.triangle) {
       std::array<int, 3> corner{};
       for (std::size_t k = 0; k < 3; ++k) corner[k] = box_of[static_cast<std::size_t>(triangle[k])];
-      if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0]) mesh.triangle.push_back(corner);
+      if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0])
+        mesh.triangle.push_back(corner);
     }
   };
   std::vector<int> box_of(surface.place.size());

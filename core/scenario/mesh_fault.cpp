@@ -110,7 +110,8 @@ std::optional<std::string> edge_fault(const TriangleMesh& mesh, const std::vecto
   }
   if (open != nullptr) {
     return "has a hole at " + middle_of(mesh, open->a, open->b) + ": " +
-           counted(opens, "edge belongs", "edges belong") + " to one triangle only; close it in the program that made it";
+           counted(opens, "edge belongs", "edges belong") +
+           " to one triangle only; close it in the program that made it";
   }
   if (turned != nullptr) {
     return "has faces that look inward beside faces that look outward, at " +
@@ -131,7 +132,8 @@ std::optional<std::string> bodies_fault(const TriangleMesh& mesh) {
     return i;
   };
   for (const auto& triangle : mesh.triangle) {
-    for (const std::size_t k : {1U, 2U}) root[static_cast<std::size_t>(root_of(triangle[k]))] = root_of(triangle[0]);
+    for (const std::size_t k : {1U, 2U})
+      root[static_cast<std::size_t>(root_of(triangle[k]))] = root_of(triangle[0]);
   }
   std::unordered_map<int, std::size_t> bodies;  // with the first triangle of each
   std::size_t last = 0;
@@ -154,7 +156,8 @@ double six_volumes(const TriangleMesh& mesh) {
 }
 
 /// Does a stretch pass through a triangle, its edges included?
-bool passes_through(const TriangleMesh& mesh, std::size_t t, const Place& from, const Place& to, double tolerance) {
+bool passes_through(const TriangleMesh& mesh, std::size_t t, const Place& from, const Place& to,
+                    double tolerance) {
   const Place &a = mesh.corner(t, 0), ab = between(a, mesh.corner(t, 1)), ac = between(a, mesh.corner(t, 2));
   const Place normal = cross(ab, ac);
   const double square = dot(normal, normal);
@@ -237,7 +240,8 @@ TriangleMesh welded(const TriangleMesh& mesh) {
 std::optional<std::string> mesh_fault(const TriangleMesh& mesh) {
   if (mesh.triangle.empty()) return "has no triangles";
   if (mesh.triangle.size() > kMostTriangles) {
-    return "has " + std::to_string(mesh.triangle.size()) + " triangles, more than " + std::to_string(kMostTriangles) +
+    return "has " + std::to_string(mesh.triangle.size()) + " triangles, more than " +
+           std::to_string(kMostTriangles) +
            "; let the program that made it leave out what is smaller than the product's cells";
   }
   for (const Place& place : mesh.place) {

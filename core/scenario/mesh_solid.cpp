@@ -151,7 +151,8 @@ NearestSurface MeshSolid::nearest(const Place& place_m) const {
   const auto to_box = [&](const Bounds& box) {
     double square = 0.0;
     for (std::size_t d = 0; d < 3; ++d) {
-      const double out = std::max({0.0, box.low[d] * stretch_m_[d] - place_m[d], place_m[d] - box.high[d] * stretch_m_[d]});
+      const double out =
+          std::max({0.0, box.low[d] * stretch_m_[d] - place_m[d], place_m[d] - box.high[d] * stretch_m_[d]});
       square += out * out;
     }
     return square;
@@ -192,7 +193,8 @@ std::optional<ShapeHit> MeshSolid::first_hit(const Place& place_m, const Place& 
   ShapeHit hit{first->distance, normal_m({triangle, first->share})};
   if (dot(hit.normal, direction) >= 0.0) {  // grazes: the smooth normal looks away already, the triangle does not
     const Place a = in_m(surface.corner(triangle, 0));
-    hit.normal = cross(between(a, in_m(surface.corner(triangle, 1))), between(a, in_m(surface.corner(triangle, 2))));
+    hit.normal =
+        cross(between(a, in_m(surface.corner(triangle, 1))), between(a, in_m(surface.corner(triangle, 2))));
   }
   return hit;
 }

@@ -18,13 +18,13 @@ using Place = std::array<double, 3>;
 /// No smooth edge bends over its middle by more, of the least extent: a tenth of the approach at which Hertz's
 /// patch is the smallest that a lattice resolves.
 constexpr double kSmoothTo = 1e-4;
-/// Columns along both directions in which the area of a shadow is counted: 0.1 % for a circle.
-constexpr int kShadowColumns = 300;
+/// Columns along both directions in which the area of a shadow is counted: 0.2 % for a circle.
+constexpr int kShadowColumns = 160;
 /// A side ends in a plane where triangles within kFlatWithin of the extent of its end, that lean by less than
-/// kFlatLean_rad, make up kFlatShare of its shadow: far more than the cap of a sphere does.
-constexpr double kFlatWithin = 1e-3, kFlatLean_rad = 0.03, kFlatShare = 0.02;
-/// A pole's curvature is that of the quadric that fits the surface best within this part of the least extent across
-/// around it, and farther for as long as fewer corners of triangles lie there.
+/// kFlatLean_rad, make up kFlatShare of its shadow: the wall of a cylinder has 1 % that lean so little.
+constexpr double kFlatWithin = 1e-3, kFlatLean_rad = 0.01, kFlatShare = 0.03;
+/// A pole's curvature is that of the quadric that fits the surface best within this part of the least extent
+/// across around it, and farther for as long as fewer corners of triangles lie there.
 constexpr double kFitWithin = 0.1, kFitGrowth = 1.5;
 constexpr std::size_t kFitCorners = 60;
 /// Corners are as high as the pole within this part of the extent.
@@ -39,7 +39,9 @@ void move_to_middle(TriangleMesh& mesh) {
   }
 }
 
-Place extents_of(const TriangleMesh& mesh) { return between(bounds_of(mesh.place).low, bounds_of(mesh.place).high); }
+Place extents_of(const TriangleMesh& mesh) {
+  return between(bounds_of(mesh.place).low, bounds_of(mesh.place).high);
+}
 
 /// On which side of the edge from a to b a column passes, seen along its axis; opposite for the edge from b to a
 /// to the last bit, and never neither: a column through an edge passes it on the side on which a column beside it
@@ -55,7 +57,8 @@ struct EdgeSide {
  private:
   [[nodiscard]] double ordered(int a, int b) const {
     const Place &from = mesh.place[static_cast<std::size_t>(a)], &to = mesh.place[static_cast<std::size_t>(b)];
-    const double side = (from[u] - through[u]) * (to[v] - through[v]) - (from[v] - through[v]) * (to[u] - through[u]);
+    const double side =
+        (from[u] - through[u]) * (to[v] - through[v]) - (from[v] - through[v]) * (to[u] - through[u]);
     if (side != 0.0) return side;
     constexpr double kInfinitesimal = 1e-300;
     if (to[v] != from[v]) return to[v] < from[v] ? kInfinitesimal : -kInfinitesimal;
@@ -195,10 +198,9 @@ struct End {
   [[nodiscard]] Flat flat() const {
     Flat flat;
     for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-      const Place twice = cross(between(mesh.corner(t, 0), mesh.corner(t, 1)),
-                                between(mesh.corner(t, 0), mesh.corner(t, 2)));
-      const Place middle =
-          times(1.0 / 3.0, sum(mesh.corner(t, 0), sum(mesh.corner(t, 1), mesh.corner(t, 2))));
+      const Place twice =
+          cross(between(mesh.corner(t, 0), mesh.corner(t, 1)), between(mesh.corner(t, 0), mesh.corner(t, 2)));
+      const Place middle = times(1.0 / 3.0, sum(mesh.corner(t, 0), sum(mesh.corner(t, 1), mesh.corner(t, 2))));
       if (sign * twice[axis] < std::cos(kFlatLean_rad) * length(twice)) continue;
       if (height(middle) < top() - kFlatWithin * extents[axis]) continue;
       const double area = 0.5 * sign * twice[axis];
@@ -260,9 +262,9 @@ struct Around {
   }
 };
 
-/// Curvatures along both directions of the quadric z = c0 + c1 x + c2 y + (c3 x^2 + 2 c4 x y + c5 y^2) / 2 that fits
-/// best. A sphere falls away by more than its parabola, z - k z^2 / 2 = k r^2 / 2: with the curvature k towards each
-/// corner, by Euler's formula, taken from the round before, it is met exactly.
+/// Curvatures along both directions of the quadric z = c0 + c1 x + c2 y + (c3 x^2 + 2 c4 x y + c5 y^2) / 2 that
+/// fits best. A sphere falls away by more than its parabola, z - k z^2 / 2 = k r^2 / 2: with the curvature k
+/// towards each corner, by Euler's formula, taken from the round before, it is met exactly.
 std::array<double, 2> fitted_curvature(const Around& around) {
   constexpr int kRounds = 5;
   std::array<double, 2> curvature{};

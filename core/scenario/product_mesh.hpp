@@ -1,9 +1,10 @@
 #pragma once
 
 /// @file
-/// A product's surface as a closed mesh, ready to be asked: smoothed (smooth_mesh), with a tree over its triangles,
-/// its mass properties and its six poles. It has the coordinates of its file about the middle of its bounding box;
-/// `MeshSolid` stretches it to a product's extents. Immutable, and shared by all scenarios that have it.
+/// A product's surface as a closed mesh, ready to be asked: smoothed (smooth_mesh), with a tree over its
+/// triangles, its mass properties and its six poles. It has the coordinates of its file about the middle of its
+/// bounding box; `MeshSolid` stretches it to a product's extents. Immutable, and shared by all scenarios that have
+/// it.
 
 #include <array>
 #include <cstdint>

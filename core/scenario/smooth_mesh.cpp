@@ -96,10 +96,50 @@ Place edge_rise(const Place& a, const Place& b, const Place& normal_a, const Pla
              times(0.25 * dot(between(middle, b), normal_b), normal_b));
 }
 
+/// Creases as curves: where two of them go on as one, within kCrease_rad, they have a tangent.
+class CreaseCurves {
+ public:
+  CreaseCurves(const TriangleMesh& mesh, const Edges& creases) : mesh_(mesh) {
+    for (const std::array<int, 3>& corner : mesh.triangle) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = corner[k], b = corner[(k + 1) % 3];
+        if (a < b && creases.contains(edge_key(a, b))) {
+          ends_[a].push_back(b);
+          ends_[b].push_back(a);
+        }
+      }
+    }
+  }
+
+  /// How far the middle of a crease lies below its curve: that of the cubic with the tangents of its ends.
+  [[nodiscard]] Place rise(int a, int b) const {
+    const Place way = between(at(a), at(b));
+    return times(-0.125 * length(way), sum(tangent(a, b, times(-1.0, way)), tangent(b, a, way)));
+  }
+
+ private:
+  [[nodiscard]] const Place& at(int i) const { return mesh_.place[static_cast<std::size_t>(i)]; }
+
+  /// At an end of a crease, away from its other one; the `straight` way where the curve has a corner or an end.
+  [[nodiscard]] Place tangent(int end, int other, const Place& straight) const {
+    const std::vector<int>& near = ends_.at(end);
+    const Place out = unit(straight);
+    if (near.size() != 2) return out;
+    const Place on = between(at(end), at(near[0] == other ? near[1] : near[0]));
+    if (dot(unit(on), out) < std::cos(kCrease_rad)) return out;
+    // Exact on a circle, as the normals are on a sphere.
+    return unit(sum(times(1.0 / dot(on, on), on), times(1.0 / dot(straight, straight), straight)));
+  }
+
+  const TriangleMesh& mesh_;
+  std::unordered_map<int, std::vector<int>> ends_;
+};
+
 /// Each triangle in four.
 class Division {
  public:
-  Division(const SmoothMesh& from, const Edges& creases) : from_(from), creases_(creases) {
+  Division(const SmoothMesh& from, const Edges& creases)
+      : from_(from), creases_(creases), curves_(from.mesh, creases) {
     to_.place = from.mesh.place;
     for (std::size_t t = 0; t < from.mesh.triangle.size(); ++t) divide(t);
   }
@@ -125,6 +165,7 @@ class Division {
     Place place = times(0.5, sum(from, to));
     if (creases_.contains(edge)) {
       half_creases_.insert({edge_key(a, at->second), edge_key(at->second, b)});
+      place = sum(place, curves_.rise(a, b));
     } else {
       place = sum(place, edge_rise(from, to, from_.normal[t][k], from_.normal[t][next]));
     }
@@ -134,6 +175,7 @@ class Division {
 
   const SmoothMesh& from_;
   const Edges& creases_;
+  CreaseCurves curves_;
   TriangleMesh to_;
   Edges half_creases_;
   std::unordered_map<std::uint64_t, int> middle_;
@@ -141,10 +183,15 @@ class Division {
 
 double largest_rise(const SmoothMesh& smooth, const Edges& creases) {
   double largest = 0.0;
+  const CreaseCurves curves(smooth.mesh, creases);
   for (std::size_t t = 0; t < smooth.mesh.triangle.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      if (creases.contains(edge_key(smooth.mesh.triangle[t][k], smooth.mesh.triangle[t][next]))) continue;
+      const int a = smooth.mesh.triangle[t][k], b = smooth.mesh.triangle[t][next];
+      if (creases.contains(edge_key(a, b))) {
+        largest = std::max(largest, length(curves.rise(a, b)));
+        continue;
+      }
       largest = std::max(largest, length(edge_rise(smooth.mesh.corner(t, k), smooth.mesh.corner(t, next),
                                                    smooth.normal[t][k], smooth.normal[t][next])));
     }

@@ -2,7 +2,8 @@
 
 /// @file
 /// The smooth surface through the corners of a mesh: triangles are divided until they follow it, and each corner
-/// has the surface's normal. Edges at which the mesh turns by more than kCrease_rad stay sharp.
+/// has the surface's normal. Edges at which the mesh turns by more than kCrease_rad stay
+/// sharp, and are smooth along themselves.
 
 #include <array>
 #include <vector>

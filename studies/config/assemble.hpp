@@ -44,7 +44,7 @@ struct AssemblyInput {
   std::vector<LayeredEntry> entries;     ///< in layer order
   std::vector<std::string> varied_keys;  ///< count as given
   std::unordered_map<std::string, Origin> tables;
-  Origin fallback;  ///< where a missing key is reported when its table is missing too
+  Origin fallback;                 ///< where a missing key is reported when its table is missing too
   const Meshes* meshes = nullptr;  ///< null: none
   bool has_gripper = false;
   bool is_complete = true;  ///< false: something could not be read, so nothing is reported as missing

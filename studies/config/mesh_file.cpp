@@ -31,7 +31,8 @@ const LengthUnit* unit_named(std::string_view word) {
 using Extents = std::array<double, 3>;
 
 std::string spelled_extents(const Extents& extents, std::string_view unit) {
-  return joined({short_number(extents[0]), " x ", short_number(extents[1]), " x ", short_number(extents[2]), " ", unit});
+  return joined(
+      {short_number(extents[0]), " x ", short_number(extents[1]), " x ", short_number(extents[2]), " ", unit});
 }
 
 bool is_products(double longest_m) { return longest_m >= kShortest_m && longest_m <= kLongest_m; }
@@ -84,8 +85,8 @@ std::shared_ptr<const ProductMesh> mesh_of_text(const MeshText& text, Problems& 
   };
   const std::uint64_t hash = XXH3_64bits(text.content.data(), text.content.size());
   if (text.hash != nullptr && text.hash->value.text != mesh_hash_text(hash)) {
-    return refuse(*text.hash, joined({"is not the hash of ", text.file.value.text, ", which is ", mesh_hash_text(hash),
-                                      ": the file has changed, or another one is meant"}));
+    return refuse(*text.hash, joined({"is not the hash of ", text.file.value.text, ", which is ",
+                                      mesh_hash_text(hash), ": the file has changed, or another one is meant"}));
   }
   const auto read = read_triangles(text.content, text.ending);
   if (!read) return refuse(text.file, read.error());

@@ -25,8 +25,12 @@ using Result = ValueOr<TriangleMesh, std::string>;
 
 #ifdef UNBRUISED_HAS_ASSIMP
 
-/// A file of 64 MB takes some seconds and a few hundred megabytes.
-constexpr ChildLimits kLimits{.seconds_most = 60, .bytes_more = std::size_t{3} << 30};
+/// Text of 1 MB takes a tenth of a second and some 20 MB; broken files are known over which the reader goes round
+/// for ever.
+ChildLimits limits_for(std::size_t bytes) {
+  return {.seconds_most = 2 + static_cast<unsigned>(bytes >> 20),
+          .bytes_more = (std::size_t{1} << 30) + 32 * bytes};
+}
 /// Far more than is taken, so that whoever has too many hears how many they are.
 constexpr std::size_t kMostRead = 5'000'000;
 
@@ -46,7 +50,8 @@ TriangleMesh triangles_of(const aiScene& scene) {
     const auto first = static_cast<int>(mesh.place.size());
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const aiVector3D& place = part.mVertices[v];
-      mesh.place.push_back({static_cast<double>(place.x), static_cast<double>(place.y), static_cast<double>(place.z)});
+      mesh.place.push_back(
+          {static_cast<double>(place.x), static_cast<double>(place.y), static_cast<double>(place.z)});
     }
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       const aiFace& face = part.mFaces[f];
@@ -115,8 +120,9 @@ std::string one_line(std::string text) {
 }
 
 Result read_lower_case(std::string_view content, const std::string& ending) {
-  const ChildEnd end = work_in_child([&] { return read_here(content, ending); }, kLimits);
-  if (end.no_child != 0) return joined({"cannot be read: no process could be started (", std::strerror(end.no_child), ")"});
+  const ChildEnd end = work_in_child([&] { return read_here(content, ending); }, limits_for(content.size()));
+  if (end.no_child != 0)
+    return joined({"cannot be read: no process could be started (", std::strerror(end.no_child), ")"});
   if (!end.answer) return joined({"cannot be read: the process that read it ", end.how});
   std::string_view rest = *end.answer;
   if (!rest.starts_with('m')) {

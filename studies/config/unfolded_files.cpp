@@ -51,8 +51,8 @@ void append_unsaid(std::vector<Entry> more, std::vector<Entry>& entries) {
 
 bool Library::names_file(std::string_view key) {
   return key == kProfileFileKey || key == kProductProfileKey || key.starts_with(kMeshKeys) ||
-         key == kWaypointFileKey || key == "robot.urdf" ||
-         key == "robot.tip_link" || key.starts_with(kDemonstrationKey);
+         key == kWaypointFileKey || key == "robot.urdf" || key == "robot.tip_link" ||
+         key.starts_with(kDemonstrationKey);
 }
 
 void Library::read_profile(std::vector<Entry>& entries, Problems& problems) {

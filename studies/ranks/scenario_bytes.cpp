@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <type_traits>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -114,7 +114,9 @@ class FieldReader {
     get(source.hash);
     get(given.place);
     get(given.triangle);
-    const auto has = [&](int corner) { return corner >= 0 && static_cast<std::size_t>(corner) < given.place.size(); };
+    const auto has = [&](int corner) {
+      return corner >= 0 && static_cast<std::size_t>(corner) < given.place.size();
+    };
     bool sound = in_.ok() && !given.triangle.empty() && given.triangle.size() <= kMostTriangles;
     for (const auto& triangle : given.triangle) sound = sound && std::ranges::all_of(triangle, has);
     sizes_sound_ = sizes_sound_ && sound;

@@ -35,9 +35,9 @@ const std::vector<SourceFile>& sources() {
 }
 
 /// The floors of studies, from the ground up: a folder sees itself and what stands below it.
-const std::vector<std::string> kStudiesFloors = {"text",      "process",    "statistics", "goals",  "config",   "results",
-                                                 "scenarios", "execution",  "ranks",  "findings", "kinds",
-                                                 "estimate",  "controller", "report", "cli"};
+const std::vector<std::string> kStudiesFloors = {"text",    "process",   "statistics", "goals",  "config",
+                                                 "results", "scenarios", "execution",  "ranks",  "findings",
+                                                 "kinds",   "estimate",  "controller", "report", "cli"};
 
 /// Whom each folder of core may include, besides itself.
 const std::map<std::string, std::vector<std::string>> kCoreArrows = {

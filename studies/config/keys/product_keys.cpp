@@ -26,8 +26,9 @@ Table shape_keys() {
        .field = lattice<&L::shape>},
       {.path = "product.size_m",
        .type = numbers,
-       .meaning = "Full extents along x (grip axis), y and z (up). A mesh brings its own, and is stretched to these "
-                  "where they are given.",
+       .meaning =
+           "Full extents along x (grip axis), y and z (up). A mesh brings its own, and is stretched to these "
+           "where they are given.",
        .size = 3,
        .use = use,
        .required = true,
@@ -73,7 +74,8 @@ Table shape_keys() {
        .required = true},
       {.path = "product.mesh_unit",
        .type = text,
-       .meaning = "Unit of the numbers in that file, which does not say it itself: \"mm\", \"cm\", \"m\" or \"in\".",
+       .meaning =
+           "Unit of the numbers in that file, which does not say it itself: \"mm\", \"cm\", \"m\" or \"in\".",
        .use = Use::mesh,
        .required = true},
       {.path = "product.mesh_hash",

@@ -60,7 +60,8 @@ TEST(SolidContact, AMeshedEllipsoidHasItsPatches) {
   as_mesh(same);
   for (std::size_t side = 0; side < 6; ++side) {
     const std::size_t axis = side / 2, first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
-    const PatchForm a = patch_form(kiwi, side, {first, second}, {}), b = patch_form(same, side, {first, second}, {});
+    const PatchForm a = patch_form(kiwi, side, {first, second}, {}),
+                    b = patch_form(same, side, {first, second}, {});
     EXPECT_EQ(b.area.kind, PatchKind::ellipse);
     EXPECT_NEAR(b.area.body / a.area.body, 1.0, 0.02);
     EXPECT_NEAR(b.yield_factor / a.yield_factor, 1.0, 0.02);

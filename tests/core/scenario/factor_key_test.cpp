@@ -209,7 +209,8 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Products, FactorKeys,
-                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, by_mesh, by_modes, network));
+                         ::testing::Values(by_mass, by_loss, by_profile, by_exponents, by_mesh, by_modes,
+                                           network));
 
 TEST(FactorKey, TellsProductsOfDifferentKindsApart) {
   EXPECT_NE(factor_key(by_mass()), factor_key(network()));

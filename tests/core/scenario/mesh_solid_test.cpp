@@ -78,7 +78,8 @@ TEST(MeshSolid, OfASphereOrAnEllipsoidHasItsNumbers) {
         EXPECT_NEAR(shape.reach_m(way), ellipsoid.reach_m(way), 1e-5);
         const auto hit = shape.first_hit(sum(place, times(-0.2, way)), way);
         const auto expected = ellipsoid.first_hit(sum(place, times(-0.2, way)), way);
-        if (!expected || std::abs(dot(expected->normal, way)) < 0.3 * length(expected->normal)) continue;  // grazes
+        if (!expected || std::abs(dot(expected->normal, way)) < 0.3 * length(expected->normal))
+          continue;  // grazes
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->distance_m, expected->distance_m, 3e-5);
       }
@@ -125,7 +126,10 @@ TEST(MeshSolid, DecidesOnEdgesAndCornersToo) {
 
 std::vector<LatticeParameters> others() {
   return {mesh_product(lobed_mesh(4), {0.08, 0.05, 0.06}), mesh_product(lobed_mesh(2), {0.06, 0.06, 0.06}),
-          mesh_product(moved(icosphere(3), [](const Place& p) { return Place{p[0] + 0.4 * p[1], p[1], p[2] + p[0]}; }),
+          mesh_product(moved(icosphere(3),
+                             [](const Place& p) {
+                               return Place{p[0] + 0.4 * p[1], p[1], p[2] + p[0]};
+                             }),
                        {0.05, 0.04, 0.06})};
 }
 
@@ -232,8 +236,7 @@ TEST(MeshSolid, OfACylinderHasAWallAndFlatEnds) {
   for (const std::size_t side : {4U, 5U}) EXPECT_EQ(can.curvatures(side), 0);
   EXPECT_EQ(can.curvatures(0), 1);
   EXPECT_NEAR(can.pole_radius_m(0, 1) / 0.025, 1.0, 0.04);
-  // The wall is round between its corners but for the rims, which stay polygons of 24 sides.
-  EXPECT_NEAR(can.volume_m3() / (std::numbers::pi * 0.025 * 0.025 * 0.06), 1.0, 0.012);
+  EXPECT_NEAR(can.volume_m3() / (std::numbers::pi * 0.025 * 0.025 * 0.06), 1.0, 2e-3);  // a polygon: 1.1 % less
   EXPECT_NEAR(can.outward(5, {0.02, 0.0, 0.03})[2], 1.0, 1e-12);
 }
 

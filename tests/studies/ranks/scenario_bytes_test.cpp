@@ -92,7 +92,9 @@ struct Disturb {
     values.resize(2);
     for (T& value : values) set(value);
   }
-  void set(std::shared_ptr<const ProductMesh>& mesh) { mesh = testing::mesh_product(testing::cube_mesh(), {}, 7).mesh; }
+  void set(std::shared_ptr<const ProductMesh>& mesh) {
+    mesh = testing::mesh_product(testing::cube_mesh(), {}, 7).mesh;
+  }
 };
 
 /// Equal where all fields are.

@@ -256,7 +256,14 @@ struct Assembler {
 
   void report_missing() {
     const auto* network = std::get_if<NetworkParameters>(&out.scenario.product);
+    const auto* lattice = std::get_if<LatticeParameters>(&out.scenario.product);
+    const bool lacks_mesh = lattice != nullptr && lattice->shape == Shape::mesh && !highest({kMeshFileKey});
+    if (lacks_mesh) {
+      const std::string key(kMeshFileKey);
+      problems.add(out.origin_of(key), key, "missing; product.shape = \"mesh\" needs it, and product.mesh_unit");
+    }
     for (const KeySpec& spec : key_table()) {
+      if (lacks_mesh && spec.path == "product.size_m") continue;  // the mesh would bring it
       if (!spec.required || spec.path.starts_with("vary[]") || is_of_block(spec.path)) continue;
       if (!used(spec)) continue;
       const std::size_t open = spec.path.find("[]");

@@ -97,7 +97,7 @@ std::optional<Library::Text> Library::open(const Entry& named, Problems& problem
   }
   const std::filesystem::path wanted = name;
   const std::size_t most = named.path.ends_with("_csv") || named.path == kMeshFileKey ? kMaxCsvBytes : kMaxBytes;
-  std::string why;
+  std::string why = "not found: there is no folder to look in";
   std::vector<std::string> places;
   for (const auto& folder : {folder_, config_root_}) {
     if (folder.empty() && !wanted.is_absolute()) continue;

@@ -75,7 +75,6 @@ class Library {
     int rank;
   };
   std::optional<Text> open(const Entry& named, Problems& problems);
-  [[nodiscard]] std::string found_again(const std::string& file) const;
 
   std::filesystem::path folder_;
   std::filesystem::path config_root_;

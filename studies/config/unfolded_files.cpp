@@ -40,6 +40,13 @@ void append(std::vector<Entry> more, std::vector<Entry>& entries) {
   std::ranges::move(more, std::back_inserter(entries));
 }
 
+/// By which a file is found from any folder.
+std::string absolute_name(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::canonical(file, error);
+  return error ? file : path.string();
+}
+
 /// Those whose keys are not said yet.
 void append_unsaid(std::vector<Entry> more, std::vector<Entry>& entries) {
   for (Entry& entry : more) {
@@ -73,16 +80,6 @@ void Library::read_product_profile(std::vector<Entry>& entries, Problems& proble
   if (text) append(product_profile_entries(text->content, text->file, text->rank, problems), entries);
 }
 
-/// Files below the configs folder by their name there, others by their absolute one.
-std::string Library::found_again(const std::string& file) const {
-  std::error_code error;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
-  const std::filesystem::path root = std::filesystem::weakly_canonical(config_root_, error);
-  const std::filesystem::path inside = path.lexically_relative(root);
-  const bool is_below = !config_root_.empty() && !inside.empty() && *inside.begin() != "..";
-  return (is_below ? inside : path).string();
-}
-
 void Library::read_mesh(std::vector<Entry>& entries, Problems& problems) {
   const auto named = file_named(entries, kMeshFileKey);
   if (!named) {
@@ -101,7 +98,7 @@ void Library::read_mesh(std::vector<Entry>& entries, Problems& problems) {
                            .unit = last_of(entries, kMeshUnitKey),
                            .hash = last_of(entries, kMeshHashKey),
                            .ending = ending.empty() ? ending : ending.substr(1),
-                           .found_again = found_again(*text->file)};
+                           .found_again = absolute_name(*text->file)};
   const auto mesh = mesh_of_text(mesh_text, problems);
   if (!mesh) return;
   meshes_[{named->value.text, mesh->source().unit}] = mesh;

@@ -71,13 +71,13 @@ Table shape_keys() {
            "the product, 200,000 triangles at most. Between its corners the surface is smooth, but for edges at "
            "which it turns by more than 40 degrees.",
        .use = Use::mesh,
-       .required = true},
+       .default_words = "required with shape = \"mesh\""},
       {.path = "product.mesh_unit",
        .type = text,
        .meaning =
            "Unit of the numbers in that file, which does not say it itself: \"mm\", \"cm\", \"m\" or \"in\".",
        .use = Use::mesh,
-       .required = true},
+       .default_words = "required with shape = \"mesh\""},
       {.path = "product.mesh_hash",
        .type = text,
        .meaning = "XXH3 of that file, 16 hexadecimal digits; where it is given, another file is refused. The "

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scenario/lattice_cells.hpp"
+#include "tests/core/scenario/meshes.hpp"
 #include "tests/core/scenario/scenarios.hpp"
 
 namespace unbruised {
@@ -33,8 +34,24 @@ void make_revolution(S s) {
   lattice_in(s).profile_radius = {0.0, 1.5, 1.5, 0.0};
 }
 
+/// Two ends and a neck that is thinner than a cell.
+TriangleMesh dumbbell() {
+  return moved(icosphere(3), [](const std::array<double, 3>& p) {
+    const double wide = 0.04 + p[0] * p[0];
+    return std::array{p[0], wide * p[1], wide * p[2]};
+  });
+}
+
 std::vector<Breach> lattice_breaches() {
   return {
+      {"product.shape", "needs product.mesh_file", usual_grip, [](S s) { lattice_in(s).shape = Shape::mesh; }},
+      {"product.cell_size_m", "must be smaller: the product's cells fall into 2 pieces", usual_grip,
+       [](S s) {
+         lattice_in(s).shape = Shape::mesh;
+         lattice_in(s).size_m = {0.05, 0.05, 0.05};
+         lattice_in(s).cell_size_m = 0.005;
+         lattice_in(s).mesh = mesh_product(dumbbell(), {}).mesh;
+       }},
       {"product.size_m", "a sphere has three equal", usual_grip,
        [](S s) {
          lattice_in(s).shape = Shape::sphere;

@@ -28,8 +28,9 @@ namespace {
 /// Ends the child's answer: without it the answer is not whole.
 constexpr std::string_view kEndMark = "the answer is whole";
 
-void limit(int resource, rlim_t most) {
-  const rlimit wanted{most, most};
+/// @param after most, before the process is killed without a signal that says why
+void limit(int resource, rlim_t most, rlim_t after = 0) {
+  const rlimit wanted{most, most + after};
   ::setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
@@ -47,7 +48,7 @@ std::size_t own_bytes() {
 [[noreturn]] void answer_and_end(int descriptor, const std::function<std::string()>& body,
                                  const ChildLimits& limits) {
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, limits.seconds_most);
+  limit(RLIMIT_CPU, limits.seconds_most, 1);
   const std::size_t bytes = own_bytes();
   if (bytes > 0 && limits.bytes_more > 0) limit(RLIMIT_AS, bytes + limits.bytes_more);
   if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);

@@ -117,7 +117,7 @@ TEST(MeshFault, RefusesWhatIsNoBody) {
 TEST(MeshFault, IsASentenceOrTheMeshIsABody) {
   std::mt19937 random(17);
   int sound = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 24; ++round) {
     TriangleMesh mesh = round % 2 == 0 ? icosphere(1) : cube_mesh();
     const auto any = [&](std::size_t count) { return random() % count; };
     for (std::size_t changes = 1 + any(3); changes > 0; --changes) {

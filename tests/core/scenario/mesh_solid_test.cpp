@@ -133,11 +133,11 @@ std::vector<LatticeParameters> others() {
                        {0.05, 0.04, 0.06})};
 }
 
-// Grid points of a smooth body err by far less than one layer of cells at the surface, 6 / 80 of it.
+// Grid points of a smooth body err by far less than one layer of cells at the surface, 6 / 60 of it.
 TEST(MeshSolid, HasTheVolumeAndTheMomentsOfWhatItContains) {
   for (const LatticeParameters& parameters : others()) {
     const TrueShape shape(parameters);
-    constexpr int kSide = 80;
+    constexpr int kSide = 60;
     double count = 0.0;
     Place first{}, second{}, product{};
     for (int i = 0; i < kSide * kSide * kSide; ++i) {

@@ -14,8 +14,8 @@ import merge_scale  # pylint: disable=wrong-import-position
 
 FEW, MANY = 250_000, 1_000_000
 # Sixteen bytes to find a row, twice while they are put into order, eight for its digest, eight for its factor group, eight for the value of
-# its key; the table of free memory of the C library makes it up to twice that.
-BYTES_A_ROW_MOST = 150.0
+# its key; the table of free memory of the C library makes it up to twice that, and what was read at once is no smaller than a block.
+BYTES_A_ROW_MOST = 250.0
 # Whatever the number of rows: blocks of them, pages of results.h5, the choice on a page.
 BYTES_MOST = 900e6
 COMMANDS = (

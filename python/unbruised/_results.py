@@ -17,7 +17,7 @@ OUTCOMES = {0: "held", 1: "slipped", 2: "dropped", 3: "damaged", 4: "not_grasped
 
 def scenarios_dataset(columns: Mapping[str, Any], inputs: Mapping[str, Any]) -> xarray.Dataset:
     """What `evaluate` of the module gives, with names and units."""
-    variables = {key: ("scenario", numpy.asarray(values)) for key, values in inputs.items()}
+    variables: dict[str, Any] = {key: ("scenario", numpy.asarray(values)) for key, values in inputs.items()}
     variables["outcome"] = ("scenario", numpy.asarray(columns["outcome_word"], dtype=object))
     variables["cause"] = ("scenario", numpy.asarray(columns["cause"], dtype=object))
     variables["outcome_time_s"] = ("scenario", columns["outcome_time_s"], {"units": "s"})
@@ -32,7 +32,8 @@ def trace_dataset(simulated: Mapping[str, Any]) -> xarray.Dataset:
     """One scenario over time, with its metrics as attributes."""
     signals = dict(simulated["signals"])
     events = signals.pop("contact_events")
-    variables, extents = {}, {}
+    variables: dict[str, Any] = {}
+    extents: dict[str, int] = {}
     for name, (dimensions, values, units, long_name) in signals.items():
         named = []
         for dimension, extent in zip(dimensions, values.shape):  # as in results.h5: another extent has another name
@@ -42,7 +43,7 @@ def trace_dataset(simulated: Mapping[str, Any]) -> xarray.Dataset:
     for name, (dimensions, values, units, long_name) in events.items():
         variables[f"event_{name}"] = (tuple(dimensions), values, {"units": units, "long_name": long_name})
     result = simulated["result"]
-    attributes = {name: float(values[0]) for name, values in result["metrics"].items()}
+    attributes: dict[str, Any] = {name: float(values[0]) for name, values in result["metrics"].items()}
     attributes |= {"outcome": result["outcome_word"][0], "cause": result["cause"][0], "digest": f"{int(result['digest'][0]):016x}",
                    "numeric_build": _unbruised.numeric_build()}
     return xarray.Dataset(variables, attrs=attributes)

@@ -149,7 +149,10 @@ def _study(study: Union[Study, str, Path]) -> Study:
 def _progress(progress: Union[bool, Callable[[Progress], Any]]) -> Optional[Callable[..., None]]:
     if progress is True:
         return lambda done, total, text="": print(f"\r\x1b[K{text or f'{done} of {total} scenarios'}", end="", file=sys.stderr, flush=True)
-    return (lambda done, total, text="": progress(Progress(done, total, text))) if progress else None
+    if isinstance(progress, bool) or progress is None:
+        return None
+    show = progress  # of which the type is known inside the function too
+    return lambda done, total, text="": show(Progress(done, total, text))
 
 
 def _on_top(study: Study, overrides: Mapping[str, Any]) -> list[str]:

@@ -383,6 +383,8 @@ int run_program(const std::vector<std::string>& words) {
         command_line(words.empty() ? words : std::vector<std::string>(words.begin() + 1, words.end())));
   } catch (const UsageError& error) {
     return report_usage_error(error);
+  } catch (const RowsFailure& failure) {
+    return report_error(failure.error);
   } catch (const std::bad_alloc&) {
     print_error("out of memory");
   } catch (const std::exception& error) {

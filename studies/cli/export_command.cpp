@@ -9,6 +9,7 @@
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/trace_curves.hpp"
 #include "studies/results/durable_files.hpp"
+#include "studies/results/paged_file.hpp"
 #include "studies/results/suspect_results.hpp"
 #include "studies/results/vtkhdf_file.hpp"
 #include "studies/text/joined.hpp"
@@ -42,6 +43,27 @@ int write_table(const ExportArguments& arguments, const ResultTable& table, cons
   if (const auto error = write_text_file(file, csv_text(table))) return report_error(*error);
   print_line(joined({"table: ", file.string(), " (", table.name, ": ", with_thousands(row_count(table)), " rows, ",
                      std::to_string(table.columns.size()), " columns)"}));
+  return kExitDone;
+}
+
+/// A table of a study, a part of it in memory at a time.
+int write_rows(const ExportArguments& arguments, const RecordedStudy& recorded) {
+  const std::string& name = arguments.table;
+  const StudyTables& tables = recorded.tables;
+  const fs::path file = arguments.output ? *arguments.output : directory_of(recorded) / joined({name, ".csv"});
+  if (file == "-") {
+    csv_in_pieces(tables, name, [](std::string_view piece) { print_text(std::string(piece)); });
+    return kExitDone;
+  }
+  PagedFile pages(file);
+  const std::size_t columns =
+      csv_in_pieces(tables, name, [&pages](std::string_view piece) { pages.append(piece); });
+  MaybeError error = pages.finish();
+  if (!error) error = pages.publish();
+  if (error) return report_error(*error);
+  const std::size_t rows = name == "scenarios" ? tables.rows.size() : row_count(table_called(tables, name));
+  print_line(joined({"table: ", file.string(), " (", name, ": ", with_thousands(rows), " rows, ",
+                     std::to_string(columns), " columns)"}));
   return kExitDone;
 }
 
@@ -110,8 +132,7 @@ int export_command(const ExportArguments& arguments) {
   const std::vector<std::string> names = table_names_of(recorded->tables);
   if (std::find(names.begin(), names.end(), arguments.table) == names.end())
     return unknown_table(arguments, names);
-  const int status = write_table(arguments, table_called(recorded->tables, arguments.table),
-                                 directory_of(*recorded) / joined({arguments.table, ".csv"}));
+  const int status = write_rows(arguments, *recorded);
   return status == kExitDone ? print_journal_state(*recorded) : status;
 }
 

@@ -9,6 +9,7 @@
 #include "studies/execution/arm_run.hpp"
 #include "studies/findings/replay_choice.hpp"
 #include "studies/findings/table_text.hpp"
+#include "studies/report/page_rows.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
 #include "studies/text/joined.hpp"
@@ -24,7 +25,7 @@ std::optional<std::uint64_t> answered_scenario(const RecordedStudy& recorded) {
     const double id = number_in(*best, "scenario", 0);
     if (id >= 0.0) return static_cast<std::uint64_t>(id);
   }
-  const auto chosen = chosen_replays(recorded.tables.inputs, recorded.tables.rows, {});
+  const auto chosen = chosen_replays(recorded.tables.inputs, page_rows(recorded.tables.rows, {}), {});
   return chosen.empty() ? std::nullopt : std::optional(chosen.front().id);
 }
 
@@ -118,8 +119,8 @@ int export_program(const ExportArguments& arguments) {
   const auto recorded = read_recorded(arguments.path);
   if (!recorded) return report_error(recorded.error());
   const std::optional<std::uint64_t> id = arguments.scenario ? arguments.scenario : answered_scenario(*recorded);
-  const ScenarioRow* row = id ? recorded_row(*recorded, *id) : nullptr;
-  const std::optional<Scenario> scenario = row == nullptr ? std::nullopt : recorded_scenario(*recorded, row->id);
+  const std::optional<ScenarioRow> row = id ? recorded_row(*recorded, *id) : std::nullopt;
+  const std::optional<Scenario> scenario = row ? recorded_scenario(*recorded, row->id) : std::nullopt;
   if (!scenario) {
     return refuse(joined({"--scenario ", id ? std::to_string(*id) : "", ": ", arguments.path.string(),
                           " holds no scenario of this number that can be run again"}));

@@ -2,6 +2,7 @@
 #include "studies/cli/json_output.hpp"
 #include "studies/cli/recorded.hpp"
 #include "studies/findings/rests_on.hpp"
+#include "studies/results/row_summary.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -9,9 +10,7 @@ namespace unbruised::studies {
 namespace {
 
 std::size_t rows_run(const StudyTables& tables) {
-  std::size_t count = 0;
-  for (const ScenarioRow& row : tables.rows) count += row.result.outcome == Outcome::not_run ? 0 : 1;
-  return count;
+  return tables.rows.size() - tables.rows.seen().outcomes.not_run;
 }
 
 std::string state_line(const RecordedStudy& recorded) {

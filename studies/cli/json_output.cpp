@@ -13,7 +13,7 @@
 #include "studies/findings/summary.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/kinds/kind_table.hpp"
-#include "studies/results/outcome_counts.hpp"
+#include "studies/results/row_summary.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -60,21 +60,20 @@ json by_word(const OutcomeCounts& counts) {
   return texts;
 }
 
-/// The row whose metric is largest by size; null where no row has it.
-json worst_balance(const std::vector<ScenarioRow>& rows, Metric metric) {
-  const ScenarioRow* worst = nullptr;
-  for (const ScenarioRow& row : rows) {
-    const double size = std::abs(row.result.metrics[metric]);
-    if (std::isnan(size)) continue;
-    if (worst == nullptr || size > std::abs(worst->result.metrics[metric])) worst = &row;
+/// By the name of each balance the row that is worst in it; null where no row has it.
+json worst_balances(const RowSummary& seen) {
+  json worst = json::object();
+  for (std::size_t i = 0; i < kBalances.size(); ++i) {
+    const std::optional<ScenarioRow>& row = seen.worst[i].of_all;
+    worst[std::string(info_of(kBalances[i]).name)] =
+        row ? json{{"value", number(row->result.metrics[kBalances[i]])}, {"scenario", row->id}} : json(nullptr);
   }
-  if (worst == nullptr) return nullptr;
-  return {{"value", number(worst->result.metrics[metric])}, {"scenario", worst->id}};
+  return worst;
 }
 
 json study_part(const RecordedStudy& recorded) {
-  const std::vector<ScenarioRow>& rows = recorded.tables.rows;
-  const std::size_t not_run = outcome_counts(rows).not_run;
+  const StudyRows& rows = recorded.tables.rows;
+  const std::size_t not_run = rows.seen().outcomes.not_run;
   return {{"name", recorded.meta.study_name},
           {"kind", recorded.meta.study_kind},
           {"complete", recorded.meta.complete},
@@ -116,11 +115,8 @@ std::string info_json(const RecordedStudy& recorded, const std::string& program)
                    {"varied", std::move(varied)},
                    {"warnings", recorded.meta.warnings},
                    {"answer", summary_lines(tables, recorded.meta.study_kind)},
-                   {"outcomes", by_word(outcome_counts(tables.rows))}};
-  document["worst_balances"] = {
-      {"impulse_balance_error", worst_balance(tables.rows, Metric::impulse_balance_error)},
-      {"angular_impulse_balance_error", worst_balance(tables.rows, Metric::angular_impulse_balance_error)},
-      {"energy_balance_error", worst_balance(tables.rows, Metric::energy_balance_error)}};
+                   {"outcomes", by_word(tables.rows.seen().outcomes)}};
+  document["worst_balances"] = worst_balances(tables.rows.seen());
   const ValueCounts counts = value_counts(recorded.meta.config_toml);
   document["rests_on"] = {{"assumed", counts.assumed}, {"unsourced", counts.unsourced}, {"cited", counts.cited}};
   document["window"] = tables.window ? table_json(window_as_table(*tables.window)) : json(nullptr);

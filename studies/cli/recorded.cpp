@@ -1,6 +1,5 @@
 #include "studies/cli/recorded.hpp"
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -13,7 +12,7 @@
 #include "studies/kinds/study_results.hpp"
 #include "studies/results/checksum.hpp"
 #include "studies/results/durable_files.hpp"
-#include "studies/results/journal.hpp"
+#include "studies/results/journal_index.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/suspect_results.hpp"
@@ -48,45 +47,36 @@ RecordedStudy from_summary(ResultsSummary summary, const fs::path& source) {
 
 /// What the journals of a run directory hold.
 struct JournalContents {
-  std::vector<ScenarioRow> rows;  ///< by id; the first of each id counts
+  JournalIndex index;
   std::vector<std::string> notes;
   std::vector<std::string> damage;
 };
 
-void look_at(const fs::path& file, const JournalScan& scan, JournalContents& contents) {
-  if (scan.torn_tail_bytes > 0) {
+void look_at(const JournalFindings& findings, JournalContents& contents) {
+  const std::string file = findings.path.string();
+  if (findings.state.torn_tail_bytes > 0) {
     contents.notes.push_back(joined(
-        {file.string(), " ends in ", std::to_string(scan.torn_tail_bytes), " bytes of an unfinished record"}));
+        {file, " ends in ", std::to_string(findings.state.torn_tail_bytes), " bytes of an unfinished record"}));
   }
-  for (const JournalDamage& damage : scan.damage) {
-    contents.damage.push_back(joined({file.string(), ": ", std::to_string(damage.bytes), " bytes at offset ",
+  for (const JournalDamage& damage : findings.state.damage) {
+    contents.damage.push_back(joined({file, ": ", std::to_string(damage.bytes), " bytes at offset ",
                                       std::to_string(damage.offset), " fail their checksum"}));
   }
-  if (scan.other_config_records > 0) {
-    contents.damage.push_back(joined({file.string(), ": ", std::to_string(scan.other_config_records),
+  if (findings.state.other_config_records > 0) {
+    contents.damage.push_back(joined({file, ": ", std::to_string(findings.state.other_config_records),
                                       " records belong to another config than config.toml"}));
   }
+  for (const std::string& row : findings.misshapen) contents.damage.push_back(joined({file, ": ", row}));
 }
 
 Expected<JournalContents> journal_contents(const fs::path& directory, const std::string& config_sha256) {
   JournalContents contents;
-  std::vector<ScenarioRow>& rows = contents.rows;
   for (const fs::path& file : journal_files(directory)) {
-    auto scan = scan_journal(file, config_hash_prefix(config_sha256));
-    if (!scan) return scan.error();
-    look_at(file, *scan, contents);
-    for (const JournalRecord& record : scan->records) {
-      if (record.kind != RecordKind::scenario) continue;
-      if (auto row = decode_scenario_row(record.id, record.payload)) {
-        rows.push_back(std::move(*row));
-      } else {
-        contents.damage.push_back(joined({file.string(), ": ", row.error().message}));
-      }
-    }
+    const auto findings = contents.index.add(file, config_hash_prefix(config_sha256));
+    if (!findings) return findings.error();
+    look_at(*findings, contents);
   }
-  std::ranges::stable_sort(rows, {}, &ScenarioRow::id);
-  const auto twice = std::ranges::unique(rows, {}, &ScenarioRow::id);
-  rows.erase(twice.begin(), twice.end());
+  if (const auto twice = contents.index.settle(); !twice) return twice.error();
   return contents;
 }
 
@@ -126,15 +116,14 @@ Expected<RecordedStudy> from_journals(const fs::path& directory, std::size_t kno
   recorded.meta.unbruised_version.clear();
   recorded.tables.damage_note = damage_sentence(recorded.meta);
   recorded.tables.inputs = input_columns(*study);
-  recorded.tables.rows = std::move(contents->rows);
+  recorded.tables.rows = contents->index.rows(row_places(study->kind()));
   recorded.notes = std::move(contents->notes);
   recorded.damage = std::move(contents->damage);
-  if (row_places(study->kind()) != RowPlaces::none) number_placed_rows(recorded.tables.rows);
   recorded.source = directory;
   recorded.from_journal = true;
   if (has_fixed_scenarios(study->kind())) recorded.wanted = scenario_set(*study).count;
   const std::size_t rows = recorded.tables.rows.size();
-  if (rows > known && rows <= kRowsHeldAgainMost && recorded.damage.empty()) compact(directory, *study, recorded);
+  if (rows > known && rows <= kRowsCompactedMost && recorded.damage.empty()) compact(directory, *study, recorded);
   return recorded;
 }
 
@@ -143,8 +132,8 @@ ResultsError with_what_is_left(ResultsError error, const fs::path& directory) {
   const auto config = read_text_file(directory / "config.toml");
   if (!config) return error;
   const auto contents = journal_contents(directory, sha256_hex(*config));
-  if (!contents || contents->rows.empty()) return error;
-  error.message += joined({"; the journal holds ", std::to_string(contents->rows.size()),
+  if (!contents || contents->index.size() == 0) return error;
+  error.message += joined({"; the journal holds ", std::to_string(contents->index.size()),
                            " whole scenarios; the `run` command of this study writes results.h5 anew from it"});
   return error;
 }
@@ -158,7 +147,7 @@ Expected<RecordedStudy> from_directory(const fs::path& directory) {
     if (summary->meta.complete || !is_there(directory / "config.toml")) {
       return from_summary(std::move(*summary), directory / "results.h5");
     }
-    known = summary->rows.size() - summary->count(Outcome::not_run);
+    known = summary->rows_run;
   }
   if (is_there(directory / "config.toml")) return from_journals(directory, known);
   return ResultsError{
@@ -200,19 +189,24 @@ std::string replay_command(const RecordedStudy& recorded, const std::string& pro
                  shell_word(directory.string()), " --scenario"});
 }
 
-const ScenarioRow* recorded_row(const RecordedStudy& recorded, std::uint64_t id) {
-  const std::vector<ScenarioRow>& rows = recorded.tables.rows;
-  const auto found = std::find_if(rows.begin(), rows.end(), [id](const ScenarioRow& row) { return row.id == id; });
-  return found == rows.end() ? nullptr : &*found;
+std::optional<ScenarioRow> recorded_row(const RecordedStudy& recorded, std::uint64_t id) {
+  const StudyRows& rows = recorded.tables.rows;
+  // Where none is left out an id is a place.
+  if (id < rows.size()) {
+    if (ScenarioRow row = rows.at(id); row.id == id) return row;
+  }
+  for (const ScenarioRow& row : rows) {
+    if (row.id == id) return row;
+  }
+  return std::nullopt;
 }
 
 std::optional<ScenarioRow> recorded_row(const fs::path& directory, const Study& study, std::uint64_t id) {
   if (!is_there(directory)) return std::nullopt;
   const auto recorded = read_recorded(directory);
   if (!recorded || recorded->meta.config_toml != study.resolved_toml()) return std::nullopt;
-  const ScenarioRow* row = recorded_row(*recorded, id);
-  if (row == nullptr || row->result.outcome == Outcome::not_run) return std::nullopt;
-  return *row;
+  const std::optional<ScenarioRow> row = recorded_row(*recorded, id);
+  return row && row->result.outcome != Outcome::not_run ? row : std::nullopt;
 }
 
 }  // namespace unbruised::studies

@@ -27,9 +27,8 @@ struct RecordedStudy {
   std::optional<std::uint64_t> wanted;  ///< scenarios of the whole study, where it is known
 };
 
-/// Bringing results.h5 up to date, and reading it back for a page, hold all rows twice more: of millions the one
-/// waits for the end of the study, the other for a process of its own.
-inline constexpr std::size_t kRowsHeldAgainMost = 500000;
+/// Of more rows results.h5 waits for the end of the study, and a page for who asks for it: both take minutes.
+inline constexpr std::size_t kRowsCompactedMost = 500000;
 
 /// Reads a results file, or a run directory: its complete results.h5, else its config and journals. Where no
 /// process holds the directory and the journals know more than results.h5, that one is brought up to date.
@@ -44,8 +43,8 @@ std::filesystem::path directory_of(const RecordedStudy& recorded);
 /// replay from.
 std::string replay_command(const RecordedStudy& recorded, const std::string& program);
 
-/// The row of an id; nullptr: there is none.
-const ScenarioRow* recorded_row(const RecordedStudy& recorded, std::uint64_t id);
+/// The row of an id; nothing: there is none.
+std::optional<ScenarioRow> recorded_row(const RecordedStudy& recorded, std::uint64_t id);
 /// The recorded row of an id in the run directory of this very study; nothing when there is none.
 std::optional<ScenarioRow> recorded_row(const std::filesystem::path& directory, const Study& study,
                                         std::uint64_t id);

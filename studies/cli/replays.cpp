@@ -15,6 +15,7 @@
 #include "studies/execution/lone_run.hpp"
 #include "studies/findings/replay_choice.hpp"
 #include "studies/kinds/kind_table.hpp"
+#include "studies/report/page_rows.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -40,8 +41,8 @@ std::optional<Scenario> scenario_of(const Study& study, const RecordedStudy& rec
     const ScenarioSet set = scenario_set(study);
     return id < set.count ? std::optional(set.scenario(id)) : std::nullopt;
   }
-  const ScenarioRow* row = recorded_row(recorded, id);
-  return row == nullptr ? std::nullopt : scenario_of_row(study, *row);
+  const std::optional<ScenarioRow> row = recorded_row(recorded, id);
+  return row ? scenario_of_row(study, *row) : std::nullopt;
 }
 
 double estimated_seconds(const std::vector<Planned>& planned) {
@@ -81,9 +82,8 @@ std::optional<std::vector<ScenarioReplay>> run_group(const std::vector<Planned>&
 }
 
 bool is_as_recorded(const RecordedStudy& recorded, const ScenarioReplay& seen) {
-  const ScenarioRow* row = recorded_row(recorded, seen.id);
-  const bool same =
-      row == nullptr || row->result.outcome == Outcome::not_run || row->result.outcome == seen.result.outcome;
+  const std::optional<ScenarioRow> row = recorded_row(recorded, seen.id);
+  const bool same = !row || row->result.outcome == Outcome::not_run || row->result.outcome == seen.result.outcome;
   if (!same) {
     print_note(
         joined({"scenario ", std::to_string(seen.id), " is not shown: it was ", outcome_word(row->result.outcome),
@@ -123,7 +123,8 @@ std::vector<ScenarioReplay> replays_of(const RecordedStudy& recorded, const std:
   const StudyOrError study = study_of(recorded);
   if (!study) return {};
   std::vector<Planned> planned;
-  for (ChosenReplay& chosen : chosen_replays(recorded.tables.inputs, recorded.tables.rows, asked)) {
+  for (ChosenReplay& chosen :
+       chosen_replays(recorded.tables.inputs, page_rows(recorded.tables.rows, asked), asked)) {
     std::optional<Scenario> scenario = scenario_of(*study, recorded, chosen.id);
     if (scenario) planned.push_back({chosen, *std::move(scenario)});
   }

@@ -24,7 +24,7 @@ ReportContext context_of(const RecordedStudy& recorded, const ReportArguments& a
           .source = recorded.source.string(),
           .digest = rows_digest(recorded.tables.rows),
           .summary = summary_lines(recorded.tables, recorded.meta.study_kind),
-          .replays = arguments.moving ? replays_of(recorded, arguments.scenarios) : std::vector<ScenarioReplay>{}};
+          .replays = {}};
 }
 
 /// The sound of the scenario that is shown first.
@@ -48,12 +48,13 @@ MaybeError write_report_of(const RecordedStudy& recorded, const fs::path& page, 
     trace = std::move(*read);
   }
   ReportContext context = context_of(recorded, arguments);
-  std::vector<std::uint64_t> moving;
-  for (const ScenarioReplay& seen : context.replays) moving.push_back(seen.id);
-  const std::vector<ScenarioRow>& rows = recorded.tables.rows;
+  const StudyRows& rows = recorded.tables.rows;
+  RecordedStudy shown = recorded;  // of millions a choice, from which those in motion are chosen too
+  shown.tables.rows = page_rows(rows, arguments.scenarios);
+  if (arguments.moving) context.replays = replays_of(shown, arguments.scenarios);
   ResultsContent content{.meta = recorded.meta,
                          .inputs = recorded.tables.inputs,
-                         .rows = page_rows(rows, moving),
+                         .rows = shown.tables.rows.held(),
                          .places = RowPlaces::none,
                          .tables = recorded.tables.found,
                          .window = recorded.tables.window ? &*recorded.tables.window : nullptr,

@@ -20,8 +20,8 @@
 #include "studies/kinds/study_runner.hpp"
 #include "studies/ranks/join_ranks.hpp"
 #include "studies/ranks/rank_executor.hpp"
-#include "studies/results/digest.hpp"
 #include "studies/results/results_file.hpp"
+#include "studies/results/row_summary.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/scenarios/scenario_set.hpp"
 #include "studies/text/joined.hpp"
@@ -69,7 +69,7 @@ std::string lanes_line(const Study& study, const StudyReport& report) {
 
 std::optional<fs::path> page_of_run(const RunArguments& arguments, const RunDirectory& run,
                                     const StudyReport& report) {
-  if (report.tables.rows.size() <= kRowsHeldAgainMost) {
+  if (report.tables.rows.size() <= kRowsCompactedMost) {
     return write_report_of_run(run.directory(), arguments.program, arguments.moving && !report.interrupted);
   }
   print_note(joined({"so many scenarios are on no page yet; `", shell_word(arguments.program), " report ",
@@ -95,8 +95,7 @@ int report_finished(const RunArguments& arguments, const Study& study, const Run
   print_line(joined({"results: ", run.results_path().string()}));
   if (page) print_line(joined({"report: ", page->string()}));
   print_line(joined({"digest ", rows_digest(report.tables.rows)}));
-  std::size_t diverged = 0;
-  for (const ScenarioRow& row : report.tables.rows) diverged += row.result.outcome == Outcome::diverged ? 1 : 0;
+  const std::size_t diverged = report.tables.rows.seen().outcomes.of[static_cast<std::size_t>(Outcome::diverged)];
   if (diverged == 0) return kExitDone;
   print_note(joined({with_thousands(diverged), diverged == 1 ? " scenario" : " scenarios", " diverged"}));
   return kExitDiverged;

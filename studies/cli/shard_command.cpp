@@ -45,16 +45,15 @@ struct Import {
 
 Import look_at_journal(const fs::path& file, std::uint64_t config_prefix) {
   Import import;
-  const auto scan = scan_journal(file, config_prefix);
-  if (!scan) return {0, scan.error().message};
-  for (const JournalRecord& record : scan->records) {
+  const auto state = walk_journal(file, config_prefix, [&](const SeenRecord& record) {
     if (record.kind == RecordKind::session && record.payload != build_line()) {
       import.refusal = joined({"was written by another build (", record.payload, ")"});
     }
     import.rows += record.kind == RecordKind::scenario ? 1 : 0;
-  }
+  });
+  if (!state) return {0, state.error().message};
   if (import.rows == 0 && import.refusal.empty()) {
-    import.refusal = scan->other_config_records > 0 ? "belongs to another study" : "holds no whole record";
+    import.refusal = state->other_config_records > 0 ? "belongs to another study" : "holds no whole record";
   }
   return import;
 }

@@ -18,8 +18,11 @@ namespace {
 constexpr std::size_t kScenariosSeen = 10000;
 /// Rows as they stand in memory, beside their inputs: metrics, cause, the node of a map.
 constexpr double kRowBytes = 8.0 * kMetricCount + 200.0;
-/// In the run directory, for results.h5, sorted, and twice as the bytes of the file.
-constexpr double kRowCopies = 6.0;
+/// Of a study that asks for one scenario after the answer of another: what is recorded, and what is found in it.
+constexpr double kRowCopies = 3.0;
+/// Of scenarios that are known beforehand rows stay in the journals, and a process knows where: when they are put
+/// into order twice, with digests and what its kind looks at.
+constexpr double kIndexedRowBytes = 80.0;
 /// A model below this part of the machine's memory needs no second look.
 constexpr double kSmallPart = 0.02;
 
@@ -41,7 +44,10 @@ double bytes_by_volume(double particles) {
 
 }  // namespace
 
-double estimated_rows_bytes(double row_count, std::size_t input_count) {
+double estimated_rows_bytes(StudyKind kind, double row_count, std::size_t input_count) {
+  if (has_fixed_scenarios(kind)) {
+    return row_count * (kIndexedRowBytes + static_cast<double>(input_count * sizeof(double)));
+  }
   return row_count * kRowCopies * (kRowBytes + static_cast<double>(input_count * sizeof(InputValue)));
 }
 
@@ -84,7 +90,7 @@ std::optional<std::string> too_much_memory(const Study& study, int threads) {
     if (particles > most) at = id;
     most = std::max(most, particles);
   }
-  const double rows = estimated_rows_bytes(static_cast<double>(set.count), set.columns.size());
+  const double rows = estimated_rows_bytes(study.kind(), static_cast<double>(set.count), set.columns.size());
   const std::size_t models = std::min(static_cast<std::size_t>(threads), set.count);
   if (auto refusal = too_much_memory(study.name(), rows + bytes_by_volume(most))) return refusal;
   if (static_cast<double>(models) * bytes_by_volume(most) < kSmallPart * machine_memory_bytes())

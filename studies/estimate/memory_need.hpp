@@ -13,8 +13,8 @@
 
 namespace unbruised::studies {
 
-/// Memory of rows: while results.h5 is written they stand in memory about four times.
-double estimated_rows_bytes(double row_count, std::size_t input_count);
+/// Memory of rows: where their kind knows its scenarios beforehand some tens of bytes each.
+double estimated_rows_bytes(StudyKind kind, double row_count, std::size_t input_count);
 
 /// Memory of the models that are worked with at a time, and of the lanes of all threads.
 /// @param groups the size of each model; the largest are taken to run together. @param threads > 0

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,6 +18,9 @@ namespace {
 constexpr double kRowBytesBesideColumns = 160.0;
 /// Of more scenarios some, evenly spaced, say how many steps they all take: to go through a plan takes 0.2 ms.
 constexpr std::size_t kStepsLookedAt = 1000;
+/// Of more factor groups the others are taken to be like these.
+constexpr std::size_t kGroupsLookedAt = 10000;
+
 /// The scenarios of one factor key.
 struct GroupCost {
   ModelSize size;
@@ -32,32 +33,42 @@ struct GroupCost {
 };
 
 struct KnownCost {
-  std::vector<GroupCost> groups;
-  std::vector<std::size_t> group_of;  ///< of each scenario
+  std::vector<GroupCost> groups;       ///< of more than kGroupsLookedAt those that come first
+  std::vector<ModelSize> other_sizes;  ///< of some of the others
+  std::size_t group_count = 0;         ///< of all
+  std::size_t looked_at = 0;           ///< scenarios of `groups`
+  std::vector<std::size_t> group_of;   ///< of each scenario
   double longest_run_s = 0.0;
 };
 
 KnownCost known_cost(const ScenarioSet& set) {
   KnownCost cost;
-  std::unordered_map<std::string, std::size_t> index_of;
+  GroupNumbers groups;
   cost.group_of.reserve(set.count);
   const std::size_t stride = (set.count / kStepsLookedAt) | 1;  // odd, so that no variable is left standing
   for (std::size_t point = 0; point < set.count; ++point) {
     const Scenario scenario = set.scenario(point);
-    const auto [place, is_new] = index_of.try_emplace(factor_key(scenario), cost.groups.size());
+    const std::size_t number = groups.number_of(scenario);
+    cost.group_of.push_back(number);
+    cost.longest_run_s = std::max(cost.longest_run_s, planned_end_s(scenario));
+    if (number >= kGroupsLookedAt) {
+      if (point % stride == 0) cost.other_sizes.push_back(model_size(scenario));
+      continue;
+    }
+    const bool is_new = number == cost.groups.size();
     if (is_new) {
       const ModelSize size = model_size(scenario);
       cost.groups.push_back({.size = size, .lane_step_s = estimated_lane_step_s(scenario, size)});
     }
-    GroupCost& group = cost.groups[place->second];
+    GroupCost& group = cost.groups[number];
     ++group.count;
+    ++cost.looked_at;
     if (is_new || point % stride == 0) {
       ++group.looked_at;
       group.steps += estimated_steps(scenario);
     }
-    cost.group_of.push_back(place->second);
-    cost.longest_run_s = std::max(cost.longest_run_s, planned_end_s(scenario));
   }
+  cost.group_count = groups.count();
   return cost;
 }
 
@@ -74,7 +85,9 @@ double compute_seconds(const KnownCost& known, const Evaluations& evaluations, i
     batches += std::ceil(scenarios / lane_count());
     seconds += paid_lanes(scenarios) * group.mean_steps() * group.lane_step_s;
   }
-  return evaluations.rounds * seconds /
+  const double all = static_cast<double>(known.group_of.size()) / static_cast<double>(known.looked_at);
+  batches *= all;
+  return evaluations.rounds * seconds * all /
          std::min(static_cast<double>(threads), batches);  // a batch is one thread's
 }
 
@@ -100,18 +113,19 @@ StudyCost study_cost(const Study& study, int threads) {
   const ScenarioSet set = family.known(study);
   const KnownCost known = known_cost(set);
   const Evaluations evaluations = family.evaluations(study, known.group_of);
-  StudyCost cost{.scenarios = evaluations.each * static_cast<double>(set.count), .groups = known.groups.size()};
-  const auto [least, most] = std::minmax_element(
-      known.groups.begin(), known.groups.end(),
-      [](const GroupCost& a, const GroupCost& b) { return a.size.freedom_count < b.size.freedom_count; });
-  cost.least = least->size;
-  cost.most = most->size;
+  StudyCost cost{.scenarios = evaluations.each * static_cast<double>(set.count), .groups = known.group_count};
+  std::vector<ModelSize> sizes = known.other_sizes;
+  for (const GroupCost& group : known.groups) sizes.push_back(group.size);
+  const auto [least, most] = std::ranges::minmax_element(sizes, {}, &ModelSize::freedom_count);
+  cost.least = *least;
+  cost.most = *most;
   for (const GroupCost& group : known.groups) {
     cost.steps_each += static_cast<double>(group.count) * group.mean_steps();
   }
-  cost.steps_each /= static_cast<double>(set.count);
+  cost.steps_each /= static_cast<double>(known.looked_at);
   cost.longest_run_s = known.longest_run_s;
-  cost.memory_bytes = memory_bytes(known, threads) + estimated_rows_bytes(cost.scenarios, set.columns.size());
+  cost.memory_bytes =
+      memory_bytes(known, threads) + estimated_rows_bytes(study.kind(), cost.scenarios, set.columns.size());
   cost.disk_bytes = disk_bytes(study, known, set.columns.size(), cost.scenarios);
   cost.seconds = compute_seconds(known, evaluations, threads);
   cost.threads = threads;

@@ -22,7 +22,10 @@ std::vector<std::size_t> deciding_columns(const Study& study) {
   return columns;
 }
 
-/// Scenarios by claim; each combination of deciding values is looked at once.
+/// Combinations of deciding values that are remembered.
+constexpr std::size_t kKnownMost = 65536;
+
+/// Scenarios by claim; of few combinations of deciding values each is looked at once.
 std::map<DamageClaim, std::size_t> counts_by_claim(const Study& study) {
   const std::vector<std::size_t> columns = deciding_columns(study);
   std::map<std::vector<std::size_t>, DamageClaim> known;
@@ -30,11 +33,13 @@ std::map<DamageClaim, std::size_t> counts_by_claim(const Study& study) {
   for (std::size_t id = 0; id < study.scenario_count(); ++id) {
     std::vector<std::size_t> values;
     for (const std::size_t column : columns) values.push_back(study.input_index(id, column));
-    auto found = known.find(values);
-    if (found == known.end()) {
-      found = known.emplace(std::move(values), damage_claim(study.scenario(id))).first;
+    if (const auto found = known.find(values); found != known.end()) {
+      ++counts[found->second];
+      continue;
     }
-    ++counts[found->second];
+    const DamageClaim claim = damage_claim(study.scenario(id));
+    ++counts[claim];
+    if (known.size() < kKnownMost) known.emplace(std::move(values), claim);
   }
   return counts;
 }

@@ -3,7 +3,6 @@
 
 #include "studies/findings/candidate_settings.hpp"
 #include "studies/findings/found_tables.hpp"
-#include "studies/findings/held_proportion.hpp"
 #include "studies/findings/paired_comparison.hpp"
 #include "studies/text/joined.hpp"
 
@@ -12,8 +11,7 @@ namespace {
 
 class CompareTables {
  public:
-  CompareTables(const Study& study, const std::vector<ScenarioRow>& rows)
-      : study_(study), comparison_(study, rows) {}
+  CompareTables(const Study& study, const StudyRows& rows) : study_(study), comparison_(study, rows) {}
 
   std::vector<ResultTable> all() const {
     std::vector<ResultTable> tables = {candidates(), differences()};
@@ -43,7 +41,7 @@ class CompareTables {
     std::vector<std::vector<double>> counts(kOutcomeWords.size(), std::vector<double>(count(), 0.0));
     for (std::size_t c = 0; c < count(); ++c) {
       for (std::size_t p = 0; p < comparison_.products().size(); ++p) {
-        const Outcome outcome = comparison_.row(p, c).result.outcome;
+        const Outcome outcome = comparison_.outcome(p, c);
         if (outcome != Outcome::not_run) ++counts[static_cast<std::size_t>(outcome)][c];
       }
     }
@@ -55,10 +53,7 @@ class CompareTables {
   void add_probabilities(ResultTable& table) const {
     std::vector<double> estimate, low, high;
     for (std::size_t c = 0; c < count(); ++c) {
-      std::vector<const ScenarioRow*> own;
-      for (std::size_t p = 0; p < comparison_.products().size(); ++p) own.push_back(&comparison_.row(p, c));
-      const Proportion found = held_proportion(own, comparison_.products(), study_.candidates()[c].scenario.limits,
-                                               study_.sampling().confidence);
+      const Proportion found = comparison_.held_proportion(c);
       estimate.push_back(found.estimate);
       low.push_back(found.interval.low);
       high.push_back(found.interval.high);
@@ -74,9 +69,8 @@ class CompareTables {
       double sum = 0.0;
       double number = 0.0;
       for (std::size_t p = 0; p < comparison_.products().size(); ++p) {
-        const ScenarioResult& result = comparison_.row(p, c).result;
-        const double value = result.metrics[metric];
-        if (result.outcome != Outcome::held || std::isnan(value)) continue;
+        const double value = comparison_.value(p, c, metric);
+        if (comparison_.outcome(p, c) != Outcome::held || std::isnan(value)) continue;
         sum += value;
         number += 1.0;
       }
@@ -166,7 +160,7 @@ ResultTable CompareTables::differences() const {
 
 }  // namespace
 
-std::vector<ResultTable> compare_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
+std::vector<ResultTable> compare_tables(const Study& study, const StudyRows& rows) {
   return CompareTables(study, rows).all();
 }
 

@@ -16,12 +16,37 @@
 namespace unbruised::studies {
 namespace {
 
-std::vector<double> answers_of(const std::vector<ScenarioRow>& rows, Metric metric) {
-  std::vector<double> answers;
-  answers.reserve(rows.size());
-  for (const ScenarioRow& row : rows) answers.push_back(row.result.metrics[metric]);
-  return answers;
-}
+/// The metrics of all rows, column by column, with a few hundred megabytes of them in memory at a time.
+class MetricColumns {
+ public:
+  /// @param metrics in the order in which they will be asked for
+  MetricColumns(const StudyRows& rows, std::vector<Metric> metrics) : rows_(rows), metrics_(std::move(metrics)) {}
+
+  [[nodiscard]] const std::vector<double>& next() {
+    if (at_ == first_ + columns_.size()) read();
+    return columns_[at_++ - first_];
+  }
+
+ private:
+  static constexpr std::size_t kNumbersMost = 40'000'000;
+
+  void read() {
+    const std::size_t most = std::max<std::size_t>(1, kNumbersMost / std::max<std::size_t>(1, rows_.size()));
+    first_ = at_;
+    columns_.assign(std::min(most, metrics_.size() - first_), {});
+    for (std::vector<double>& column : columns_) column.reserve(rows_.size());
+    for (const ScenarioRow& row : rows_) {
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        columns_[i].push_back(row.result.metrics[metrics_[first_ + i]]);
+      }
+    }
+  }
+
+  const StudyRows& rows_;
+  const std::vector<Metric> metrics_;
+  std::vector<std::vector<double>> columns_;  ///< of the metrics from `first_` on
+  std::size_t first_ = 0, at_ = 0;
+};
 
 /// Rows of a table that is filled line by line.
 class EffectTable {
@@ -64,7 +89,7 @@ std::string effect_note(const Found& found, std::size_t samples) {
   return found.varies ? std::string() : std::string("does not vary, whatever the keys are");
 }
 
-ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows, std::size_t& used) {
+ResultTable sobol_table(const Study& study, const StudyRows& rows, std::size_t& used) {
   EffectTable effects({{"first_order", "part of the variance that the key alone explains"},
                        {"first_order_low", "lower end of its interval"},
                        {"first_order_high", "upper end of its interval"},
@@ -73,9 +98,10 @@ ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows
                        {"total_high", "upper end of its interval"}});
   const UnitDesign design = sensitivity_design(study);
   const SensitivitySettings& settings = study.sensitivity();
+  MetricColumns columns(rows, settings.metrics);
   for (const Metric metric : settings.metrics) {
-    const SobolResult found = sobol_indices(design, answers_of(rows, metric), settings.bootstrap,
-                                            settings.confidence, seed_for(study.seed(), SeedPurpose::bootstrap));
+    const SobolResult found = sobol_indices(design, columns.next(), settings.bootstrap, settings.confidence,
+                                            seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
     const std::string note = effect_note(found, settings.samples);
     for (std::size_t k = 0; k < found.indices.size(); ++k) {
@@ -88,7 +114,7 @@ ResultTable sobol_table(const Study& study, const std::vector<ScenarioRow>& rows
   return effects.take();
 }
 
-ResultTable morris_table(const Study& study, const std::vector<ScenarioRow>& rows, std::size_t& used) {
+ResultTable morris_table(const Study& study, const StudyRows& rows, std::size_t& used) {
   EffectTable effects({{"mean", "mean elementary effect, in the metric's unit over the key's whole distribution"},
                        {"mean_absolute", "mean of its absolute value: how much the key matters"},
                        {"mean_absolute_low", "lower end of its interval"},
@@ -96,8 +122,9 @@ ResultTable morris_table(const Study& study, const std::vector<ScenarioRow>& row
                        {"standard_deviation", "of the effects: bends and interactions"}});
   const UnitDesign design = sensitivity_design(study);
   const SensitivitySettings& settings = study.sensitivity();
+  MetricColumns columns(rows, settings.metrics);
   for (const Metric metric : settings.metrics) {
-    const MorrisResult found = morris_effects(design, answers_of(rows, metric), settings.confidence,
+    const MorrisResult found = morris_effects(design, columns.next(), settings.confidence,
                                               seed_for(study.seed(), SeedPurpose::bootstrap));
     used = std::min(used, found.used);
     const std::string note = effect_note(found, settings.samples);
@@ -117,10 +144,10 @@ struct KnownValues {
   std::vector<std::size_t> group, replicate;
   [[nodiscard]] SampleStructure structure() const { return {group, replicate}; }
 };
-KnownValues known_values(const std::vector<ScenarioRow>& rows, const ProductSample& products, Metric metric) {
+KnownValues known_values(const std::vector<double>& column, const ProductSample& products) {
   KnownValues known;
-  for (std::size_t product = 0; product < rows.size(); ++product) {
-    const double value = rows[product].result.metrics[metric];
+  for (std::size_t product = 0; product < column.size(); ++product) {
+    const double value = column[product];
     if (std::isnan(value)) continue;
     known.values.push_back(value);
     known.group.push_back(products.group[product]);
@@ -145,16 +172,18 @@ struct Estimates {
 };
 
 /// Mean, spread and quantiles of every metric that exists.
-ResultTable statistics_table(const Study& study, const std::vector<ScenarioRow>& rows,
-                             const ProductSample& products) {
+ResultTable statistics_table(const Study& study, const StudyRows& rows, const ProductSample& products) {
   constexpr std::array kParts{0.05, 0.5, 0.95};
   const double confidence = study.sampling().confidence;
   std::vector<std::string> names;
   std::vector<double> counts, deviations;
   Estimates means;
   std::array<Estimates, kParts.size()> quantiles;
+  std::vector<Metric> all;
+  for (const MetricInfo& info : kMetricTable) all.push_back(info.metric);
+  MetricColumns columns(rows, std::move(all));
   for (const MetricInfo& info : kMetricTable) {
-    const KnownValues known = known_values(rows, products, info.metric);
+    const KnownValues known = known_values(columns.next(), products);
     if (known.values.size() < 2) continue;
     names.emplace_back(info.name);
     counts.push_back(static_cast<double>(known.values.size()));
@@ -179,7 +208,7 @@ ResultTable statistics_table(const Study& study, const std::vector<ScenarioRow>&
 
 }  // namespace
 
-std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
+std::vector<ResultTable> sensitivity_tables(const Study& study, const StudyRows& rows) {
   const bool morris = study.sensitivity().method == SensitivityMethod::morris;
   const std::size_t samples = study.sensitivity().samples;
   std::size_t used = samples;
@@ -191,13 +220,13 @@ std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vecto
   return {std::move(table)};
 }
 
-std::vector<ResultTable> sample_tables(const Study& study, const std::vector<ScenarioRow>& rows) {
+std::vector<ResultTable> sample_tables(const Study& study, const StudyRows& rows) {
   const ProductSample products = study_products(study);
   ResultTable statistics = statistics_table(study, rows, products);
-  std::vector<const ScenarioRow*> all;
-  for (const ScenarioRow& row : rows) all.push_back(&row);
-  const Proportion estimate =
-      held_proportion(all, products, study.scenario(0).limits, study.sampling().confidence);
+  const LimitParameters limits = study.scenario(0).limits;
+  HeldRows held;
+  for (const ScenarioRow& row : rows) held.add(row.result, limits);
+  const Proportion estimate = held.proportion(products, study.sampling().confidence);
   statistics.attributes = {{"probability", estimate.estimate},
                            {"probability_low", estimate.interval.low},
                            {"probability_high", estimate.interval.high},

@@ -1,5 +1,6 @@
 #include "studies/findings/flat_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,12 +20,12 @@ namespace {
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-template <class Row, class Value>
-ResultColumn column(std::string name, std::string_view units, std::string_view long_name,
-                    const std::vector<Row>& rows, Value value) {
-  std::vector<decltype(value(rows.front()))> values;
+template <class Rows, class Value>
+ResultColumn column(std::string name, std::string_view units, std::string_view long_name, const Rows& rows,
+                    Value value) {
+  std::vector<decltype(value(*rows.begin()))> values;
   values.reserve(rows.size());
-  for (const Row& row : rows) values.push_back(value(row));
+  for (const auto& row : rows) values.push_back(value(row));
   return {std::move(name), std::string(units), std::string(long_name), std::move(values)};
 }
 
@@ -53,15 +54,17 @@ std::string text_of(const InputValue& value) {
   return text == nullptr ? all_digits(number_of(value)) : *text;
 }
 
-template <class Row>
-void add_inputs(ResultTable& table, const std::vector<ColumnInfo>& infos, const std::vector<Row>& rows) {
+template <class Rows>
+void add_inputs(ResultTable& table, const std::vector<ColumnInfo>& infos, const Rows& rows) {
   for (std::size_t i = 0; i < infos.size(); ++i) {
     const ColumnInfo& info = infos[i];
-    const auto input = [i](const Row& row) { return i < row.inputs.size() ? row.inputs[i] : InputValue(kAbsent); };
+    const auto input = [i](const auto& row) {
+      return i < row.inputs.size() ? row.inputs[i] : InputValue(kAbsent);
+    };
     table.columns.push_back(holds_text(i, rows) ? column(info.key, info.units, info.long_name, rows,
-                                                         [&](const Row& row) { return text_of(input(row)); })
+                                                         [&](const auto& row) { return text_of(input(row)); })
                                                 : column(info.key, info.units, info.long_name, rows,
-                                                         [&](const Row& row) { return number_of(input(row)); }));
+                                                         [&](const auto& row) { return number_of(input(row)); }));
   }
 }
 
@@ -74,9 +77,26 @@ std::string cell_text(const ResultColumn& column, std::size_t row) {
   return quoted + "\"";
 }
 
+template <class Cell>
+std::string line_of(const ResultTable& table, const Cell& cell) {
+  return joined({separated(table.columns, ",", cell), "\n"});
+}
+
+std::string header_line(const ResultTable& table) {
+  return line_of(table, [](const ResultColumn& column) { return column.name; });
+}
+
+std::string lines_of(const ResultTable& table) {
+  std::string text;
+  for (std::size_t row = 0; row < row_count(table); ++row) {
+    text += line_of(table, [row](const ResultColumn& column) { return cell_text(column, row); });
+  }
+  return text;
+}
+
 /// A row per scenario: id, outcome, cause, outcome_time_s, varied keys, metrics. Units are part of the names.
-ResultTable scenario_table(const StudyTables& tables) {
-  const std::vector<ScenarioRow>& rows = tables.rows;
+template <class Rows>
+ResultTable scenario_table(const std::vector<ColumnInfo>& inputs, const Rows& rows) {
   ResultTable table{.name = "scenarios", .row = "scenario", .columns = {}, .attributes = {}};
   const auto add = [&](const ScenarioColumn& info, const auto& value) {
     table.columns.push_back(column(info.name, info.units, info.long_name, rows, value));
@@ -85,7 +105,7 @@ ResultTable scenario_table(const StudyTables& tables) {
   add(kOutcomeColumn, [](const ScenarioRow& row) { return std::string(outcome_word(row.result.outcome)); });
   add(kCauseColumn, [](const ScenarioRow& row) { return row.result.cause; });
   add(kOutcomeTimeColumn, [](const ScenarioRow& row) { return row.result.outcome_time_s; });
-  add_inputs(table, tables.inputs, rows);
+  add_inputs(table, inputs, rows);
   for (const MetricInfo& info : kMetricTable) {
     table.columns.push_back(column(std::string(info.name), info.units, info.long_name, rows,
                                    [&](const ScenarioRow& row) { return row.result.metrics[info.metric]; }));
@@ -121,19 +141,32 @@ std::vector<std::string> table_names_of(const StudyTables& tables) {
 }
 
 ResultTable table_called(const StudyTables& tables, const std::string& name) {
-  if (name == "scenarios") return scenario_table(tables);
+  if (name == "scenarios") return scenario_table(tables.inputs, tables.rows);
   if (name == "window" && tables.window) return window_as_table(*tables.window);
   const ResultTable* found = find_table(tables.found, name);
   return found == nullptr ? ResultTable{} : *found;
 }
 
-std::string csv_text(const ResultTable& table) {
-  const auto line = [&](const auto& cell) { return joined({separated(table.columns, ",", cell), "\n"}); };
-  std::string text = line([](const ResultColumn& column) { return column.name; });
-  for (std::size_t row = 0; row < row_count(table); ++row) {
-    text += line([row](const ResultColumn& column) { return cell_text(column, row); });
+std::string csv_text(const ResultTable& table) { return header_line(table) + lines_of(table); }
+
+std::size_t csv_in_pieces(const StudyTables& tables, const std::string& name,
+                          const std::function<void(std::string_view)>& look) {
+  if (name != "scenarios" || tables.rows.empty()) {
+    const ResultTable table = table_called(tables, name);
+    look(csv_text(table));
+    return table.columns.size();
   }
-  return text;
+  std::size_t columns = 0;
+  for (std::size_t first = 0; first < tables.rows.size();) {
+    const RowBlock block = tables.rows.block(first);
+    const auto rows = block.rows.first(std::min(block.rows.size(), kRowsAtATime));
+    const ResultTable table = scenario_table(tables.inputs, rows);
+    if (first == 0) look(header_line(table));
+    look(lines_of(table));
+    columns = table.columns.size();
+    first += rows.size();
+  }
+  return columns;
 }
 
 }  // namespace unbruised::studies

@@ -17,18 +17,18 @@ namespace unbruised::studies {
 /// Tables of optimize, robust and pareto: searches, evaluations, best, constraints, verification, pareto, random.
 /// @param rows numbered, so that the tables can name scenarios
 std::vector<ResultTable> search_tables(const StrategyJudge& judge, const SearchFindings& found,
-                                       const std::vector<ScenarioRow>& rows);
+                                       const StudyRows& rows);
 
 /// Tables of compare: candidates, comparison, random. @param rows all of the study's, by id
-std::vector<ResultTable> compare_tables(const Study& study, const std::vector<ScenarioRow>& rows);
+std::vector<ResultTable> compare_tables(const Study& study, const StudyRows& rows);
 
 /// Column of the table sensitivity: why a metric has no effects to tell ("does not vary"); empty where it has.
 inline constexpr std::string_view kEffectNoteColumn = "note";
 
 /// Tables of sensitivity: sensitivity. @param rows all of the study's, by id
-std::vector<ResultTable> sensitivity_tables(const Study& study, const std::vector<ScenarioRow>& rows);
+std::vector<ResultTable> sensitivity_tables(const Study& study, const StudyRows& rows);
 
 /// Tables of sample: random, statistics. @param rows all of the study's, by id
-std::vector<ResultTable> sample_tables(const Study& study, const std::vector<ScenarioRow>& rows);
+std::vector<ResultTable> sample_tables(const Study& study, const StudyRows& rows);
 
 }  // namespace unbruised::studies

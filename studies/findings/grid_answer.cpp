@@ -60,17 +60,18 @@ ResultTable table_of(const std::vector<ColumnInfo>& keys, const std::vector<Tall
 }
 
 /// Has the key at `place` one value wherever the keys at `given` have the same ones?
-bool follows(const std::vector<ScenarioRow>& rows, const std::vector<std::size_t>& given, std::size_t place) {
+bool follows(const StudyRows& rows, const std::vector<std::size_t>& given, std::size_t place) {
+  if (given.empty()) return false;
   std::map<std::vector<InputValue>, InputValue> value_of;
   for (const ScenarioRow& row : rows) {
     const auto [found, is_new] = value_of.try_emplace(picked(row.inputs, given), row.inputs[place]);
     if (!is_new && found->second != row.inputs[place]) return false;
   }
-  return !given.empty();
+  return true;
 }
 
 /// Moves what follows the given keys to them; returns what was moved.
-std::vector<std::size_t> move_following(KeyPlaces& places, const std::vector<ScenarioRow>& rows) {
+std::vector<std::size_t> move_following(KeyPlaces& places, const StudyRows& rows) {
   std::vector<std::size_t> following;
   for (const std::size_t place : places.others) {
     if (follows(rows, places.given, place)) following.push_back(place);
@@ -84,7 +85,7 @@ std::vector<std::size_t> move_following(KeyPlaces& places, const std::vector<Sce
 
 }  // namespace
 
-GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows) {
+GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const StudyRows& rows) {
   KeyPlaces places = key_places(inputs);
   const std::vector<std::size_t> following = move_following(places, rows);
   std::vector<Tally> tallies;

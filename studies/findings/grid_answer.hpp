@@ -24,6 +24,6 @@ struct GridAnswer {
 };
 
 /// @param rows all of the study's, by id. Of equal cycle times the first wins.
-GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows);
+GridAnswer grid_answer(const std::vector<ColumnInfo>& inputs, const StudyRows& rows);
 
 }  // namespace unbruised::studies

@@ -4,15 +4,13 @@
 
 namespace unbruised::studies {
 
-Proportion held_proportion(const std::vector<const ScenarioRow*>& rows, const ProductSample& products,
-                           const LimitParameters& limits, double confidence) {
-  std::vector<bool> held;
-  std::vector<double> measure;
-  for (const ScenarioRow* row : rows) {
-    held.push_back(event_happens(held_event(), row->result, limits));
-    measure.push_back(event_measure(held_event(), row->result, limits));
-  }
-  return sampled_proportion(held, products.structure(), confidence, measure);
+void HeldRows::add(const ScenarioResult& result, const LimitParameters& limits) {
+  held_.push_back(event_happens(held_event(), result, limits));
+  measure_.push_back(event_measure(held_event(), result, limits));
+}
+
+Proportion HeldRows::proportion(const ProductSample& products, double confidence) const {
+  return sampled_proportion(held_, products.structure(), confidence, measure_);
 }
 
 }  // namespace unbruised::studies

@@ -14,8 +14,6 @@
 namespace unbruised::studies {
 namespace {
 
-bool is_held(const ScenarioRow& row) { return row.result.outcome == Outcome::held; }
-
 /// " s", " m/s2"; empty without a unit.
 std::string unit_text(Metric metric) {
   const Unit* unit = unit_of(info_of(metric).name);
@@ -39,18 +37,43 @@ Winner winner_of(int sign) { return sign == 0 ? Winner::none : (sign > 0 ? Winne
 
 }  // namespace
 
-CandidateComparison::CandidateComparison(const Study& study, const std::vector<ScenarioRow>& rows)
+CandidateComparison::CandidateComparison(const Study& study, const StudyRows& rows)
     : study_(study),
-      rows_(rows),
+      held_(study.candidates().size()),
       products_(study_products(study)),
       held_words_(held_words(damage_sentence(damage_claim(study)))) {
   const std::size_t n = study.candidates().size();
   const double pairs = static_cast<double>(n * (n - 1) / 2);
   confidence_ = 1.0 - (1.0 - study.sampling().confidence) / pairs;
+  for (const Metric metric : study.compare().metrics) values_[metric].reserve(rows.size());
+  values_[study.compare().metric].reserve(rows.size());
+  outcomes_.reserve(rows.size());
+  for (const ScenarioRow& row : rows) {
+    const std::size_t candidate = outcomes_.size() % n;
+    outcomes_.push_back(row.result.outcome);
+    for (auto& [metric, values] : values_) values.push_back(row.result.metrics[metric]);
+    held_[candidate].add(row.result, study.candidates()[candidate].scenario.limits);
+  }
 }
 
-const ScenarioRow& CandidateComparison::row(std::size_t product, std::size_t candidate) const {
-  return rows_[product * study_.candidates().size() + candidate];
+std::size_t CandidateComparison::place(std::size_t product, std::size_t candidate) const {
+  return product * study_.candidates().size() + candidate;
+}
+
+Outcome CandidateComparison::outcome(std::size_t product, std::size_t candidate) const {
+  return outcomes_[place(product, candidate)];
+}
+
+bool CandidateComparison::is_held(std::size_t product, std::size_t candidate) const {
+  return outcome(product, candidate) == Outcome::held;
+}
+
+double CandidateComparison::value(std::size_t product, std::size_t candidate, Metric metric) const {
+  return values_.at(metric)[place(product, candidate)];
+}
+
+Proportion CandidateComparison::held_proportion(std::size_t candidate) const {
+  return held_[candidate].proportion(products_, study_.sampling().confidence);
 }
 
 const std::string& CandidateComparison::name(std::size_t candidate) const {
@@ -64,13 +87,13 @@ PairedComparison CandidateComparison::compare(std::size_t a, std::size_t b, Metr
   double sum_a = 0.0;
   const double tie = metric == study_.compare().metric ? study_.compare().tie : 0.0;
   for (std::size_t p = 0; p < products_.size(); ++p) {
-    const bool held_a = is_held(row(p, a));
-    const bool held_b = is_held(row(p, b));
+    const bool held_a = is_held(p, a);
+    const bool held_b = is_held(p, b);
     pair.held_a += held_a ? 1 : 0;
     pair.held_b += held_b ? 1 : 0;
     held.push_back((held_b ? 1.0 : 0.0) - (held_a ? 1.0 : 0.0));
-    const double value_a = row(p, a).result.metrics[metric];
-    const double difference = row(p, b).result.metrics[metric] - value_a;
+    const double value_a = value(p, a, metric);
+    const double difference = value(p, b, metric) - value_a;
     const bool both = held_a && held_b && !std::isnan(difference);
     if (both) {
       differences.push_back(difference);
@@ -183,7 +206,7 @@ std::string CandidateComparison::headline() const {
 
 std::size_t CandidateComparison::held_count(std::size_t candidate) const {
   std::size_t held = 0;
-  for (std::size_t p = 0; p < products_.size(); ++p) held += is_held(row(p, candidate)) ? 1 : 0;
+  for (std::size_t p = 0; p < products_.size(); ++p) held += is_held(p, candidate) ? 1 : 0;
   return held;
 }
 

@@ -5,11 +5,13 @@
 /// who wins.
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/outcome/outcome.hpp"
 #include "studies/config/study.hpp"
+#include "studies/findings/held_proportion.hpp"
 #include "studies/results/rows.hpp"
 #include "studies/scenarios/product_sample.hpp"
 #include "studies/statistics/intervals.hpp"
@@ -35,7 +37,7 @@ enum class Winner { none, a, b };
 class CandidateComparison {
  public:
   /// @param rows all of the study's, by id
-  CandidateComparison(const Study& study, const std::vector<ScenarioRow>& rows);
+  CandidateComparison(const Study& study, const StudyRows& rows);
 
   [[nodiscard]] PairedComparison compare(std::size_t a, std::size_t b, Metric metric) const;
   /// Who is shown to be held more often; where neither is, who is shown to be better in the metric, unless the
@@ -49,7 +51,10 @@ class CandidateComparison {
   /// "winner: gentle, ..." or "no winner: ...".
   [[nodiscard]] std::string headline() const;
 
-  [[nodiscard]] const ScenarioRow& row(std::size_t product, std::size_t candidate) const;
+  [[nodiscard]] Outcome outcome(std::size_t product, std::size_t candidate) const;
+  /// Of the study's metrics one.
+  [[nodiscard]] double value(std::size_t product, std::size_t candidate, Metric metric) const;
+  [[nodiscard]] Proportion held_proportion(std::size_t candidate) const;
   [[nodiscard]] const ProductSample& products() const { return products_; }
   [[nodiscard]] const std::string& name(std::size_t candidate) const;
 
@@ -68,7 +73,13 @@ class CandidateComparison {
   [[nodiscard]] std::string reason_text(std::size_t winner) const;
 
   const Study& study_;
-  const std::vector<ScenarioRow>& rows_;
+  [[nodiscard]] std::size_t place(std::size_t product, std::size_t candidate) const;
+  [[nodiscard]] bool is_held(std::size_t product, std::size_t candidate) const;
+
+  // Of the rows what is compared, by place.
+  std::vector<Outcome> outcomes_;
+  std::map<Metric, std::vector<double>> values_;
+  std::vector<HeldRows> held_;  ///< of each candidate
   const ProductSample products_;
   double confidence_ = 0.95;
   std::string held_words_;  ///< "held without damage", or "held" where damage is not judged

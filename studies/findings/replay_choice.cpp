@@ -5,8 +5,8 @@
 #include <compare>
 #include <limits>
 #include <optional>
+#include <utility>
 
-#include "studies/findings/summary.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
@@ -91,7 +91,12 @@ bool is_lost(const ScenarioRow& row) {
 /// Of the held rows that differ from the fastest one in the grip force alone, the one in the middle; nullptr:
 /// none.
 const ScenarioRow* best_held(const Inputs& inputs, const Rows& rows) {
-  const ScenarioRow* fastest = best_row(rows);
+  const ScenarioRow* fastest = least(
+      rows,
+      [](const ScenarioRow& row) {
+        return row.result.outcome == Outcome::held && !std::isnan(row.result.metrics[Metric::cycle_time_s]);
+      },
+      [](const ScenarioRow& row) { return std::pair(row.result.metrics[Metric::cycle_time_s], row.id); });
   if (fastest == nullptr || !inputs.force_N(*fastest)) return fastest;
   const auto beside = [&](const ScenarioRow& row) {
     return row.result.outcome == Outcome::held && inputs.force_N(row) &&

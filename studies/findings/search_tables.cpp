@@ -25,7 +25,7 @@ constexpr double kReferenceMargin = 0.1;
 
 class SearchTables {
  public:
-  SearchTables(const StrategyJudge& judge, const SearchFindings& found, const std::vector<ScenarioRow>& rows)
+  SearchTables(const StrategyJudge& judge, const SearchFindings& found, const StudyRows& rows)
       : judge_(judge), study_(judge.study()), found_(found) {
     for (const ScenarioRow& row : rows) row_of_.emplace(journal_id(row), row.id);
   }
@@ -327,7 +327,7 @@ class SearchTables {
 }  // namespace
 
 std::vector<ResultTable> search_tables(const StrategyJudge& judge, const SearchFindings& found,
-                                       const std::vector<ScenarioRow>& rows) {
+                                       const StudyRows& rows) {
   return SearchTables(judge, found, rows).all();
 }
 

@@ -14,8 +14,8 @@
 #include "studies/findings/sizing.hpp"
 #include "studies/findings/table_text.hpp"
 #include "studies/findings/window_lines.hpp"
-#include "studies/results/digest.hpp"
 #include "studies/results/outcome_counts.hpp"
+#include "studies/results/row_summary.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -28,13 +28,6 @@ constexpr std::size_t kCombinationLinesOfSearch = 200;
 std::string input_text(const InputValue& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? short_number(*number) : std::get<std::string>(value);
-}
-
-bool is_better(const ScenarioRow& a, const ScenarioRow& b) {
-  const double time_a = a.result.metrics[Metric::cycle_time_s];
-  const double time_b = b.result.metrics[Metric::cycle_time_s];
-  if (time_a != time_b) return time_a < time_b;
-  return a.id < b.id;
 }
 
 /// Order in which rows that are not held are shown.
@@ -60,8 +53,8 @@ int seriousness(Outcome outcome) {
 }
 
 std::string best_line(const StudyTables& tables) {
-  const ScenarioRow* best = best_row(tables.rows);
-  if (best == nullptr) return joined({"best: none; no scenario was ", held_words(tables.damage_note)});
+  const std::optional<ScenarioRow>& best = tables.rows.seen().best;
+  if (!best) return joined({"best: none; no scenario was ", held_words(tables.damage_note)});
   const Metrics& metrics = best->result.metrics;
   const std::string inputs = inputs_text(tables.inputs, best->inputs);
   std::string text = joined({"best: scenario ", std::to_string(best->id),
@@ -95,19 +88,12 @@ std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vecto
   return comma_list(input_texts(columns, inputs));
 }
 
-std::string outcome_line(const std::vector<ScenarioRow>& rows) {
-  const std::string text = counts_text(outcome_counts(rows));
+std::string outcome_line(const StudyRows& rows) {
+  const std::string text = counts_text(rows.seen().outcomes);
   return joined({"outcomes: ", text.empty() ? "none" : text});
 }
 
-const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows) {
-  const ScenarioRow* best = nullptr;
-  for (const ScenarioRow& row : rows) {
-    if (row.result.outcome != Outcome::held || std::isnan(row.result.metrics[Metric::cycle_time_s])) continue;
-    if (best == nullptr || is_better(row, *best)) best = &row;
-  }
-  return best;
-}
+std::optional<ScenarioRow> best_row(const StudyRows& rows) { return rows.seen().best; }
 
 std::vector<std::string> summary_lines(const StudyTables& tables, std::string_view study_kind) {
   const std::optional<StudyKind> kind = study_kind_named(study_kind);
@@ -120,9 +106,6 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
     const ResultTable* set_points = find_table(tables.found, "set_points");
     for (std::string& line : window_lines(*tables.window, set_points, most)) lines.push_back(std::move(line));
   }
-  const bool has_cycles = std::any_of(tables.rows.begin(), tables.rows.end(), [](const ScenarioRow& row) {
-    return !std::isnan(row.result.metrics[Metric::cycle_time_s]);
-  });
   for (std::string& line : found_lines(tables.found, held_words(tables.damage_note)))
     lines.push_back(std::move(line));
   for (std::string& line : sizing_lines(tables.found)) lines.push_back(std::move(line));
@@ -131,7 +114,7 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
                                       [](const ResultTable& table) { return table.name != kContactTable; });
   if (has_answer) return lines;
   if (kind && leaves_trace(*kind)) {
-    if (has_cycles) lines.push_back(best_line(tables));
+    if (tables.rows.seen().has_cycles) lines.push_back(best_line(tables));
   } else {
     // The fastest of the scenarios so far is no answer to what these kinds ask.
     lines.push_back(joined({"answer: none yet; a study of kind ", study_kind, " has it at its end"}));
@@ -141,7 +124,7 @@ std::vector<std::string> summary_lines(const StudyTables& tables, std::string_vi
 
 std::string answer_line(const StudyTables& tables, std::string_view study_kind) {
   if (tables.rows.size() == 1 && !tables.window) {
-    const ScenarioResult& only = tables.rows.front().result;
+    const ScenarioResult only = tables.rows.front().result;
     return joined({outcome_word(only.outcome), only.cause.empty() ? "" : ": ", only.cause});
   }
   const std::string counts = outcome_line(tables.rows), balances = balance_line(tables.rows);
@@ -158,32 +141,23 @@ std::string answer_line(const StudyTables& tables, std::string_view study_kind) 
 }
 
 std::vector<std::string> replay_lines(const StudyTables& tables, const std::string& replay_command) {
-  std::vector<const ScenarioRow*> not_held;
-  for (const ScenarioRow& row : tables.rows) {
-    if (row.result.outcome != Outcome::held && row.result.outcome != Outcome::not_run) not_held.push_back(&row);
-  }
-  std::stable_sort(not_held.begin(), not_held.end(), [](const ScenarioRow* a, const ScenarioRow* b) {
-    return seriousness(a->result.outcome) < seriousness(b->result.outcome);
-  });
+  const RowSummary& seen = tables.rows.seen();
+  std::vector<const ScenarioRow*> firsts;
+  for (const auto& [outcome, row] : seen.first_of) firsts.push_back(&row);
+  std::ranges::sort(firsts, {}, [](const ScenarioRow* row) { return seriousness(row->result.outcome); });
   std::vector<std::string> lines;
-  if (not_held.empty()) return lines;
-  lines.push_back(joined({"not held: ", with_thousands(not_held.size()), "; to look into one of them:"}));
-  Outcome last_shown = Outcome::not_run;
-  for (const ScenarioRow* each : not_held) {
-    const ScenarioRow& row = *each;
-    if (row.result.outcome == std::exchange(last_shown, row.result.outcome)) continue;
+  if (firsts.empty()) return lines;
+  const std::size_t held = seen.outcomes.of[static_cast<std::size_t>(Outcome::held)];
+  const std::size_t not_held = tables.rows.size() - held - seen.outcomes.not_run;
+  lines.push_back(joined({"not held: ", with_thousands(not_held), "; to look into one of them:"}));
+  for (const ScenarioRow* row : firsts) {
     lines.push_back(
-        joined({"  ", replay_command, " ", std::to_string(row.id), "   # ", outcome_word(row.result.outcome),
-                row.result.cause.empty() ? "" : ": ", row.result.cause}));
+        joined({"  ", replay_command, " ", std::to_string(row->id), "   # ", outcome_word(row->result.outcome),
+                row->result.cause.empty() ? "" : ": ", row->result.cause}));
   }
   return lines;
 }
 
-std::string rows_digest(const std::vector<ScenarioRow>& rows) {
-  std::vector<std::uint64_t> digests;
-  digests.reserve(rows.size());
-  for (const ScenarioRow& row : rows) digests.push_back(result_digest(row.result));
-  return digest_text(digest_of_digests(digests));
-}
+std::string rows_digest(const StudyRows& rows) { return rows.seen().digest; }
 
 }  // namespace unbruised::studies

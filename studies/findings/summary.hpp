@@ -16,7 +16,7 @@ namespace unbruised::studies {
 /// A study's tables, as far as it got.
 struct StudyTables {
   std::vector<ColumnInfo> inputs;
-  std::vector<ScenarioRow> rows;  ///< by id; those not run yet may be there as not_run
+  StudyRows rows;  ///< by id; those not run yet may be there as not_run
   std::optional<WindowTable> window;
   std::vector<ResultTable> found;  ///< what the study kind found beside (docs/results.md)
   std::string damage_note{};       ///< why nothing may be said about damage (claims.hpp); empty: it is judged
@@ -31,10 +31,10 @@ std::vector<std::string> input_texts(const std::vector<ColumnInfo>& columns,
 std::string inputs_text(const std::vector<ColumnInfo>& columns, const std::vector<InputValue>& inputs);
 
 /// "outcomes: held 512, slipped 300"
-std::string outcome_line(const std::vector<ScenarioRow>& rows);
+std::string outcome_line(const StudyRows& rows);
 /// The held row with the shortest cycle, then the least id (the largest margin against slip is the hardest grip,
-/// next to damage: no reason to choose it); nullptr: none.
-const ScenarioRow* best_row(const std::vector<ScenarioRow>& rows);
+/// next to damage: no reason to choose it); nothing: none.
+std::optional<ScenarioRow> best_row(const StudyRows& rows);
 
 /// All of the above in order. @param study_kind the word of a kind: one that searches forces shows all
 /// combinations it can, a grid few.
@@ -47,6 +47,6 @@ std::string answer_line(const StudyTables& tables, std::string_view study_kind);
 std::vector<std::string> replay_lines(const StudyTables& tables, const std::string& replay_command);
 
 /// The digest of digests of the rows in id order, 16 hex digits.
-std::string rows_digest(const std::vector<ScenarioRow>& rows);
+std::string rows_digest(const StudyRows& rows);
 
 }  // namespace unbruised::studies

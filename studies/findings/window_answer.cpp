@@ -37,8 +37,7 @@ SafeForces safe_forces(const WindowRow& row) {
 /// The held rows of each combination of the window table: force and cycle time.
 class CycleTimes {
  public:
-  CycleTimes(const WindowTable& window, const std::vector<ColumnInfo>& inputs,
-             const std::vector<ScenarioRow>& rows) {
+  CycleTimes(const WindowTable& window, const std::vector<ColumnInfo>& inputs, const StudyRows& rows) {
     std::vector<std::size_t> places;
     for (const ColumnInfo& wanted : window.inputs) {
       for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -169,7 +168,7 @@ void add_set_points(WindowTable& window, const SettingOfRow& setting) {
 }
 
 WindowAnswer window_answer(const WindowTable& window, const SettingOfRow& setting,
-                           const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows) {
+                           const std::vector<ColumnInfo>& inputs, const StudyRows& rows) {
   const KeyPlaces places = key_places(window.inputs);
   WindowAnswer answer;
   answer.keys = picked(window.inputs, places.others);

@@ -46,7 +46,7 @@ void add_set_points(WindowTable& window, const SettingOfRow& setting);
 
 /// @param inputs, rows of all scenarios: their cycle times are read
 WindowAnswer window_answer(const WindowTable& window, const SettingOfRow& setting,
-                           const std::vector<ColumnInfo>& inputs, const std::vector<ScenarioRow>& rows);
+                           const std::vector<ColumnInfo>& inputs, const StudyRows& rows);
 
 /// The fastest of the best strategies; nullptr: none has a set-point.
 const StrategyWindow* fastest_best(const WindowAnswer& answer);

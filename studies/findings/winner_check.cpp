@@ -26,14 +26,18 @@ struct WinnerNumbers {
   std::string standing{};  ///< in words
 };
 
-void add_rows(const std::vector<const ScenarioRow*>& own, WinnerNumbers& numbers) {
+/// Counts the rows that are the winner's own. @return how they ended
+template <class IsOwn>
+OutcomeCounts add_rows(const StudyRows& rows, IsOwn is_own, WinnerNumbers& numbers) {
   OutcomeCounts counts;
-  for (const ScenarioRow* row : own) {
-    counts.add(row->result.outcome);
+  for (const ScenarioRow& row : rows) {
+    if (!is_own(row)) continue;
+    counts.add(row.result.outcome);
     numbers.peak_finger_force_N =
-        std::fmax(numbers.peak_finger_force_N, row->result.metrics[Metric::peak_finger_force_N]);
+        std::fmax(numbers.peak_finger_force_N, row.result.metrics[Metric::peak_finger_force_N]);
   }
   numbers.outcomes = counts_text(counts);
+  return counts;
 }
 
 std::string moved_text(const std::string& name, double found, double again) {
@@ -82,20 +86,19 @@ ResultTable check_table(const Study& study, const std::string& objective, const 
 
 // -- sweep. ------------------------------------------------------------------------------------------------------
 
-WinnerNumbers grid_numbers(const GridAnswer& found, const std::vector<ScenarioRow>& rows) {
-  std::vector<const ScenarioRow*> own;
-  for (const ScenarioRow& row : rows) {
-    if (std::binary_search(found.best_rows.begin(), found.best_rows.end(), row.id)) own.push_back(&row);
-  }
+WinnerNumbers grid_numbers(const GridAnswer& found, const StudyRows& rows) {
   WinnerNumbers numbers;
-  add_rows(own, numbers);
-  double held = 0.0;
-  for (const ScenarioRow* row : own) {
-    if (row->result.outcome != Outcome::held) continue;
-    held += 1.0;
-    numbers.objective = std::fmax(numbers.objective, row->result.metrics[Metric::cycle_time_s]);
-  }
-  const double count = static_cast<double>(own.size());
+  double count = 0.0;
+  const auto is_own = [&](const ScenarioRow& row) {
+    if (!std::binary_search(found.best_rows.begin(), found.best_rows.end(), row.id)) return false;
+    count += 1.0;
+    if (row.result.outcome == Outcome::held) {
+      numbers.objective = std::fmax(numbers.objective, row.result.metrics[Metric::cycle_time_s]);
+    }
+    return true;
+  };
+  const OutcomeCounts counts = add_rows(rows, is_own, numbers);
+  const auto held = static_cast<double>(counts.of[static_cast<std::size_t>(Outcome::held)]);
   numbers.violation = 1.0 - held / count;
   numbers.standing = held == count ? "the best strategy stays held"
                                    : joined({"the best strategy is held in ", short_number(held), " of ",
@@ -106,11 +109,7 @@ WinnerNumbers grid_numbers(const GridAnswer& found, const std::vector<ScenarioRo
 // -- compare. ----------------------------------------------------------------------------------------------------
 
 WinnerNumbers compare_numbers(const Study& study, std::size_t winner, const std::vector<ResultTable>& tables,
-                              const std::vector<ScenarioRow>& rows) {
-  std::vector<const ScenarioRow*> own;
-  for (const ScenarioRow& row : rows) {
-    if (compare_index(study, row.id).candidate == winner) own.push_back(&row);
-  }
+                              const StudyRows& rows) {
   const ResultTable& candidates = *find_table(tables, "candidates");
   const ResultTable& comparison = *find_table(tables, "comparison");
   const std::string metric(info_of(study.compare().metric).name);
@@ -118,7 +117,8 @@ WinnerNumbers compare_numbers(const Study& study, std::size_t winner, const std:
                         .probability = number_in(candidates, "probability", winner),
                         .low = number_in(candidates, "probability_low", winner),
                         .high = number_in(candidates, "probability_high", winner)};
-  add_rows(own, numbers);
+  add_rows(
+      rows, [&](const ScenarioRow& row) { return compare_index(study, row.id).candidate == winner; }, numbers);
   const std::string& name = study.candidates()[winner].name;
   const std::string now = text_attribute(comparison, "winner");
   numbers.violation = now == name ? 0.0 : 1.0;

@@ -15,8 +15,8 @@ namespace unbruised::studies {
 
 /// The study's rows once as they are, and once with those repeated that the answer rests on.
 struct RowsTwice {
-  const std::vector<ScenarioRow>& found;
-  const std::vector<ScenarioRow>& again;
+  const StudyRows& found;
+  const StudyRows& again;
   std::size_t repeated = 0;  ///< rows that differ
 };
 

@@ -9,7 +9,7 @@
 
 namespace unbruised::studies {
 
-CurveRounds::CurveRounds(const KindInput& input) : input_(input), recorded_(input.journal.rows()) {
+CurveRounds::CurveRounds(const KindInput& input) : input_(input), recorded_(input.journal.rows().held()) {
   for (const SearchVariable& key : input.study.variables()) keys_.push_back(key.key);
 }
 

@@ -24,11 +24,12 @@ void RunJournal::total_may_grow() {
 }
 
 JournalFailure RunJournal::foreign_record(std::uint64_t id) const {
-  return {{ResultsErrorKind::damaged,
-           joined({"evaluation ", std::to_string(id), " in the journal of ", run_.directory().string(),
-                   " is another one than this search asks for: it was written by another build or "
-                   "is damaged. Use --fresh to move it aside and start anew"}),
-           {}}};
+  return JournalFailure(
+      {ResultsErrorKind::damaged,
+       joined({"evaluation ", std::to_string(id), " in the journal of ", run_.directory().string(),
+               " is another one than this search asks for: it was written by another build or "
+               "is damaged. Use --fresh to move it aside and start anew"}),
+       {}});
 }
 
 }  // namespace unbruised::studies

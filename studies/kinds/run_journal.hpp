@@ -14,10 +14,8 @@
 
 namespace unbruised::studies {
 
-/// Carries a failure of the journal out of whatever runs scenarios.
-struct JournalFailure {
-  ResultsError error;
-};
+/// Carries a failure of the journal out of whatever runs scenarios: to write, and to read rows again.
+using JournalFailure = RowsFailure;
 
 class RunJournal {
  public:
@@ -25,7 +23,8 @@ class RunJournal {
   RunJournal(RunDirectory& run, Progress* progress) : run_(run), progress_(progress) {}
 
   [[nodiscard]] bool is_done(std::uint64_t id) const { return run_.is_done(id); }
-  [[nodiscard]] std::vector<ScenarioRow> rows() const { return run_.rows(); }
+  [[nodiscard]] StudyRows rows() const { return run_.rows(); }
+  [[nodiscard]] std::size_t row_count() const { return run_.row_count(); }
   /// Writes a row down; calls are serialised by the caller. Throws JournalFailure.
   void record(const ScenarioRow& row);
   /// Rows written down by this process.

@@ -12,7 +12,7 @@ namespace unbruised::studies {
 KindAnswer run_search(const KindInput& input) {
   const Study& study = input.study;
   input.journal.total_may_grow();
-  const std::vector<ScenarioRow> recorded = input.journal.rows();
+  const std::vector<ScenarioRow> recorded = input.journal.rows().held();
   input.journal.expect(evaluations_at_most(study), recorded.size());
   const StrategyJudge judge(study);
   EvaluationBroker broker(input.executor, recorded, [&](const ScenarioRow& row) { input.journal.record(row); },
@@ -23,7 +23,7 @@ KindAnswer run_search(const KindInput& input) {
   } catch (const EvaluationBroker::ForeignRecord& foreign) {
     throw input.journal.foreign_record(journal_id(foreign.place));
   }
-  std::vector<ScenarioRow> rows = input.journal.rows();
+  std::vector<ScenarioRow> rows = input.journal.rows().held();
   number_placed_rows(rows);
   KindAnswer answer;
   answer.interrupted = found.interrupted;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <unordered_map>
 #include <utility>
 
 #include "studies/execution/batch_runner.hpp"
@@ -53,29 +55,54 @@ double grid_tolerance(const WindowTable& window) {
   return widest - 1.0;
 }
 
+/// Rows of which some have other results.
+class ReplacedRows : public RowSource {
+ public:
+  /// @param results by the place of the row
+  ReplacedRows(StudyRows rows, std::unordered_map<std::size_t, ScenarioResult> results)
+      : rows_(std::move(rows)), results_(std::move(results)) {}
+
+  [[nodiscard]] std::size_t size() const override { return rows_.size(); }
+
+  [[nodiscard]] RowBlock block(std::size_t first) const override {
+    const RowBlock block = rows_.block(first);
+    const auto part = block.rows.first(std::min(block.rows.size(), kRowsAtATime));
+    auto rows = std::make_shared<std::vector<ScenarioRow>>(part.begin(), part.end());
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+      if (const auto found = results_.find(first + i); found != results_.end()) (*rows)[i].result = found->second;
+    }
+    return {*rows, rows};
+  }
+
+ private:
+  const StudyRows rows_;
+  const std::unordered_map<std::size_t, ScenarioResult> results_;
+};
+
 /// The rows with those of `ids` at half the time step whose impact the step does not resolve.
 struct RowsAgain {
-  std::vector<ScenarioRow> rows;
+  StudyRows rows;
   std::size_t repeated = 0;
 };
 
-std::optional<RowsAgain> rows_again(const KindInput& input, const std::vector<ScenarioRow>& rows,
+std::optional<RowsAgain> rows_again(const KindInput& input, const StudyRows& rows,
                                     const std::function<bool(std::uint64_t id)>& matters) {
-  RowsAgain again{.rows = rows};
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (matters(rows[i].id) && impact_is_unresolved(rows[i].result)) places.push_back(i);
+  std::vector<std::pair<std::size_t, std::uint64_t>> places;  // and ids
+  std::size_t place = 0;
+  for (const ScenarioRow& row : rows) {
+    if (impact_is_unresolved(row.result) && matters(row.id)) places.emplace_back(place, row.id);
+    ++place;
   }
   const ScenarioSet set = scenario_set(input.study);
   const auto results = run_unrecorded(input, places.size(), [&](std::uint64_t k) {
-    Scenario scenario = set.scenario(rows[places[k]].id);
+    Scenario scenario = set.scenario(places[k].second);
     scenario.simulation.time_step_s *= 0.5;
     return scenario;
   });
   if (!results) return std::nullopt;
-  for (std::size_t k = 0; k < places.size(); ++k) again.rows[places[k]].result = (*results)[k];
-  again.repeated = places.size();
-  return again;
+  std::unordered_map<std::size_t, ScenarioResult> by_place;
+  for (std::size_t k = 0; k < places.size(); ++k) by_place.emplace(places[k].first, (*results)[k]);
+  return RowsAgain{std::make_shared<const ReplacedRows>(rows, std::move(by_place)), places.size()};
 }
 
 void add_check(ResultTable table, KindAnswer& answer) {
@@ -86,7 +113,7 @@ void add_check(ResultTable table, KindAnswer& answer) {
 }  // namespace
 
 std::optional<WindowAnswer> sweep_window_answer(const KindInput& input, const std::vector<ColumnInfo>& columns,
-                                                const std::vector<ScenarioRow>& rows, StudyWindow& window,
+                                                const StudyRows& rows, StudyWindow& window,
                                                 std::vector<std::string>& warnings) {
   const ForceRunner run = unrecorded_forces(input);
   auto answer = look_at_half_step(
@@ -100,7 +127,7 @@ std::optional<WindowAnswer> sweep_window_answer(const KindInput& input, const st
   return answer;
 }
 
-bool check_grid_winner(const KindInput& input, const GridAnswer& found, const std::vector<ScenarioRow>& rows,
+bool check_grid_winner(const KindInput& input, const GridAnswer& found, const StudyRows& rows,
                        KindAnswer& answer) {
   if (!found.best || varies_time_step(input.study)) return true;
   const auto again = rows_again(input, rows, [&](std::uint64_t id) {
@@ -111,7 +138,7 @@ bool check_grid_winner(const KindInput& input, const GridAnswer& found, const st
   return true;
 }
 
-bool check_compare_winner(const KindInput& input, const std::vector<ScenarioRow>& rows, KindAnswer& answer) {
+bool check_compare_winner(const KindInput& input, const StudyRows& rows, KindAnswer& answer) {
   const ResultTable* comparison = find_table(answer.found, "comparison");
   if (comparison == nullptr || text_attribute(*comparison, "winner").empty()) return true;
   const auto again = rows_again(input, rows, [](std::uint64_t) { return true; });

@@ -17,13 +17,12 @@ namespace unbruised::studies {
 /// Adds warnings; nothing: interrupted.
 /// @param columns, rows of all scenarios
 std::optional<WindowAnswer> sweep_window_answer(const KindInput& input, const std::vector<ColumnInfo>& columns,
-                                                const std::vector<ScenarioRow>& rows, StudyWindow& window,
+                                                const StudyRows& rows, StudyWindow& window,
                                                 std::vector<std::string>& warnings);
 
 /// Adds the table `verification` and its warning where the best strategy of a sweep, or the winner of a
 /// comparison, rests on such a run. @return false: interrupted
-bool check_grid_winner(const KindInput& input, const GridAnswer& found, const std::vector<ScenarioRow>& rows,
-                       KindAnswer& answer);
-bool check_compare_winner(const KindInput& input, const std::vector<ScenarioRow>& rows, KindAnswer& answer);
+bool check_grid_winner(const KindInput& input, const GridAnswer& found, const StudyRows& rows, KindAnswer& answer);
+bool check_compare_winner(const KindInput& input, const StudyRows& rows, KindAnswer& answer);
 
 }  // namespace unbruised::studies

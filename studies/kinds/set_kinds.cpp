@@ -79,7 +79,7 @@ KindAnswer run_simulate(const KindInput& input) {
 
 KindAnswer run_sweep(const KindInput& input) {
   const Study& study = input.study;
-  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+  return run_set_and(input, [&](KindAnswer& answer, const StudyRows& rows) {
     const std::vector<ColumnInfo> columns = input_columns(study);
     if (std::optional<StudyWindow> window = window_of_sweep(study, rows)) {
       const auto found = sweep_window_answer(input, columns, rows, *window, answer.warnings);
@@ -98,13 +98,12 @@ KindAnswer run_sweep(const KindInput& input) {
 }
 
 KindAnswer run_sample(const KindInput& input) {
-  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
-    answer.found = sample_tables(input.study, rows);
-  });
+  return run_set_and(
+      input, [&](KindAnswer& answer, const StudyRows& rows) { answer.found = sample_tables(input.study, rows); });
 }
 
 KindAnswer run_compare(const KindInput& input) {
-  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+  return run_set_and(input, [&](KindAnswer& answer, const StudyRows& rows) {
     answer.found = compare_tables(input.study, rows);
     answer.strategy = compare_strategy(input.study, answer.found);
     answer.interrupted = !check_compare_winner(input, rows, answer);
@@ -112,7 +111,7 @@ KindAnswer run_compare(const KindInput& input) {
 }
 
 KindAnswer run_sensitivity(const KindInput& input) {
-  return run_set_and(input, [&](KindAnswer& answer, const std::vector<ScenarioRow>& rows) {
+  return run_set_and(input, [&](KindAnswer& answer, const StudyRows& rows) {
     answer.found = sensitivity_tables(input.study, rows);
   });
 }

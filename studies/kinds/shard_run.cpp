@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <numeric>
 #include <utility>
 
 #include "studies/kinds/kind_table.hpp"
@@ -26,19 +27,23 @@ std::optional<Shard> shard_of(std::string_view text) {
 
 std::vector<std::uint64_t> shard_ids(const ScenarioSet& set, const Shard& shard) {
   const std::vector<std::size_t> group_of = factor_groups(set);
-  std::vector<std::pair<std::size_t, std::uint64_t>> ordered;  // group, id
-  ordered.reserve(set.count);
-  for (std::uint64_t id = 0; id < set.count; ++id) ordered.emplace_back(group_of[id], id);
-  std::ranges::sort(ordered);
+  // Where the next scenario of each group stands among all, ordered by group and id.
+  std::vector<std::size_t> place_in;
+  for (const std::size_t group : group_of) {
+    if (group >= place_in.size()) place_in.resize(group + 1);
+    ++place_in[group];
+  }
+  std::exclusive_scan(place_in.begin(), place_in.end(), place_in.begin(), std::size_t{0});
   // Without overflow for any count of parts.
   const auto begin_of = [&](std::uint64_t part) {
     return set.count / shard.count * part + set.count % shard.count * part / shard.count;
   };
+  const std::uint64_t begin = begin_of(shard.number - 1), end = begin_of(shard.number);
   std::vector<std::uint64_t> ids;
-  for (std::uint64_t at = begin_of(shard.number - 1); at < begin_of(shard.number); ++at) {
-    ids.push_back(ordered[at].second);
+  for (std::uint64_t id = 0; id < set.count; ++id) {
+    const std::size_t place = place_in[group_of[id]]++;
+    if (place >= begin && place < end) ids.push_back(id);
   }
-  std::ranges::sort(ids);
   return ids;
 }
 

@@ -1,6 +1,8 @@
 #include "studies/kinds/study_results.hpp"
 
+#include <algorithm>
 #include <ctime>
+#include <memory>
 #include <utility>
 
 #include "studies/execution/build_info.hpp"
@@ -19,6 +21,28 @@ std::string utc_now() {
   return {text, length};
 }
 
+/// Rows of scenarios that were not run, made as they are gone through.
+class RowsNotRun : public RowSource {
+ public:
+  RowsNotRun(ScenarioSet set, std::vector<std::uint64_t> ids) : set_(std::move(set)), ids_(std::move(ids)) {}
+
+  [[nodiscard]] std::size_t size() const override { return ids_.size(); }
+
+  [[nodiscard]] RowBlock block(std::size_t first) const override {
+    auto rows = std::make_shared<std::vector<ScenarioRow>>();
+    for (std::size_t at = first; at < std::min(ids_.size(), first + kRowsAtATime); ++at) rows->push_back(row(at));
+    return {*rows, rows};
+  }
+
+  [[nodiscard]] ScenarioRow row(std::size_t place) const override {
+    return {.id = ids_[place], .result = {}, .inputs = set_.inputs(ids_[place])};
+  }
+
+ private:
+  const ScenarioSet set_;
+  const std::vector<std::uint64_t> ids_;
+};
+
 }  // namespace
 
 ResultsContent unfinished_content(const Study& study, const RunDirectory& run, std::vector<std::string> warnings) {
@@ -27,10 +51,12 @@ ResultsContent unfinished_content(const Study& study, const RunDirectory& run, s
   content.inputs = input_columns(study);
   content.places = row_places(study.kind());
   if (!has_fixed_scenarios(study.kind())) return content;
-  const ScenarioSet set = scenario_set(study);
+  ScenarioSet set = scenario_set(study);
+  std::vector<std::uint64_t> missing;
   for (std::uint64_t id = 0; id < set.count; ++id) {
-    if (!run.is_done(id)) content.rows.push_back({.id = id, .result = {}, .inputs = set.inputs(id)});
+    if (!run.is_done(id)) missing.push_back(id);
   }
+  if (!missing.empty()) content.stored = std::make_shared<const RowsNotRun>(std::move(set), std::move(missing));
   return content;
 }
 

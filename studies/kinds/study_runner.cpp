@@ -29,9 +29,13 @@ class StudyRun {
     } catch (const JournalFailure& failure) {
       return failure.error;
     }
-    if (auto error = write_results()) return *error;
-    report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    log_end();
+    try {
+      if (auto error = write_results()) return *error;
+      report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      log_end();
+    } catch (const RowsFailure& failure) {
+      return failure.error;
+    }
     return std::move(report_);
   }
 
@@ -65,7 +69,7 @@ class StudyRun {
   /// The answer as a strategy file; without one, that of an earlier run goes.
   MaybeError write_strategy() {
     if (!answer_.strategy) return run_.remove_strategy();
-    const std::string toml = strategy_toml(study_, *answer_.strategy, rows_digest(run_.rows()));
+    const std::string toml = strategy_toml(study_, *answer_.strategy, rows_digest(report_.tables.rows));
     add_strategy(report_.tables.found, *answer_.strategy, toml);
     return run_.write_strategy(toml);
   }
@@ -76,22 +80,17 @@ class StudyRun {
     return run_.write_product(*answer_.product);
   }
 
-  /// Recorded rows; those with places with their numbers.
-  [[nodiscard]] std::vector<ScenarioRow> numbered_rows() const {
-    std::vector<ScenarioRow> rows = run_.rows();
-    if (row_places(study_.kind()) != RowPlaces::none) number_placed_rows(rows);
-    return rows;
-  }
-
   /// What the rows say against the answer.
   void doubt_rows() {
-    const std::vector<ScenarioRow> rows = numbered_rows();
+    const StudyRows& rows = report_.tables.rows;
     for (std::string doubt : {balance_doubt(rows), impact_doubt(rows)}) {
       if (!doubt.empty()) report_.warnings.push_back(std::move(doubt));
     }
   }
 
   MaybeError write_results() {
+    const StudyRows rows = run_.rows(row_places(study_.kind()));
+    report_.tables.rows = rows.size() <= kRowsAtATime ? StudyRows(rows.held()) : rows;
     doubt_rows();
     if (auto error = write_strategy()) return error;
     if (auto error = write_product()) return error;
@@ -104,7 +103,6 @@ class StudyRun {
     if (auto error = run_.finish(std::move(content))) return error;
     report_.tables.inputs = input_columns(study_);
     report_.tables.damage_note = damage_note;
-    report_.tables.rows = numbered_rows();
     return {};
   }
 

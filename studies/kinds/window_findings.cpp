@@ -89,7 +89,7 @@ std::optional<Scenario> scenario_of_window_inputs(const Study& study, const std:
   return std::nullopt;
 }
 
-std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows) {
+std::optional<StudyWindow> window_of_sweep(const Study& study, const StudyRows& rows) {
   const std::optional<std::size_t> force_column = column_of(study, kGripForceKey);
   if (!force_column) return std::nullopt;
   // Points that agree in all other keys stand together, in the order of the study.
@@ -120,7 +120,7 @@ std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector
 }
 
 WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vector<ColumnInfo>& inputs,
-                       const std::vector<ScenarioRow>& rows) {
+                       const StudyRows& rows) {
   const SettingOfRow setting = [&](std::size_t row) {
     return force_setting(jaw_of(study.scenario(window.points[row])));
   };

@@ -43,11 +43,11 @@ std::vector<InputValue> window_inputs(const Study& study, const ForceRequest& re
 std::optional<Scenario> scenario_of_window_inputs(const Study& study, const std::vector<InputValue>& inputs);
 
 /// The window of a sweep over the grip force, read from its grid; nothing when the grip force is not varied.
-std::optional<StudyWindow> window_of_sweep(const Study& study, const std::vector<ScenarioRow>& rows);
+std::optional<StudyWindow> window_of_sweep(const Study& study, const StudyRows& rows);
 
 /// Fills the set-points of the table and says what the study answers. @param inputs, rows of all scenarios
 WindowAnswer answer_of(const Study& study, StudyWindow& window, const std::vector<ColumnInfo>& inputs,
-                       const std::vector<ScenarioRow>& rows);
+                       const StudyRows& rows);
 
 /// The sizing sheet of these strategies.
 ResultTable sizing_of(const Study& study, const StudyWindow& window, const WindowAnswer& answer);

@@ -16,7 +16,8 @@ namespace {
 class RecordedForces {
  public:
   RecordedForces(const Study& study, const RunJournal& journal) : study_(study), journal_(journal) {
-    for (ScenarioRow& row : journal.rows()) rows_.emplace(row.id, std::move(row));
+    const StudyRows recorded = journal.rows();
+    for (const ScenarioRow& row : recorded) rows_.emplace(row.id, row);
   }
 
   /// Null: it is not there. Throws JournalFailure when another force is in its place.

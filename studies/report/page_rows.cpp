@@ -19,13 +19,14 @@ bool is_chosen(std::uint64_t id, std::size_t most, std::size_t count) {
 
 }  // namespace
 
-std::vector<ScenarioRow> page_rows(const std::vector<ScenarioRow>& rows, const std::vector<std::uint64_t>& ids,
+std::vector<ScenarioRow> page_rows(const StudyRows& rows, const std::vector<std::uint64_t>& ids,
                                    std::size_t most) {
-  if (rows.size() <= most) return rows;
-  const ScenarioRow* best = best_row(rows);
+  if (rows.size() <= most) return rows.held();
+  const std::optional<ScenarioRow> best = best_row(rows);
   std::vector<ScenarioRow> shown;
   for (const ScenarioRow& row : rows) {
-    if (&row == best || std::ranges::count(ids, row.id) > 0 || is_chosen(row.id, most, rows.size())) {
+    if ((best && row.id == best->id) || std::ranges::count(ids, row.id) > 0 ||
+        is_chosen(row.id, most, rows.size())) {
       shown.push_back(row);
     }
   }

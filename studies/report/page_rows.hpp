@@ -14,10 +14,10 @@ namespace unbruised::studies {
 
 inline constexpr std::size_t kPageRowsMost = 200000;
 
-/// @param ids scenarios that must be among them
+/// @param ids of scenarios that are to be among them
 /// @return all rows where they are no more than `most`; else about as many, chosen by their ids alone and so that
 ///   no key of a grid is left out, with the best one
-std::vector<ScenarioRow> page_rows(const std::vector<ScenarioRow>& rows, const std::vector<std::uint64_t>& ids,
+std::vector<ScenarioRow> page_rows(const StudyRows& rows, const std::vector<std::uint64_t>& ids,
                                    std::size_t most = kPageRowsMost);
 
 /// What the page says of it; empty where it holds all.

@@ -229,8 +229,9 @@ ReportData report_data(const ResultsContent& content, const ReportContext& conte
   page["damage_limits"] = page_damage_limits();
   page["sources"] = page_sources(content.meta.config_toml);
   page["scenarios"] = scenarios(packed, content);
-  if (const ScenarioRow* best = best_row(content.rows)) {
-    page["best_row"] = static_cast<std::size_t>(best - content.rows.data());
+  if (const auto best = best_row(content.rows)) {
+    const auto place = std::ranges::find(content.rows, best->id, &ScenarioRow::id);
+    page["best_row"] = static_cast<std::size_t>(place - content.rows.begin());
   }
   if (content.window != nullptr) page["window"] = window_json(packed, *content.window);
   page["tables"] = json::array();

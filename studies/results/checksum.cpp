@@ -1,6 +1,8 @@
 #include "studies/results/checksum.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace unbruised::studies {
 
@@ -57,34 +59,57 @@ void compress(HashWords& hash, std::string_view block) {
 }
 
 // What follows the last whole block: the rest, a one bit, zeros, the length in bits (FIPS 180-4, 5.1.1).
-std::string padded_rest(std::string_view bytes) {
-  std::string rest(bytes.substr(bytes.size() / 64 * 64));
+std::string padded(std::string rest, std::uint64_t bytes) {
   rest.push_back('\x80');
   while (rest.size() % 64 != 56) rest.push_back('\0');
-  const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;
+  const std::uint64_t bits = bytes * 8;
   for (int shift = 56; shift >= 0; shift -= 8) rest.push_back(static_cast<char>((bits >> shift) & 0xFF));
   return rest;
 }
 
-constexpr std::array<std::uint32_t, 256> crc32c_table() {
+/// Compresses the whole blocks; returns what is left.
+std::string_view compress_blocks(HashWords& hash, std::string_view bytes) {
+  for (; bytes.size() >= 64; bytes.remove_prefix(64)) compress(hash, bytes.substr(0, 64));
+  return bytes;
+}
+
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+/// Table k: what a byte does to the checksum when k more bytes follow it.
+constexpr CrcTables crc32c_tables() {
   constexpr std::uint32_t kReversedPolynomial = 0x82F63B78;
-  std::array<std::uint32_t, 256> table{};
+  CrcTables tables{};
   for (std::uint32_t index = 0; index < 256; ++index) {
     std::uint32_t crc = index;
     for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? kReversedPolynomial : 0U);
-    table[index] = crc;
+    tables[0][index] = crc;
   }
-  return table;
+  for (std::size_t k = 1; k < tables.size(); ++k) {
+    for (std::size_t index = 0; index < 256; ++index) {
+      const std::uint32_t before = tables[k - 1][index];
+      tables[k][index] = (before >> 8) ^ tables[0][before & 0xFF];
+    }
+  }
+  return tables;
 }
 
 }  // namespace
 
-std::array<std::uint8_t, 32> sha256(std::string_view bytes) {
-  HashWords hash = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                    0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  const std::string rest = padded_rest(bytes);
-  for (std::size_t at = 0; at + 64 <= bytes.size(); at += 64) compress(hash, bytes.substr(at, 64));
-  for (std::size_t at = 0; at < rest.size(); at += 64) compress(hash, std::string_view(rest).substr(at, 64));
+void Sha256::add(std::string_view bytes) {
+  bytes_ += bytes.size();
+  if (!rest_.empty()) {
+    const std::size_t more = std::min(bytes.size(), 64 - rest_.size());
+    rest_.append(bytes.substr(0, more));
+    bytes.remove_prefix(more);
+    if (rest_.size() < 64) return;
+    compress_blocks(hash_, rest_);
+  }
+  rest_ = compress_blocks(hash_, bytes);
+}
+
+std::array<std::uint8_t, 32> Sha256::value() const {
+  HashWords hash = hash_;
+  compress_blocks(hash, padded(rest_, bytes_));
   std::array<std::uint8_t, 32> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = static_cast<std::uint8_t>(hash[i / 4] >> (24 - 8 * (i % 4)));
@@ -92,20 +117,40 @@ std::array<std::uint8_t, 32> sha256(std::string_view bytes) {
   return result;
 }
 
-std::string sha256_hex(std::string_view bytes) {
+std::string Sha256::hex() const {
   static constexpr char kHexDigits[] = "0123456789abcdef";
   std::string text;
-  for (const std::uint8_t byte : sha256(bytes)) {
+  for (const std::uint8_t byte : value()) {
     text.push_back(kHexDigits[byte >> 4]);
     text.push_back(kHexDigits[byte & 0xF]);
   }
   return text;
 }
 
+std::array<std::uint8_t, 32> sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.hex();
+}
+
+// Eight bytes at a time: the tables say what each does when so many follow it.
 std::uint32_t crc32c(std::string_view bytes) {
-  static constexpr auto kTable = crc32c_table();
+  static constexpr CrcTables kTables = crc32c_tables();
   std::uint32_t crc = 0xFFFFFFFF;
-  for (const char byte : bytes) crc = (crc >> 8) ^ kTable[(crc ^ static_cast<std::uint8_t>(byte)) & 0xFF];
+  for (; bytes.size() >= 8; bytes.remove_prefix(8)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data(), sizeof word);  // little endian, as bytes.hpp asks for
+    word ^= crc;
+    crc = 0;
+    for (std::size_t k = 0; k < 8; ++k) crc ^= kTables[7 - k][(word >> (8 * k)) & 0xFF];
+  }
+  for (const char byte : bytes) crc = (crc >> 8) ^ kTables[0][(crc ^ static_cast<std::uint8_t>(byte)) & 0xFF];
   return crc ^ 0xFFFFFFFF;
 }
 

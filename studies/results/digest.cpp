@@ -31,6 +31,23 @@ std::uint64_t digest_of_digests(std::span<const std::uint64_t> digests) {
   return XXH3_64bits(digests.data(), digests.size_bytes());
 }
 
+WideDigest wide_digest(std::string_view bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
+}
+
+struct DigestOfDigests::State {
+  XXH3_state_t* state = XXH3_createState();
+};
+
+DigestOfDigests::DigestOfDigests() : state_(std::make_unique<State>()) { XXH3_64bits_reset(state_->state); }
+
+DigestOfDigests::~DigestOfDigests() { XXH3_freeState(state_->state); }
+
+void DigestOfDigests::add(std::uint64_t digest) { XXH3_64bits_update(state_->state, &digest, sizeof digest); }
+
+std::uint64_t DigestOfDigests::value() const { return XXH3_64bits_digest(state_->state); }
+
 std::string digest_text(std::uint64_t digest) {
   static constexpr char kHexDigits[] = "0123456789abcdef";
   std::string text(16, '0');

@@ -53,40 +53,50 @@ MaybeError write_all(int descriptor, std::string_view text, const fs::path& path
   return {};
 }
 
-MaybeError publish(const fs::path& temporary, const fs::path& path) {
+}  // namespace
+
+fs::path temporary_of(const fs::path& path) {
+  fs::path temporary = path;
+  temporary += ".tmp";
+  return temporary;
+}
+
+MaybeError publish_file(const fs::path& temporary, const fs::path& path) {
   if (::rename(temporary.c_str(), path.c_str()) != 0) return system_error("rename", temporary, errno);
   return sync_directory(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
-}  // namespace
-
 MaybeError write_text_file(const fs::path& path, std::string_view text) {
-  fs::path temporary = path;
-  temporary += ".tmp";
+  const fs::path temporary = temporary_of(path);
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return system_error("create", temporary, errno);
   MaybeError error = write_all(descriptor, text, temporary);
   if (!error && ::fsync(descriptor) != 0) error = system_error("sync", temporary, errno);
   if (::close(descriptor) != 0 && !error) error = system_error("close", temporary, errno);
-  if (!error) error = publish(temporary, path);
+  if (!error) error = publish_file(temporary, path);
   if (error) ::unlink(temporary.c_str());  // what is unfinished is of no use, and takes room
   return error;
 }
 
-Expected<std::string> read_text_file(const fs::path& path) {
+MaybeError read_in_pieces(const fs::path& path, const std::function<void(std::string_view)>& look) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return system_error("open", path, errno);
-  std::string text;
-  std::vector<char> buffer(std::size_t{1} << 16);
+  std::vector<char> buffer(std::size_t{1} << 20);
   ssize_t length = 0;
   while ((length = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
     if (length < 0 && errno == EINTR) continue;
     if (length < 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(length));
+    look({buffer.data(), static_cast<std::size_t>(length)});
   }
   const int reason = errno;
   ::close(descriptor);
   if (length < 0) return system_error("read", path, reason);
+  return {};
+}
+
+Expected<std::string> read_text_file(const fs::path& path) {
+  std::string text;
+  if (auto error = read_in_pieces(path, [&text](std::string_view piece) { text.append(piece); })) return *error;
   return text;
 }
 

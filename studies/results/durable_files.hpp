@@ -4,6 +4,7 @@
 /// The few POSIX calls the promises about `kill -9` and power loss rest on, with errors that name the path.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,15 @@ MaybeError sync_file(const std::filesystem::path& path);
 /// Writes `text` to `path` atomically and durably: to `<path>.tmp`, synced, renamed, the directory synced. A
 /// failure leaves an old `path` untouched and no temporary file.
 MaybeError write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// `<path>.tmp`: where a file is made before it takes its name.
+std::filesystem::path temporary_of(const std::filesystem::path& path);
+
+/// Gives a synced temporary file its name, durably.
+MaybeError publish_file(const std::filesystem::path& temporary, const std::filesystem::path& path);
+
+/// Shows a file piece by piece, some of it in memory at a time.
+MaybeError read_in_pieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& look);
 
 /// The whole file.
 Expected<std::string> read_text_file(const std::filesystem::path& path);

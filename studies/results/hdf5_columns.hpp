@@ -96,9 +96,16 @@ inline void require_length(const std::string& name, std::size_t length, std::siz
       joined({name, " has ", std::to_string(length), " rows where ", std::to_string(expected), " are due"}));
 }
 
+// Whole columns, which must be as long as their table, and parts of them.
+
 inline std::vector<double> read_column(const Hdf5File& file, const std::string& name, std::size_t count) {
   auto values = file.read_doubles(name);
   require_length(name, values.size(), count);
+  return values;
+}
+inline std::vector<double> read_column(const Hdf5File& file, const std::string& name, const Hdf5Part& part) {
+  auto values = file.read_doubles(name, part);
+  require_length(name, values.size(), part.count);
   return values;
 }
 
@@ -108,11 +115,23 @@ inline std::vector<std::string> read_text_column(const Hdf5File& file, const std
   require_length(name, texts.size(), count);
   return texts;
 }
+inline std::vector<std::string> read_text_column(const Hdf5File& file, const std::string& name,
+                                                 const Hdf5Part& part) {
+  auto texts = file.read_texts(name, part);
+  require_length(name, texts.size(), part.count);
+  return texts;
+}
 
 inline std::vector<std::int64_t> read_integer_column(const Hdf5File& file, const std::string& name,
                                                      std::size_t count) {
   auto values = file.read_integers(name);
   require_length(name, values.size(), count);
+  return values;
+}
+inline std::vector<std::int64_t> read_integer_column(const Hdf5File& file, const std::string& name,
+                                                     const Hdf5Part& part) {
+  auto values = file.read_integers(name, part);
+  require_length(name, values.size(), part.count);
   return values;
 }
 

@@ -6,12 +6,15 @@
 
 #include <hdf5_hl.h>
 
+#include "studies/results/hdf5_paged_driver.hpp"
 #include "studies/text/joined.hpp"
 
 namespace unbruised::studies {
 
 namespace {
 
+/// In a column of codes: not run.
+constexpr std::int8_t kNoCode = -1;
 /// What a file in memory grows by.
 constexpr std::size_t kImageGrowth = std::size_t{256} << 10;
 constexpr std::uint64_t kChunkBytes = 128 * 1024;
@@ -59,6 +62,18 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path) {
   return {path, std::move(file)};
 }
 
+Hdf5File Hdf5File::create_in(PagedFile& pages, const std::filesystem::path& path) {
+  const Hdf5Handle access = access_to(pages);
+  Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
+  if (!file.valid()) throw Hdf5Failure(joined({"cannot create ", path.string(), ": ", hdf5_reason()}));
+  return {path, std::move(file)};
+}
+
+void Hdf5File::close() {
+  check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush", "/");
+  check(file_.reset(), "close", "/");
+}
+
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.valid()) throw Hdf5Failure(joined({"cannot open ", path.string(), ": ", hdf5_reason()}));
@@ -80,8 +95,8 @@ void Hdf5File::make_group(const std::string& name) {
   require(H5Gcreate2(file_.id(), name.c_str(), links.id(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "create", name);
 }
 
-void Hdf5File::write_raw(const std::string& name, hid_t file_type, hid_t memory_type, const void* values,
-                         const Hdf5Extents& extents, const void* fill) {
+Hdf5Handle Hdf5File::make_dataset(const std::string& name, hid_t file_type, hid_t memory_type,
+                                  const Hdf5Extents& extents, const void* fill) {
   const std::vector<hsize_t> size(extents.begin(), extents.end());
   // HDF5 has no chunk for a dimension that can never hold anything, so an empty one may grow.
   std::vector<hsize_t> limit = size;
@@ -102,13 +117,70 @@ void Hdf5File::write_raw(const std::string& name, hid_t file_type, hid_t memory_
   if (fill != nullptr) check(H5Pset_fill_value(creation.id(), memory_type, fill), "set the fill value of", name);
   const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.id(), 1);
-  Hdf5Handle set =
-      require(H5Dcreate2(file_.id(), name.c_str(), file_type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
-              H5Dclose, "create", name);
+  return require(
+      H5Dcreate2(file_.id(), name.c_str(), file_type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
+      H5Dclose, "create", name);
+}
+
+void Hdf5File::write_raw(const std::string& name, hid_t file_type, hid_t memory_type, const void* values,
+                         const Hdf5Extents& extents, const void* fill) {
+  Hdf5Handle set = make_dataset(name, file_type, memory_type, extents, fill);
   if (std::find(extents.begin(), extents.end(), 0U) == extents.end()) {
     check(H5Dwrite(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
   }
   check(set.reset(), "close", name);
+}
+
+Hdf5Column Hdf5File::make_column(const std::string& name, Hdf5Kind kind, std::uint64_t count) {
+  const double no_number = std::numeric_limits<double>::quiet_NaN();
+  const std::int8_t no_code = kNoCode;
+  Hdf5Column column;
+  column.name_ = joined({name, " in ", path_.string()});
+  const auto make = [&](hid_t file_type, hid_t memory_type, const void* fill) {
+    column.set_ = make_dataset(name, file_type, memory_type, {count}, fill);
+    column.memory_type_ = Hdf5Handle(H5Tcopy(memory_type), H5Tclose);
+  };
+  switch (kind) {
+    case Hdf5Kind::number:
+      make(H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &no_number);
+      break;
+    case Hdf5Kind::code:
+      make(H5T_STD_I8LE, H5T_NATIVE_INT8, &no_code);
+      break;
+    case Hdf5Kind::integer:
+      make(H5T_STD_I64LE, H5T_NATIVE_INT64, nullptr);
+      break;
+    case Hdf5Kind::digest:
+      make(H5T_STD_U64LE, H5T_NATIVE_UINT64, nullptr);
+      break;
+    case Hdf5Kind::text: {
+      const Hdf5Handle type = text_type();
+      make(type.id(), type.id(), nullptr);
+    }
+  }
+  return column;
+}
+
+void Hdf5Column::put(std::uint64_t first, std::uint64_t count, const void* values) {
+  if (count == 0) return;
+  const hsize_t start = first, length = count;
+  const Hdf5Handle in_file(H5Dget_space(set_.id()), H5Sclose);
+  const Hdf5Handle in_memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
+  if (H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr) < 0 ||
+      H5Dwrite(set_.id(), memory_type_.id(), in_memory.id(), in_file.id(), H5P_DEFAULT, values) < 0) {
+    throw Hdf5Failure(joined({"cannot write ", name_, ": ", hdf5_reason()}));
+  }
+}
+
+void Hdf5Column::write(std::uint64_t first, std::span<const std::string> texts) {
+  std::vector<const char*> pointers;
+  pointers.reserve(texts.size());
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  put(first, pointers.size(), pointers.data());
+}
+
+void Hdf5Column::close() {
+  if (set_.reset() < 0) throw Hdf5Failure(joined({"cannot close ", name_, ": ", hdf5_reason()}));
 }
 
 void Hdf5File::write(const std::string& name, std::span<const double> values, const Hdf5Extents& extents) {

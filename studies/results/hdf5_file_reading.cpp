@@ -1,6 +1,7 @@
 // The half of Hdf5File that reads: what stands in a file may be damaged, and is believed only as far as it is
 // checked.
 
+#include <algorithm>
 #include <utility>
 
 #include <hdf5_hl.h>
@@ -92,32 +93,44 @@ bool Hdf5File::holds_text(const Hdf5Handle& set, const std::string& name) const 
 }
 
 template <class T>
-std::vector<T> Hdf5File::read_raw(const Hdf5Handle& set, const std::string& name, hid_t memory_type) const {
-  const std::uint64_t count = element_count(extents(set, name));
-  if (count > kMaxElements) throw Hdf5Failure(joined({name, " in ", path_.string(), " has an absurd size"}));
+std::vector<T> Hdf5File::read_raw(const Hdf5Handle& set, const std::string& name, hid_t memory_type,
+                                  const Hdf5Part& part) const {
+  const Hdf5Extents size = extents(set, name);
+  const std::uint64_t all = element_count(size);
+  if (all > kMaxElements) throw Hdf5Failure(joined({name, " in ", path_.string(), " has an absurd size"}));
+  const hsize_t first = std::min<std::uint64_t>(part.first, all);
+  const hsize_t count = std::min<std::uint64_t>(part.count, all - first);
   std::vector<T> values(count);
   if (count == 0) return values;
-  check(H5Dread(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", name);
+  if (count == all) {
+    check(H5Dread(set.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", name);
+    return values;
+  }
+  if (size.size() != 1) throw Hdf5Failure(joined({name, " in ", path_.string(), " has more than one dimension"}));
+  const Hdf5Handle in_file = require(H5Dget_space(set.id()), H5Sclose, "size", name);
+  const Hdf5Handle in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  check(H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, &first, nullptr, &count, nullptr), "select in", name);
+  check(H5Dread(set.id(), memory_type, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()), "read", name);
   return values;
 }
 
-std::vector<double> Hdf5File::read_doubles(const std::string& name) const {
-  return read_raw<double>(dataset(name), name, H5T_NATIVE_DOUBLE);
+std::vector<double> Hdf5File::read_doubles(const std::string& name, const Hdf5Part& part) const {
+  return read_raw<double>(dataset(name), name, H5T_NATIVE_DOUBLE, part);
 }
 
-std::vector<std::int64_t> Hdf5File::read_integers(const std::string& name) const {
-  return read_raw<std::int64_t>(dataset(name), name, H5T_NATIVE_INT64);
+std::vector<std::int64_t> Hdf5File::read_integers(const std::string& name, const Hdf5Part& part) const {
+  return read_raw<std::int64_t>(dataset(name), name, H5T_NATIVE_INT64, part);
 }
 
-std::vector<std::uint64_t> Hdf5File::read_unsigned(const std::string& name) const {
-  return read_raw<std::uint64_t>(dataset(name), name, H5T_NATIVE_UINT64);
+std::vector<std::uint64_t> Hdf5File::read_unsigned(const std::string& name, const Hdf5Part& part) const {
+  return read_raw<std::uint64_t>(dataset(name), name, H5T_NATIVE_UINT64, part);
 }
 
-std::vector<std::string> Hdf5File::read_texts(const std::string& name) const {
+std::vector<std::string> Hdf5File::read_texts(const std::string& name, const Hdf5Part& part) const {
   const Hdf5Handle set = dataset(name);
   if (!holds_text(set, name)) throw Hdf5Failure(joined({name, " in ", path_.string(), " does not hold text"}));
   const Hdf5Handle type = text_type();
-  std::vector<char*> pointers = read_raw<char*>(set, name, type.id());
+  std::vector<char*> pointers = read_raw<char*>(set, name, type.id(), part);
   std::vector<std::string> texts;
   for (const char* pointer : pointers) texts.emplace_back(pointer == nullptr ? "" : pointer);
   for (char* pointer : pointers) H5free_memory(pointer);

@@ -1,5 +1,6 @@
 #include "studies/results/journal.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -68,21 +69,141 @@ std::optional<Header> decode_header(std::string_view bytes) {
   return header;
 }
 
-// The whole record at the start of `bytes`, or nothing when header or payload cannot be believed.
-std::optional<std::pair<Header, std::string_view>> record_at(std::string_view bytes) {
-  const auto header = decode_header(bytes);
-  if (!header || bytes.size() - kHeaderBytes < header->payload_bytes) return std::nullopt;
+}  // namespace
+
+/// A file that is read from front to back, some of it in memory at a time.
+class FileWindow {
+ public:
+  explicit FileWindow(fs::path path) : path_(std::move(path)) {
+    descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("open");
+  }
+  ~FileWindow() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FileWindow(const FileWindow&) = delete;
+  FileWindow& operator=(const FileWindow&) = delete;
+
+  /// Bytes from `offset` on: `least` of them, fewer where the file ends or cannot be read. Valid until the next
+  /// call; what lies in front of `offset` is given up.
+  /// @param ahead so many are read where more have to be
+  std::string_view at(std::uint64_t offset, std::size_t least, std::size_t ahead = kAhead) {
+    if (offset < base_ || offset + least > base_ + bytes_.size()) load(offset, std::max(least, ahead));
+    return std::string_view(bytes_).substr(offset - base_);
+  }
+  [[nodiscard]] const MaybeError& failure() const { return failure_; }
+
+ private:
+  static constexpr std::size_t kAhead = std::size_t{4} << 20;
+
+  void fail(std::string_view action) { failure_ = system_error(action, path_, errno); }
+
+  void load(std::uint64_t offset, std::size_t wanted) {
+    if (offset >= base_ && offset <= base_ + bytes_.size()) {
+      bytes_.erase(0, offset - base_);
+    } else {
+      bytes_.clear();
+    }
+    base_ = offset;
+    std::size_t have = bytes_.size();
+    if (failure_ || have >= wanted) return;
+    bytes_.resize(wanted);
+    while (have < wanted) {
+      const ssize_t length =
+          ::pread(descriptor_, bytes_.data() + have, wanted - have, static_cast<off_t>(base_ + have));
+      if (length < 0 && errno == EINTR) continue;
+      if (length < 0) fail("read");
+      if (length <= 0) break;
+      have += static_cast<std::size_t>(length);
+    }
+    bytes_.resize(have);
+  }
+
+  fs::path path_;
+  int descriptor_ = -1;
+  std::uint64_t base_ = 0;
+  std::string bytes_;
+  MaybeError failure_;
+};
+
+namespace {
+
+/// Bytes that are all in memory, asked like a FileWindow.
+class MemoryWindow {
+ public:
+  explicit MemoryWindow(std::string_view bytes) : bytes_(bytes) {}
+  std::string_view at(std::uint64_t offset, std::size_t /*least*/) {
+    return bytes_.substr(std::min<std::uint64_t>(offset, bytes_.size()));
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+// The whole record at `offset`, or nothing when header or payload cannot be believed.
+template <class Window>
+std::optional<std::pair<Header, std::string_view>> record_at(Window& window, std::uint64_t offset) {
+  const auto header = decode_header(window.at(offset, kHeaderBytes));
+  if (!header) return std::nullopt;
+  const std::string_view bytes = window.at(offset, kHeaderBytes + header->payload_bytes);
+  if (bytes.size() - kHeaderBytes < header->payload_bytes) return std::nullopt;
   const std::string_view payload = bytes.substr(kHeaderBytes, header->payload_bytes);
   if (crc32c(payload) != header->payload_crc) return std::nullopt;
   return std::pair{*header, payload};
 }
 
-// Offset of the next whole record behind `from`, or npos.
-std::size_t next_record(std::string_view bytes, std::size_t from) {
-  for (std::size_t at = bytes.find(kMagic, from); at != std::string_view::npos; at = bytes.find(kMagic, at + 1)) {
-    if (record_at(bytes.substr(at))) return at;
+// Offset of the next whole record from `from` on; nothing where there is none.
+template <class Window>
+std::optional<std::uint64_t> next_record(Window& window, std::uint64_t from) {
+  constexpr std::size_t kLookedAtOnce = std::size_t{64} << 10;
+  for (;;) {
+    const std::string_view bytes = window.at(from, kLookedAtOnce);
+    const std::size_t found = bytes.find(kMagic);
+    if (found != std::string_view::npos) {
+      from += found;
+      if (record_at(window, from)) return from;
+      ++from;
+    } else if (bytes.size() < kLookedAtOnce) {
+      return std::nullopt;
+    } else {
+      from += bytes.size() - kMagic.size() + 1;
+    }
   }
-  return std::string_view::npos;
+}
+
+template <class Window>
+std::uint64_t rest_bytes(Window& window, std::uint64_t from) {
+  std::uint64_t count = 0;
+  for (std::string_view rest = window.at(from, 1); !rest.empty(); rest = window.at(from + count, 1)) {
+    count += rest.size();
+  }
+  return count;
+}
+
+template <class Window>
+JournalState walk(Window& window, std::uint64_t config_prefix, const RecordVisitor& visit) {
+  JournalState state;
+  std::uint64_t at = 0;
+  while (!window.at(at, 1).empty()) {
+    const auto record = record_at(window, at);
+    if (!record) {
+      const auto next = next_record(window, at + 1);
+      if (!next) break;
+      state.damage.push_back({at, *next - at});
+      at = *next;
+      continue;
+    }
+    const auto& [header, payload] = *record;
+    const std::size_t length = kHeaderBytes + payload.size();
+    if (header.config_prefix == config_prefix) {
+      visit({static_cast<RecordKind>(header.kind), header.id, header.attempt, payload, at});
+    } else {
+      ++state.other_config_records;
+    }
+    at += length;
+  }
+  state.torn_tail_bytes = rest_bytes(window, at);
+  return state;
 }
 
 void put_input(ByteWriter& bytes, const InputValue& value) {
@@ -161,35 +282,56 @@ std::uint64_t config_hash_prefix(std::string_view sha256_hex_digits) {
   return prefix;
 }
 
+namespace {
+
+/// Puts what is shown into a scan.
+RecordVisitor into(JournalScan& scan) {
+  return [&scan](const SeenRecord& record) {
+    scan.records.push_back({record.kind, record.id, record.attempt, std::string(record.payload)});
+  };
+}
+
+}  // namespace
+
 JournalScan scan_journal_bytes(std::string_view bytes, std::uint64_t config_prefix) {
   JournalScan scan;
-  std::size_t at = 0;
-  while (at < bytes.size()) {
-    const auto record = record_at(bytes.substr(at));
-    if (!record) {
-      const std::size_t next = next_record(bytes, at + 1);
-      if (next == std::string_view::npos) break;
-      scan.damage.push_back({at, next - at});
-      at = next;
-      continue;
-    }
-    const auto& [header, payload] = *record;
-    if (header.config_prefix == config_prefix) {
-      scan.records.push_back(
-          {static_cast<RecordKind>(header.kind), header.id, header.attempt, std::string(payload)});
-    } else {
-      ++scan.other_config_records;
-    }
-    at += kHeaderBytes + payload.size();
-  }
-  scan.torn_tail_bytes = bytes.size() - at;
+  MemoryWindow window(bytes);
+  static_cast<JournalState&>(scan) = walk(window, config_prefix, into(scan));
   return scan;
 }
 
+Expected<JournalState> walk_journal(const fs::path& path, std::uint64_t config_prefix,
+                                    const RecordVisitor& visit) {
+  FileWindow window(path);
+  JournalState state = walk(window, config_prefix, visit);
+  if (window.failure()) return *window.failure();
+  return state;
+}
+
 Expected<JournalScan> scan_journal(const fs::path& path, std::uint64_t config_prefix) {
-  const auto bytes = read_text_file(path);
-  if (!bytes) return bytes.error();
-  return scan_journal_bytes(*bytes, config_prefix);
+  JournalScan scan;
+  auto state = walk_journal(path, config_prefix, into(scan));
+  if (!state) return state.error();
+  static_cast<JournalState&>(scan) = *std::move(state);
+  return scan;
+}
+
+JournalRowReader::JournalRowReader(fs::path path)
+    : path_(std::move(path)), window_(std::make_unique<FileWindow>(path_)) {}
+
+JournalRowReader::~JournalRowReader() = default;
+
+Expected<ScenarioRow> JournalRowReader::read(std::uint64_t id, std::uint64_t offset, std::uint64_t ahead) {
+  (void)window_->at(offset, kHeaderBytes, ahead);
+  const auto record = record_at(*window_, offset);
+  if (window_->failure()) return *window_->failure();
+  const bool is_row =
+      record && record->first.id == id && record->first.kind == static_cast<std::uint16_t>(RecordKind::scenario);
+  if (is_row) return decode_scenario_row(id, record->second);
+  return ResultsError{ResultsErrorKind::damaged,
+                      joined({path_.string(), " changed while it was read: scenario ", std::to_string(id),
+                              " is no longer at offset ", std::to_string(offset)}),
+                      {}};
 }
 
 namespace {
@@ -255,12 +397,13 @@ MaybeError JournalWriter::write_whole(std::string_view bytes) {
   return fail(system_error("write", path_, reason).message);
 }
 
-MaybeError JournalWriter::append(const JournalRecord& record) {
+MaybeError JournalWriter::append(const JournalRecord& record, std::uint64_t* offset) {
   const std::string bytes = encode_record(record, config_prefix_);
   bool group_is_full = false;
   {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
+    if (offset != nullptr) *offset = size_bytes_;
     if (auto error = write_whole(bytes)) return error;
     ++appended_;
     group_is_full = appended_ - acknowledged_ >= kGroupCommitRecords;

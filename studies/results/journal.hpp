@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,6 +19,8 @@
 #include "studies/results/rows.hpp"
 
 namespace unbruised::studies {
+
+class FileWindow;
 
 /// What a record holds. The numbers are part of the format.
 enum class RecordKind : std::uint16_t {
@@ -44,12 +47,31 @@ struct JournalDamage {
   std::uint64_t bytes = 0;
 };
 
-/// What a scan of one journal file found.
-struct JournalScan {
-  std::vector<JournalRecord> records;
+/// What a walk through one journal file found beside its records.
+struct JournalState {
   std::uint64_t torn_tail_bytes = 0;       ///< after the last whole record; what a killed process leaves
   std::vector<JournalDamage> damage;       ///< in the middle: never left by a kill
   std::uint64_t other_config_records = 0;  ///< whole records that carry another config's hash
+};
+
+/// A record and where it stands; the payload is valid during the visit.
+struct SeenRecord {
+  RecordKind kind = RecordKind::scenario;
+  std::uint64_t id = 0;
+  std::uint32_t attempt = 0;
+  std::string_view payload;
+  std::uint64_t offset = 0;
+};
+using RecordVisitor = std::function<void(const SeenRecord&)>;
+
+/// Shows every believable record of `path` that carries `config_prefix`, in the order of the file, with some
+/// megabytes of it in memory at a time; io when it cannot be read.
+Expected<JournalState> walk_journal(const std::filesystem::path& path, std::uint64_t config_prefix,
+                                    const RecordVisitor& visit);
+
+/// The same with what it showed.
+struct JournalScan : JournalState {
+  std::vector<JournalRecord> records;
 };
 
 /// Reads every believable record of `path` that carries `config_prefix`; io when it cannot be read.
@@ -76,7 +98,8 @@ class JournalWriter {
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
 
-  MaybeError append(const JournalRecord& record);
+  /// @param offset where it stands then; may be null
+  MaybeError append(const JournalRecord& record, std::uint64_t* offset = nullptr);
   /// Makes every appended record durable, also those from before a failed append; says so when one failed.
   MaybeError commit();
   [[nodiscard]] std::uint64_t appended() const;
@@ -101,6 +124,22 @@ class JournalWriter {
   MaybeError failure_;
   bool sync_failed_ = false;
   std::jthread committer_;
+};
+
+/// Rows that stand at known places of a journal, read one by one, best in the order of the file.
+class JournalRowReader {
+ public:
+  explicit JournalRowReader(std::filesystem::path path);
+  ~JournalRowReader();
+  JournalRowReader(const JournalRowReader&) = delete;
+  JournalRowReader& operator=(const JournalRowReader&) = delete;
+  /// @param ahead bytes that will be wanted from there on: they are read together
+  /// Errors: io; damaged where no scenario row of this id stands there whole.
+  Expected<ScenarioRow> read(std::uint64_t id, std::uint64_t offset, std::uint64_t ahead);
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<FileWindow> window_;
 };
 
 /// The bytes of one record as they stand in a journal: 40 bytes of header, then the payload.

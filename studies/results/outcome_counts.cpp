@@ -1,15 +1,11 @@
 #include "studies/results/outcome_counts.hpp"
 
+#include <vector>
+
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
-
-OutcomeCounts outcome_counts(const std::vector<ScenarioRow>& rows) {
-  OutcomeCounts counts;
-  for (const ScenarioRow& row : rows) counts.add(row.result.outcome);
-  return counts;
-}
 
 std::string counts_text(const OutcomeCounts& counts) {
   std::vector<std::string> texts;

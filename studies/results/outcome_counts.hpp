@@ -6,10 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "core/outcome/outcome.hpp"
-#include "studies/results/rows.hpp"
 
 namespace unbruised::studies {
 
@@ -19,8 +17,6 @@ struct OutcomeCounts {
 
   void add(Outcome outcome) { ++(outcome == Outcome::not_run ? not_run : of[static_cast<std::size_t>(outcome)]); }
 };
-
-OutcomeCounts outcome_counts(const std::vector<ScenarioRow>& rows);
 
 /// Calls `visit(outcome, count)` for every outcome, `not_run` last.
 template <class Visit>

@@ -55,6 +55,7 @@ class Sender {
     std::string payload = encode_scenario_row(row);
     bytes(payload);
   }
+  void rows(const StudyRows& rows);
   std::string text_;
 };
 
@@ -103,6 +104,7 @@ class Receiver {
     ok_ = ok_ && decoded.has_value();
     if (ok_) row = std::move(*decoded);
   }
+  void rows(StudyRows& rows);
   [[nodiscard]] bool all_taken() const { return ok_ && rest_.empty(); }
 
  private:
@@ -168,6 +170,18 @@ void pass(Way& way, ScenarioRow& row) {
   if (way.has(row.place)) way.plain(*row.place);
 }
 
+void Sender::rows(const StudyRows& rows) {
+  std::uint64_t count = rows.size();
+  plain(count);
+  for (ScenarioRow row : rows) pass(*this, row);
+}
+
+void Receiver::rows(StudyRows& rows) {
+  std::vector<ScenarioRow> received(length(1));
+  for (ScenarioRow& row : received) pass(*this, row);
+  rows = std::move(received);
+}
+
 template <class Way>
 void pass(Way& way, WindowRow& row) {
   pass(way, row.inputs);
@@ -201,8 +215,9 @@ void pass(Way& way, ResultsSummary& summary) {
   way.plain(summary.format_version);
   pass(way, summary.meta);
   pass(way, summary.inputs);
-  pass(way, summary.rows);
+  way.rows(summary.rows);
   way.plains(summary.digests);
+  way.plain(summary.rows_run);
   if (way.has(summary.window)) {
     pass(way, summary.window->inputs);
     pass(way, summary.window->rows);
@@ -256,6 +271,7 @@ std::string pack(Expected<T> answer) {
 
 std::string packed(Expected<ResultsSummary> answer) { return pack(std::move(answer)); }
 std::string packed(Expected<Trace> answer) { return pack(std::move(answer)); }
+std::string packed(Expected<std::vector<ScenarioRow>> answer) { return pack(std::move(answer)); }
 
 template <class T>
 Expected<T> unpacked(std::string_view text) {
@@ -277,5 +293,6 @@ Expected<T> unpacked(std::string_view text) {
 
 template Expected<ResultsSummary> unpacked(std::string_view bytes);
 template Expected<Trace> unpacked(std::string_view bytes);
+template Expected<std::vector<ScenarioRow>> unpacked(std::string_view bytes);
 
 }  // namespace unbruised::studies

@@ -20,11 +20,6 @@ namespace fs = std::filesystem;
 
 std::string ResultsSummary::digest() const { return digest_text(digest_of_digests(digests)); }
 
-std::size_t ResultsSummary::count(Outcome outcome) const {
-  return static_cast<std::size_t>(std::count_if(
-      rows.begin(), rows.end(), [outcome](const ScenarioRow& row) { return row.result.outcome == outcome; }));
-}
-
 namespace {
 
 ResultsError damaged(const fs::path& path, std::string_view what) {
@@ -65,9 +60,8 @@ ResultsMeta read_meta(const Hdf5File& file) {
   return meta;
 }
 
-// The columns below `group` that carry a position, in that order, and their values into the rows.
-template <class Row>
-std::vector<ColumnInfo> read_inputs(const Hdf5File& file, const std::string& group, std::vector<Row>& rows) {
+// The columns below `group` that carry a position, in that order.
+std::vector<ColumnInfo> input_columns(const Hdf5File& file, const std::string& group) {
   std::map<std::int64_t, std::string> names;
   for (const std::string& name : file.datasets(group)) {
     if (const auto position = file.integer_attribute(joined({group, "/", name}), "position")) {
@@ -79,15 +73,24 @@ std::vector<ColumnInfo> read_inputs(const Hdf5File& file, const std::string& gro
     const std::string name = joined({group, "/", key});
     columns.push_back({key, file.text_attribute(name, "units").value_or(""),
                        file.text_attribute(name, "long_name").value_or("")});
+  }
+  return columns;
+}
+
+/// Values of these columns from row `first` of the file on into the rows.
+template <class Row>
+void read_inputs(const Hdf5File& file, const std::string& group, const std::vector<ColumnInfo>& columns,
+                 std::uint64_t first, std::vector<Row>& rows) {
+  for (const ColumnInfo& column : columns) {
+    const std::string name = joined({group, "/", column.key});
     if (file.holds_text(name)) {
-      const auto texts = read_text_column(file, name, rows.size());
-      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].inputs.emplace_back(texts[i]);
+      auto texts = read_text_column(file, name, {first, rows.size()});
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].inputs.emplace_back(std::move(texts[i]));
     } else {
-      const auto numbers = read_column(file, name, rows.size());
+      const auto numbers = read_column(file, name, {first, rows.size()});
       for (std::size_t i = 0; i < rows.size(); ++i) rows[i].inputs.emplace_back(numbers[i]);
     }
   }
-  return columns;
 }
 
 Outcome outcome_of(std::int64_t code) {
@@ -98,43 +101,66 @@ Outcome outcome_of(std::int64_t code) {
   return static_cast<Outcome>(code);
 }
 
-void read_scenarios(const Hdf5File& file, ResultsSummary& summary) {
-  const auto ids = file.read_integers("/scenarios/id");
-  const std::size_t count = ids.size();
-  const auto outcomes = read_integer_column(file, "/scenarios/outcome", count);
-  const auto causes = read_text_column(file, "/scenarios/cause", count);
-  const auto times = read_column(file, "/scenarios/outcome_time_s", count);
-  summary.rows.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    ScenarioRow& row = summary.rows[i];
-    row.id = static_cast<std::uint64_t>(ids[i]);
-    row.result.outcome = outcome_of(outcomes[i]);
-    row.result.cause = causes[i];
-    row.result.outcome_time_s = times[i];
-  }
-  for (const MetricInfo& info : kMetricTable) {
-    const std::string name = joined({"/scenarios/metric/", info.name});
-    if (!file.exists(name)) continue;  // a file of an earlier version: the metric stays NaN
-    const auto values = read_column(file, name, count);
-    for (std::size_t i = 0; i < count; ++i) summary.rows[i].result.metrics[info.metric] = values[i];
-  }
-  summary.inputs = read_inputs(file, "/scenarios/input", summary.rows);
-  summary.digests = file.read_unsigned("/scenarios/digest");
-  require_length("/scenarios/digest", summary.digests.size(), count);
-}
-
 // Rows that were asked for know their places again.
-void read_places(const Hdf5File& file, std::vector<ScenarioRow>& rows) {
+void read_places(const Hdf5File& file, std::uint64_t first, std::vector<ScenarioRow>& rows) {
   for (const PlaceColumns& columns : {kQuestionColumns, kForceColumns}) {
     if (!file.exists(columns.front().name)) continue;
     for (ScenarioRow& row : rows) row.place.emplace();
     for (const PlaceColumn& column : columns) {
-      const auto values = read_integer_column(file, column.name, rows.size());
+      const auto values = read_integer_column(file, column.name, {first, rows.size()});
       for (std::size_t i = 0; i < rows.size(); ++i) {
         (*rows[i].place).*column.field = static_cast<std::uint64_t>(values[i]);
       }
     }
   }
+}
+
+/// Rows from `first` on, of `count` that there are.
+std::vector<ScenarioRow> read_rows(const Hdf5File& file, std::uint64_t first, std::size_t count) {
+  const Hdf5Part part{first, count};
+  const auto ids = read_integer_column(file, "/scenarios/id", part);
+  const auto outcomes = read_integer_column(file, "/scenarios/outcome", part);
+  auto causes = read_text_column(file, "/scenarios/cause", part);
+  const auto times = read_column(file, "/scenarios/outcome_time_s", part);
+  std::vector<ScenarioRow> rows(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ScenarioRow& row = rows[i];
+    row.id = static_cast<std::uint64_t>(ids[i]);
+    row.result.outcome = outcome_of(outcomes[i]);
+    row.result.cause = std::move(causes[i]);
+    row.result.outcome_time_s = times[i];
+  }
+  for (const MetricInfo& info : kMetricTable) {
+    const std::string name = joined({"/scenarios/metric/", info.name});
+    if (!file.exists(name)) continue;  // a file of an earlier version: the metric stays NaN
+    const auto values = read_column(file, name, part);
+    for (std::size_t i = 0; i < count; ++i) rows[i].result.metrics[info.metric] = values[i];
+  }
+  read_inputs(file, "/scenarios/input", input_columns(file, "/scenarios/input"), first, rows);
+  read_places(file, first, rows);
+  return rows;
+}
+
+/// Throws Hdf5Failure where a column is longer than its table: parts of it would not show that.
+void require_whole_columns(const Hdf5File& file, std::size_t count) {
+  for (const std::string group : {"/scenarios", "/scenarios/metric", "/scenarios/input"}) {
+    for (const std::string& leaf : file.datasets(group)) {
+      const std::string name = joined({group, "/", leaf});
+      const Hdf5Extents extents = file.extents(name);
+      require_length(name, extents.size() == 1 ? extents.front() : 0, count);
+    }
+  }
+}
+
+void read_scenarios(const Hdf5File& file, ResultsSummary& summary, std::size_t rows_most) {
+  summary.digests = file.read_unsigned("/scenarios/digest");
+  const std::size_t count = summary.row_count();
+  require_whole_columns(file, count);
+  for (const std::int64_t code : file.read_integers("/scenarios/outcome")) {
+    summary.rows_run += outcome_of(code) == Outcome::not_run ? 0 : 1;
+  }
+  summary.inputs = input_columns(file, "/scenarios/input");
+  if (count <= rows_most) summary.rows = read_rows(file, 0, count);
 }
 
 ResultTable read_table(const Hdf5File& file, const std::string& name) {
@@ -206,13 +232,14 @@ WindowTable read_window(const Hdf5File& file) {
       for (std::size_t i = 0; i < count; ++i) table.rows[i].*text.value = values[i];
     });
   }
-  table.inputs = read_inputs(file, "/window", table.rows);
+  table.inputs = input_columns(file, "/window");
+  read_inputs(file, "/window", table.inputs, 0, table.rows);
   return table;
 }
 
 }  // namespace
 
-Expected<ResultsSummary> read_results_summary(const fs::path& path) {
+Expected<ResultsSummary> read_results_summary(const fs::path& path, std::size_t rows_most) {
   const Hdf5Silence silence;
   auto file = open_results(path);
   if (!file) return file.error();
@@ -220,13 +247,26 @@ Expected<ResultsSummary> read_results_summary(const fs::path& path) {
     ResultsSummary summary;
     summary.format_version = static_cast<int>(*file->integer_attribute("/", "format_version"));
     summary.meta = read_meta(*file);
-    read_scenarios(*file, summary);
-    read_places(*file, summary.rows);
+    read_scenarios(*file, summary, rows_most);
     summary.tables = read_tables(*file);
     if (file->exists("/window")) summary.window = read_window(*file);
     summary.has_trace = file->exists("/trace");
     if (summary.has_trace) summary.trace_signals = signal_names(*file);
     return summary;
+  } catch (const std::exception& failure) {
+    return damaged(path, failure.what());
+  }
+}
+
+Expected<std::vector<ScenarioRow>> read_results_rows(const fs::path& path, std::uint64_t first,
+                                                     std::uint64_t count) {
+  const Hdf5Silence silence;
+  auto file = open_results(path);
+  if (!file) return file.error();
+  try {
+    const Hdf5Extents all = file->extents("/scenarios/id");
+    const std::uint64_t rows = all.size() == 1 ? all.front() : 0;
+    return read_rows(*file, std::min(first, rows), std::min(count, rows - std::min(first, rows)));
   } catch (const std::exception& failure) {
     return damaged(path, failure.what());
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
-#include <iterator>
 #include <system_error>
 
 #include <fcntl.h>
@@ -231,62 +230,61 @@ MaybeError RunDirectory::recover_journals() {
   for (const fs::path& file : files) {
     // What a killed process wrote may stand in the page cache alone; results.h5 must not outlive it.
     if (auto error = sync_file(file)) return error;
-    const auto scan = scan_journal(file, config_hash_prefix(config_sha256_));
-    if (!scan) return scan.error();
-    recover_journal(file, *scan);
+    const auto findings = index_.add(file, config_hash_prefix(config_sha256_));
+    if (!findings) return findings.error();
+    note_findings(*findings);
   }
-  recovered_count_ = rows_.size();
+  const auto twice = index_.settle();
+  if (!twice) return twice.error();
+  for (const TwoResults& other : *twice) {
+    notes_.push_back(joined({other.path.string(), ": scenario ", std::to_string(other.id),
+                             " stands in the journals with two different results; the first is kept"}));
+  }
+  recovered_count_ = index_.size();
   if (part_ && files.empty()) return {};
-  notes_.push_back(joined({"continuing ", directory_.string(), ": ", std::to_string(rows_.size()),
+  notes_.push_back(joined({"continuing ", directory_.string(), ": ", std::to_string(recovered_count_),
                            " scenarios found in ", std::to_string(files.size()), " journal file(s)"}));
   return {};
 }
 
-void RunDirectory::recover_journal(const fs::path& path, const JournalScan& scan) {
-  for (const JournalRecord& record : scan.records) recover_record(path, record);
-  for (const JournalDamage& damage : scan.damage) {
-    notes_.push_back(joined({path.string(), " is damaged: ", std::to_string(damage.bytes), " bytes at offset ",
+void RunDirectory::note_findings(const JournalFindings& findings) {
+  const std::string path = findings.path.string();
+  for (const std::string& build : findings.builds) {
+    if (build != build_) other_build_ = build;
+  }
+  for (const std::string& row : findings.misshapen) notes_.push_back(joined({path, ", ", row}));
+  for (const JournalDamage& damage : findings.state.damage) {
+    notes_.push_back(joined({path, " is damaged: ", std::to_string(damage.bytes), " bytes at offset ",
                              std::to_string(damage.offset), "; what stood there is run again"}));
   }
-  if (scan.torn_tail_bytes > 0 && !part_) {  // another one may just be writing it
-    notes_.push_back(joined({path.string(), " ends in ", std::to_string(scan.torn_tail_bytes),
+  if (findings.state.torn_tail_bytes > 0 && !part_) {  // another one may just be writing it
+    notes_.push_back(joined({path, " ends in ", std::to_string(findings.state.torn_tail_bytes),
                              " bytes of an unfinished record; that one is run again"}));
   }
-  if (scan.other_config_records > 0) {
-    notes_.push_back(joined({path.string(), " holds ", std::to_string(scan.other_config_records),
+  if (findings.state.other_config_records > 0) {
+    notes_.push_back(joined({path, " holds ", std::to_string(findings.state.other_config_records),
                              " records of another config; they are ignored"}));
-  }
-}
-
-void RunDirectory::recover_record(const fs::path& path, const JournalRecord& record) {
-  if (record.kind == RecordKind::session) {
-    if (record.payload != build_) other_build_ = record.payload;
-    return;
-  }
-  if (record.kind != RecordKind::scenario) return;
-  auto row = decode_scenario_row(record.id, record.payload);
-  if (!row) {
-    notes_.push_back(joined({path.string(), ", scenario ", std::to_string(record.id), ": ", row.error().message}));
-    return;
-  }
-  const auto [known, is_new] = rows_.try_emplace(record.id, *row);
-  if (!is_new && !same_row(known->second, *row)) {
-    notes_.push_back(joined({path.string(), ": scenario ", std::to_string(record.id),
-                             " stands in the journals with two different results; the first is kept"}));
   }
 }
 
 bool RunDirectory::is_done(std::uint64_t id) const {
   const std::lock_guard lock(mutex_);
-  return rows_.contains(id);
+  return index_.contains(id);
 }
 
-std::vector<ScenarioRow> RunDirectory::rows() const {
+StudyRows RunDirectory::rows(RowPlaces places) const {
   const std::lock_guard lock(mutex_);
-  std::vector<ScenarioRow> all;
-  all.reserve(rows_.size());
-  for (const auto& [id, row] : rows_) all.push_back(row);
-  return all;
+  return index_.rows(places);
+}
+
+std::size_t RunDirectory::row_count() const {
+  const std::lock_guard lock(mutex_);
+  return index_.size();
+}
+
+StudyRows RunDirectory::rows_and(StudyRows others, RowPlaces places) const {
+  const std::lock_guard lock(mutex_);
+  return places == RowPlaces::none ? index_.rows_and(std::move(others)) : index_.rows(places);
 }
 
 // The journal of this process, begun with its session record at the first use.
@@ -307,9 +305,12 @@ MaybeError RunDirectory::append(const ScenarioRow& row) {
   }
   auto writer = journal();
   if (!writer) return writer.error();
-  if (auto error = (*writer)->append({RecordKind::scenario, row.id, 0, encode_scenario_row(row)})) return error;
+  std::uint64_t offset = 0;
+  if (auto error = (*writer)->append({RecordKind::scenario, row.id, 0, encode_scenario_row(row)}, &offset)) {
+    return error;
+  }
   const std::lock_guard lock(mutex_);
-  rows_.try_emplace(row.id, row);
+  index_.add_row(row, (*writer)->path(), offset);
   return {};
 }
 
@@ -342,22 +343,16 @@ void RunDirectory::log(std::string_view line) {
 }
 
 MaybeError RunDirectory::finish(ResultsContent content) {
-  std::vector<ScenarioRow> all = rows();
+  StudyRows others =
+      content.stored.empty() ? StudyRows(by_id(std::move(content.rows))) : std::move(content.stored);
+  content.rows.clear();
+  content.stored = rows_and(std::move(others), content.places);
   if (auto error = commit())
     return error;  // after the rows were taken: results.h5 knows nothing that may get lost
-  if (!content.rows.empty()) {
-    all.insert(all.end(), std::make_move_iterator(content.rows.begin()),
-               std::make_move_iterator(content.rows.end()));
-    std::ranges::stable_sort(all, {}, &ScenarioRow::id);  // journalled ones first
-    const auto twice = std::ranges::unique(all, {}, &ScenarioRow::id);
-    all.erase(twice.begin(), twice.end());
-  }
-  content.rows = std::move(all);
-  if (content.places != RowPlaces::none) number_placed_rows(content.rows);
   content.meta.config_toml = config_toml_;
   content.meta.config_sha256 = config_sha256_;
   const std::lock_guard one_at_a_time(results_mutex_);
-  return write_results(content);
+  return write_hashed_results(results_path(), content);
 }
 
 MaybeError RunDirectory::write_strategy(std::string_view toml) {
@@ -371,14 +366,5 @@ MaybeError RunDirectory::write_product(std::string_view toml) {
 }
 
 MaybeError RunDirectory::remove_product() { return remove_file(directory_ / kProductFile); }
-
-MaybeError RunDirectory::write_results(const ResultsContent& content) {
-  const auto image = results_image(results_path(), content);
-  if (!image) return image.error();
-  std::error_code ignored;
-  fs::remove(hash_path(results_path()), ignored);
-  if (auto error = write_text_file(results_path(), *image)) return error;
-  return write_text_file(hash_path(results_path()), hash_line(*image));
-}
 
 }  // namespace unbruised::studies

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,6 +14,7 @@
 
 #include "studies/results/expected.hpp"
 #include "studies/results/journal.hpp"
+#include "studies/results/journal_index.hpp"
 #include "studies/results/rows.hpp"
 #include "studies/results/run_lock.hpp"
 
@@ -56,8 +56,10 @@ class RunDirectory {
 
   /// Is a row of this id recovered or appended? Thread-safe.
   [[nodiscard]] bool is_done(std::uint64_t id) const;
-  /// All rows recovered or appended, by ascending id. Thread-safe.
-  [[nodiscard]] std::vector<ScenarioRow> rows() const;
+  /// All rows recovered or appended, by ascending id, as they stand in the journals. Thread-safe.
+  /// @param places numbers rows that have some
+  [[nodiscard]] StudyRows rows(RowPlaces places = RowPlaces::none) const;
+  [[nodiscard]] std::size_t row_count() const;
 
   /// Appends a scenario row to the journal. Thread-safe. A row whose id is done already is refused (io).
   MaybeError append(const ScenarioRow& row);
@@ -71,8 +73,9 @@ class RunDirectory {
 
   /// Commits the journal and writes results.h5 (tmp, fsync, rename) and results.h5.sha256 from rows(): the end of
   /// a study, and with `meta.complete` false any time before. Thread-safe; does not keep `append` waiting.
-  /// @param content meta, inputs, window and trace as wanted; `rows` may hold the not_run rows of an
-  ///   interrupted study (journalled rows of the same id win). config texts are filled in when empty.
+  /// @param content meta, inputs, window and trace as wanted; `rows` or `stored` may hold the not_run rows of
+  ///   an interrupted study (journalled rows of the same id win). config texts are filled in when empty.
+  /// Errors: io; damaged where a journal changed meanwhile.
   MaybeError finish(ResultsContent content);
   /// `strategy.toml`: the study's answer as a file, written anew, or gone where there is no answer.
   MaybeError write_strategy(std::string_view toml);
@@ -94,10 +97,10 @@ class RunDirectory {
   MaybeError refuse_finished();
   MaybeError refuse_other_build() const;
   MaybeError recover_journals();
-  void recover_journal(const std::filesystem::path& path, const JournalScan& scan);
-  void recover_record(const std::filesystem::path& path, const JournalRecord& record);
+  void note_findings(const JournalFindings& findings);
   Expected<JournalWriter*> journal();
-  MaybeError write_results(const ResultsContent& content);
+  /// The rows that results.h5 is made from.
+  StudyRows rows_and(StudyRows others, RowPlaces places) const;
 
   std::filesystem::path directory_;
   std::string config_toml_;
@@ -112,7 +115,7 @@ class RunDirectory {
   mutable std::mutex mutex_;
   std::unique_ptr<JournalWriter> journal_;
   std::uint64_t recovered_count_ = 0;
-  std::map<std::uint64_t, ScenarioRow> rows_;
+  mutable JournalIndex index_;
 };
 
 /// What `verify` found. Damage: results or journals cannot be believed (exit 6).

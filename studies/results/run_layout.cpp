@@ -4,7 +4,6 @@
 #include <system_error>
 #include <variant>
 
-#include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/text/joined.hpp"
 
@@ -28,7 +27,7 @@ fs::path hash_path(const fs::path& results) {
   return path;
 }
 
-std::string hash_line(std::string_view bytes) { return joined({sha256_hex(bytes), "  results.h5\n"}); }
+std::string hash_line(std::string_view sha256_hex_digits) { return joined({sha256_hex_digits, "  results.h5\n"}); }
 
 bool same_row(const ScenarioRow& a, const ScenarioRow& b) {
   const auto same_input = [](const InputValue& left, const InputValue& right) {

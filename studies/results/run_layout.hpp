@@ -18,8 +18,8 @@ std::vector<std::filesystem::path> journal_files(const std::filesystem::path& di
 /// `<results>.sha256`: the hash of the whole results file, in the form sha256sum checks.
 std::filesystem::path hash_path(const std::filesystem::path& results);
 
-/// What stands in that file for results of these bytes.
-std::string hash_line(std::string_view bytes);
+/// What stands in that file for results of this hash, 64 hex digits.
+std::string hash_line(std::string_view sha256_hex_digits);
 
 /// Equal inputs, cause, and bits of outcome and metrics.
 bool same_row(const ScenarioRow& a, const ScenarioRow& b);

@@ -12,7 +12,8 @@
 
 namespace unbruised::studies {
 
-/// `read_results_summary` in a child process. Errors: as there; damaged when the library crashes or hangs.
+/// `read_results_summary` in a child process; of many rows some at a time, as they are gone through, each time by
+/// another child. Errors: as there; damaged when the library crashes or hangs.
 Expected<ResultsSummary> read_suspect_summary(const std::filesystem::path& path);
 
 /// Compares a file with the hash in `<path>.sha256`: damaged when they differ; nothing also where there is no

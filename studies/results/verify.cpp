@@ -6,7 +6,9 @@
 #include "studies/results/checksum.hpp"
 #include "studies/results/digest.hpp"
 #include "studies/results/durable_files.hpp"
+#include "studies/results/journal_index.hpp"
 #include "studies/results/results_file.hpp"
+#include "studies/results/row_summary.hpp"
 #include "studies/results/run_directory.hpp"
 #include "studies/results/run_layout.hpp"
 #include "studies/results/suspect_results.hpp"
@@ -36,47 +38,51 @@ class Verifier {
     const bool has_results = fs::exists(results, ignored);
     const auto summary = has_results ? read_results(results) : std::nullopt;
     for (const fs::path& file : journal_files(directory_)) check_journal(file);
-    report_.journal_rows = journal_rows_.size();
-    if (summary) {
-      check_results(*summary);
-    } else if (!has_results) {
-      report_.notes.push_back("there is no results.h5 yet: the study is not finished");
-      report_.digest = journal_digest();
+    check_twice();
+    report_.journal_rows = index_.size();
+    try {
+      if (summary) {
+        check_results(*summary);
+      } else if (!has_results) {
+        report_.notes.push_back("there is no results.h5 yet: the study is not finished");
+        report_.digest = index_.rows().seen().digest;
+      }
+    } catch (const RowsFailure& failure) {
+      report_.damage.push_back(failure.error.message);
     }
     return report_;
   }
 
  private:
   void check_journal(const fs::path& file) {
-    const auto scan = scan_journal(file, config_hash_prefix(config_sha256_));
-    if (!scan) {
-      report_.damage.push_back(scan.error().message);
+    const auto findings = index_.add(file, config_hash_prefix(config_sha256_));
+    if (!findings) {
+      report_.damage.push_back(findings.error().message);
       return;
     }
-    for (const JournalDamage& damage : scan->damage) {
+    for (const JournalDamage& damage : findings->state.damage) {
       report_.damage.push_back(joined({file.string(), ": ", std::to_string(damage.bytes), " bytes at offset ",
                                        std::to_string(damage.offset), " fail their checksum"}));
     }
-    if (scan->other_config_records > 0) {
-      report_.damage.push_back(joined({file.string(), ": ", std::to_string(scan->other_config_records),
+    if (findings->state.other_config_records > 0) {
+      report_.damage.push_back(joined({file.string(), ": ", std::to_string(findings->state.other_config_records),
                                        " records belong to another config than config.toml"}));
     }
-    report_.notes.push_back(joined({file.string(), ": ", std::to_string(scan->records.size()), " records, ",
-                                    std::to_string(scan->torn_tail_bytes), " bytes of torn tail"}));
-    for (const JournalRecord& record : scan->records) check_record(file, record);
+    report_.notes.push_back(joined({file.string(), ": ", std::to_string(findings->records), " records, ",
+                                    std::to_string(findings->state.torn_tail_bytes), " bytes of torn tail"}));
+    for (const std::string& row : findings->misshapen)
+      report_.damage.push_back(joined({file.string(), ": ", row}));
   }
 
-  void check_record(const fs::path& file, const JournalRecord& record) {
-    if (record.kind != RecordKind::scenario) return;
-    const auto row = decode_scenario_row(record.id, record.payload);
-    if (!row) {
-      report_.damage.push_back(joined({file.string(), ": ", row.error().message}));
+  void check_twice() {
+    const auto twice = index_.settle();
+    if (!twice) {
+      report_.damage.push_back(twice.error().message);
       return;
     }
-    const auto [known, is_new] = journal_rows_.try_emplace(record.id, *row);
-    if (!is_new && !same_row(known->second, *row)) {
+    for (const TwoResults& other : *twice) {
       report_.damage.push_back(
-          joined({"scenario ", std::to_string(record.id), " has two different results in the journals"}));
+          joined({"scenario ", std::to_string(other.id), " has two different results in the journals"}));
     }
   }
 
@@ -104,17 +110,23 @@ class Verifier {
     compare_rows(summary);
   }
 
+  /// Both go by the ids of the journal.
   void compare_rows(const ResultsSummary& summary) {
+    const StudyRows truth = index_.rows();
+    StudyRows::Iterator recorded = truth.begin();
     std::size_t agreeing = 0;
-    for (std::size_t i = 0; i < summary.rows.size(); ++i) {
-      const ScenarioRow& row = summary.rows[i];
-      if (result_digest(row.result) != summary.digests[i]) {
+    std::size_t place = 0;
+    for (const ScenarioRow& row : summary.rows) {
+      if (result_digest(row.result) != summary.digests[place++]) {
         report_.damage.push_back(
             joined({"results.h5, scenario ", std::to_string(row.id), ": the metrics do not match their digest"}));
       }
-      if (row.result.outcome != Outcome::not_run && agrees_with_journal(row)) ++agreeing;
+      while (recorded != truth.end() && recorded->id < journal_id(row)) ++recorded;
+      const bool is_recorded = recorded != truth.end() && recorded->id == journal_id(row);
+      const ScenarioRow* known = is_recorded ? &*recorded : nullptr;
+      if (row.result.outcome != Outcome::not_run && agrees(row, known)) ++agreeing;
     }
-    const std::size_t missing = journal_rows_.size() - std::min(agreeing, journal_rows_.size());
+    const std::size_t missing = truth.size() - std::min(agreeing, truth.size());
     if (missing > 0) {
       // An interrupted study that was continued since: its results.h5 is older than the journals.
       auto& list = summary.meta.complete ? report_.damage : report_.notes;
@@ -124,27 +136,20 @@ class Verifier {
         joined({"results.h5: ", std::to_string(agreeing), " rows equal those of the journals"}));
   }
 
-  bool agrees_with_journal(const ScenarioRow& row) {
-    const auto truth = journal_rows_.find(journal_id(row));
-    const bool agrees = truth != journal_rows_.end() && same_row(truth->second, row);
+  /// @param known the row of the journals; null: there is none
+  bool agrees(const ScenarioRow& row, const ScenarioRow* known) {
+    const bool agrees = known != nullptr && same_row(*known, row);
     if (!agrees) {
-      report_.damage.push_back(
-          joined({"results.h5, scenario ", std::to_string(row.id),
-                  truth == journal_rows_.end() ? " stands in no journal" : " differs from the journal"}));
+      report_.damage.push_back(joined({"results.h5, scenario ", std::to_string(row.id),
+                                       known == nullptr ? " stands in no journal" : " differs from the journal"}));
     }
     return agrees;
-  }
-
-  [[nodiscard]] std::string journal_digest() const {
-    std::vector<std::uint64_t> digests;
-    for (const auto& [id, row] : journal_rows_) digests.push_back(result_digest(row.result));
-    return digest_text(digest_of_digests(digests));
   }
 
   fs::path directory_;
   std::string config_sha256_;
   VerifyReport report_;
-  std::map<std::uint64_t, ScenarioRow> journal_rows_;
+  JournalIndex index_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "core/scenario/factor_key.hpp"
@@ -106,11 +105,16 @@ ScenarioSet scenario_set(const Study& study) {
 std::vector<std::size_t> factor_groups(const ScenarioSet& set) {
   std::vector<std::size_t> group_of;
   group_of.reserve(set.count);
-  std::unordered_map<std::string, std::size_t> index_of;
-  for (std::size_t id = 0; id < set.count; ++id) {
-    group_of.push_back(index_of.try_emplace(factor_key(set.scenario(id)), index_of.size()).first->second);
-  }
+  GroupNumbers groups;
+  for (std::size_t id = 0; id < set.count; ++id) group_of.push_back(groups.number_of(set.scenario(id)));
   return group_of;
+}
+
+std::size_t GroupNumbers::number_of(const Scenario& scenario) {
+  const WideDigest key = wide_digest(factor_key(scenario));
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  if (known_.size() < kKnownMost) known_.emplace(key, count_);
+  return count_++;
 }
 
 CompareIndex compare_index(const Study& study, std::size_t id) {

@@ -8,10 +8,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "studies/config/study.hpp"
-#include "studies/results/rows.hpp"
+#include "studies/results/digest.hpp"
+#include "studies/results/scenario_row.hpp"
 #include "studies/scenarios/product_sample.hpp"
 #include "studies/statistics/design.hpp"
 
@@ -30,6 +32,22 @@ std::vector<InputValue> grid_inputs(const Study& study, std::size_t point);
 
 /// Of any kind but window and those that search; of a window study the points of its grid.
 ScenarioSet scenario_set(const Study& study);
+
+/// Numbers factor groups in the order in which their first scenarios come. Of more than a million groups those
+/// that come later are not known again: each of their scenarios is a group of its own.
+class GroupNumbers {
+ public:
+  static constexpr std::size_t kKnownMost = std::size_t{1} << 20;
+  std::size_t number_of(const Scenario& scenario);
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const WideDigest& key) const { return key.low; }
+  };
+  std::unordered_map<WideDigest, std::size_t, Hash> known_;
+  std::size_t count_ = 0;
+};
 
 /// The factor group of each scenario, numbered in the order of their first ones.
 std::vector<std::size_t> factor_groups(const ScenarioSet& set);

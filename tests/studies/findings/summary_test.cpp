@@ -25,9 +25,9 @@ TEST(Summary, TheBestRowIsHeldThenShortThenFirst) {
   const std::vector<ScenarioRow> rows = {row_of(0, Outcome::damaged, 1.0, 9.0), row_of(1, Outcome::held, 2.0, 0.1),
                                          row_of(2, Outcome::held, 2.0, 0.4), row_of(3, Outcome::held, 3.0, 9.0),
                                          row_of(4, Outcome::held, 2.0, kAbsent)};
-  ASSERT_NE(best_row(rows), nullptr);
+  ASSERT_TRUE(best_row(rows));
   EXPECT_EQ(best_row(rows)->id, 1U);
-  EXPECT_EQ(best_row({rows[0]}), nullptr);
+  EXPECT_FALSE(best_row({rows[0]}));
 }
 
 TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
@@ -42,10 +42,12 @@ TEST(Summary, GivesNoBestOfASearchBeforeItsEnd) {
 TEST(Summary, TheAnswerInALineIsTheBestElseTheOutcomeOfTheOnlyScenario) {
   StudyTables tables;
   tables.inputs = {{"strategy.grip_force_N", "N", ""}};
-  tables.rows = {row_of(0, Outcome::damaged, 1.0, 9.0)};
-  tables.rows[0].result.cause = "contact_yield_ratio_max > limits.contact_yield_ratio";
+  std::vector<ScenarioRow> rows = {row_of(0, Outcome::damaged, 1.0, 9.0)};
+  rows[0].result.cause = "contact_yield_ratio_max > limits.contact_yield_ratio";
+  tables.rows = rows;
   EXPECT_EQ(answer_line(tables, "simulate"), "damaged: contact_yield_ratio_max > limits.contact_yield_ratio");
-  tables.rows.push_back(row_of(1, Outcome::held, 2.0, 0.1));
+  rows.push_back(row_of(1, Outcome::held, 2.0, 0.1));
+  tables.rows = rows;
   EXPECT_TRUE(answer_line(tables, "simulate").starts_with("best: scenario 1")) << answer_line(tables, "simulate");
 }
 
@@ -132,9 +134,10 @@ TEST(Summary, TellsAWideWindowAsAFactor) {
 
 TEST(Summary, ShowsTheMostSeriousRowsWithTheirCommand) {
   StudyTables tables;
-  tables.rows = {row_of(0, Outcome::damaged, 1, 1), row_of(1, Outcome::held, 1, 1),
-                 row_of(2, Outcome::diverged, 1, 1)};
-  tables.rows[2].result.cause = "not finite";
+  std::vector<ScenarioRow> rows = {row_of(0, Outcome::damaged, 1, 1), row_of(1, Outcome::held, 1, 1),
+                                   row_of(2, Outcome::diverged, 1, 1)};
+  rows[2].result.cause = "not finite";
+  tables.rows = rows;
   const std::vector<std::string> lines = replay_lines(tables, "unbruised run a.toml --scenario");
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[1], "  unbruised run a.toml --scenario 2   # diverged: not finite");

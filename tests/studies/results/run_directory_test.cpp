@@ -75,7 +75,7 @@ void in_killed_process(Body body) {
   ASSERT_TRUE(WIFSIGNALED(status));
 }
 
-std::vector<std::uint64_t> ids_of(const std::vector<ScenarioRow>& rows) {
+std::vector<std::uint64_t> ids_of(const StudyRows& rows) {
   std::vector<std::uint64_t> ids;
   for (const ScenarioRow& row : rows) ids.push_back(row.id);
   return ids;
@@ -144,7 +144,7 @@ TEST(RunDirectory, ContinuesAnInterruptedStudyWhoseResultsWereWrittenIncomplete)
     ASSERT_EQ(message_of((*run)->finish(content)), "");
     const auto partial = read_results_summary((*run)->results_path());
     EXPECT_EQ(partial->rows.size(), kScenarios);
-    EXPECT_EQ(partial->count(Outcome::not_run), kScenarios - 10);
+    EXPECT_EQ(partial->rows_run, 10U);
   }
   auto run = RunDirectory::open(request_in(parent));
   ASSERT_TRUE(run) << run.error().message;

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Dense>
-
 #include "core/algebra/shifted_entries.hpp"
 #include "core/algebra/supernodal_cholesky.hpp"
+#include "core/door/eigen.hpp"
 
 namespace unbruised {
 namespace {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
-
 #include "core/body/static_columns.hpp"
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {

@@ -5,10 +5,9 @@
 #include <span>
 #include <stdexcept>
 
-#include <Eigen/Dense>
-
 #include "core/body/static_columns.hpp"
 #include "core/chance/philox.hpp"
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
+#include "core/door/eigen.hpp"
 #include "core/scenario/vectors.hpp"
 
 namespace unbruised {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include <Eigen/Dense>
+#include "core/door/eigen.hpp"
 
 namespace unbruised {
 namespace {

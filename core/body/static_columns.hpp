@@ -3,9 +3,8 @@
 /// @file
 /// Static answers to the columns of a dense matrix; inside the body's own sources, which know Eigen.
 
-#include <Eigen/Dense>
-
 #include "core/body/static_solver.hpp"
+#include "core/door/eigen.hpp"
 
 namespace unbruised {
 

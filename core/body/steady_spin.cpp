@@ -1,7 +1,6 @@
 #include "core/body/steady_spin.hpp"
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/scenario/true_shape.hpp"
 
 namespace unbruised {

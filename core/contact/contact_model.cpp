@@ -5,12 +5,11 @@
 #include <map>
 #include <stdexcept>
 
-#include <Eigen/Dense>
-
 #include "core/body/node_compliance.hpp"
 #include "core/contact/compliance_size.hpp"
 #include "core/contact/surface_places.hpp"
 #include "core/contact/tributary_face.hpp"
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 #include "core/scenario/contact_set.hpp"
 #include "core/scenario/pad_face.hpp"

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
-
 #include "core/contact/layer_law.hpp"
+#include "core/door/eigen.hpp"
 
 namespace unbruised {
 namespace {

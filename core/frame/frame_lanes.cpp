@@ -1,7 +1,6 @@
 #include "core/frame/frame_lanes.hpp"
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {

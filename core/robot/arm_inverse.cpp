@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/robot/arm.hpp"
 
 namespace unbruised {

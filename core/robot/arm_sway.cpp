@@ -4,8 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "core/scenario/solid.hpp"
 #include "core/scenario/vectors.hpp"
 

@@ -42,7 +42,7 @@ const std::vector<std::string> kStudiesFloors = {"text",    "process",   "statis
 /// Whom each folder of core may include, besides itself.
 const std::map<std::string, std::vector<std::string>> kCoreArrows = {
     {"door", {}},
-    {"scenario", {}},
+    {"scenario", {"door"}},
     {"lanes", {}},
     {"chance", {}},
     {"integration", {}},
@@ -245,6 +245,14 @@ TEST(Architecture, OnlyTheFolderOfGrippersKnowsTheLanesOfAKind) {
     if (house_of(source.path) != "core" || folder_of(source.path) == "gripper") continue;
     EXPECT_FALSE(std::regex_search(source.code, named)) << source.path << " names a kind's lanes";
   }
+}
+
+/// Where it is told to leave vector code alone; tests too, since a linker may take their copy of a template.
+TEST(Architecture, EigenIsIncludedByItsDoor) {
+  for_every_include([](const IncludeLine& include) {
+    const bool is_eigen = include.target.starts_with("Eigen/");
+    EXPECT_TRUE(!is_eigen || include.file == "core/door/eigen.hpp") << place(include);
+  });
 }
 
 TEST(Architecture, CholmodStaysInAlgebra) {

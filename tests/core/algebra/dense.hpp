@@ -3,9 +3,8 @@
 /// @file
 /// Dense copies of block matrices, for tests.
 
-#include <Eigen/Dense>
-
 #include "core/algebra/block_matrix.hpp"
+#include "core/door/eigen.hpp"
 
 namespace unbruised::testing {
 

@@ -7,9 +7,8 @@
 #include <random>
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include "core/algebra/sparse_cholesky.hpp"
+#include "core/door/eigen.hpp"
 
 namespace unbruised::testing {
 

@@ -2,9 +2,9 @@
 
 #include <thread>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "core/door/eigen.hpp"
 #include "tests/core/algebra/random_matrix.hpp"
 
 namespace unbruised {

@@ -2,10 +2,10 @@
 
 #include <limits>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "core/algebra/lane_solve.hpp"
+#include "core/door/eigen.hpp"
 #include "core/lanes/lane.hpp"
 #include "tests/core/algebra/random_matrix.hpp"
 

@@ -5,10 +5,10 @@
 #include <random>
 #include <set>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "core/body/lattice_stiffness.hpp"
+#include "core/door/eigen.hpp"
 #include "core/scenario/true_shape.hpp"
 #include "tests/core/algebra/dense.hpp"
 #include "tests/core/scenario/meshes.hpp"

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
-
+#include "core/door/eigen.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised::testing {

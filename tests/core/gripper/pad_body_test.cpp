@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "core/contact/contact_model.hpp"
 #include "core/contact/pad_weights.hpp"
+#include "core/door/eigen.hpp"
 #include "core/scenario/pad_lattice.hpp"
 #include "tests/core/gripper/pad_stiffness.hpp"
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "core/door/eigen.hpp"
 #include "core/gripper/pad_body.hpp"
 
 namespace unbruised::testing {

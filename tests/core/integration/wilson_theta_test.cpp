@@ -4,9 +4,9 @@
 #include <complex>
 #include <numbers>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "core/door/eigen.hpp"
 #include "tests/core/simulation/scenes.hpp"
 #include "tests/reference_data.hpp"
 

@@ -73,12 +73,19 @@ Study study_at(const std::string& path) {
   return *std::move(read);
 }
 
-TEST(GoldenDigests, Cube512ForASecond) {
-  const Scenario scene = benchmarks::cube512_scene(1e-3);
+void expect_golden_cube(const std::string& name, const Scenario& scene) {
   std::string error;
   const auto model = Model::build(scene, error);
   ASSERT_NE(model, nullptr) << error;
-  expect_golden("cube512", digest_text(result_digest(simulate(model, scene, nullptr))));
+  expect_golden(name, digest_text(result_digest(simulate(model, scene, nullptr))));
+}
+
+TEST(GoldenDigests, Cube512ForASecond) { expect_golden_cube("cube512", benchmarks::cube512_scene(1e-3)); }
+
+TEST(GoldenDigests, Cube512ByModes) {
+  Scenario scene = benchmarks::cube512_scene(1e-3);
+  scene.simulation.body = ProductBody::modes;
+  expect_golden_cube("cube512_modes", scene);
 }
 
 /// The files are named like the cases.

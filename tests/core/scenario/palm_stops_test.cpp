@@ -68,7 +68,8 @@ TEST(PalmStops, OfPlacesAloneLeaveTheProductUpright) {
   EXPECT_EQ(product_frame(scenario), ProductFrame::upright);
   scenario.strategy.waypoint.push_back({.quaternion = std::array<double, 4>{1.0, 0.0, 0.0, 0.0}});
   EXPECT_EQ(product_frame(scenario), ProductFrame::upright);
-  scenario.strategy.waypoint.insert(scenario.strategy.waypoint.begin(), {.rotation_rad = Vector{0.1, 0.0, 0.0}});
+  const std::vector<Waypoint> places = scenario.strategy.waypoint;
+  scenario.strategy.waypoint = {{.rotation_rad = Vector{0.1, 0.0, 0.0}}, places[0], places[1]};
   EXPECT_EQ(product_frame(scenario), ProductFrame::floating) << "it is turned on the way";
 }
 

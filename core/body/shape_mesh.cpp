@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "core/scenario/product.hpp"
@@ -173,50 +174,66 @@ void draw_to_surface(const TrueShape& shape, ShapeMesh& mesh) {
   }
 }
 
-/// Places that fall into one box of a grid become their mean; finer and finer grids for as long as few enough are
-/// left. Of a mesh with few places all stay.
-ShapeMesh drawn_mesh(const TriangleMesh& surface, const std::array<double, 3>& stretch_m) {
-  constexpr std::size_t kMostPlaces = 1500;
-  constexpr int kCoarsest = 12, kFinest = 40;
-  ShapeMesh mesh;
-  const auto draw = [&](const std::vector<int>& box_of, std::size_t boxes) {
-    mesh = {std::vector<Place>(boxes, Place{}), {}};
-    std::vector<int> count(boxes, 0);
-    for (std::size_t p = 0; p < surface.place.size(); ++p) {
-      const auto box = static_cast<std::size_t>(box_of[p]);
-      ++count[box];
-      for (std::size_t d = 0; d < 3; ++d) mesh.place_m[box][d] += surface.place[p][d] * stretch_m[d];
-    }
-    for (std::size_t b = 0; b < boxes; ++b) {
-      for (double& component : mesh.place_m[b]) component /= count[b];
-    }
-    for (const auto& triangle : surface.triangle) {
-      std::array<int, 3> corner{};
-      for (std::size_t k = 0; k < 3; ++k) corner[k] = box_of[static_cast<std::size_t>(triangle[k])];
-      if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0])
-        mesh.triangle.push_back(corner);
-    }
-  };
-  std::vector<int> box_of(surface.place.size());
-  if (surface.place.size() <= kMostPlaces) {
-    for (std::size_t p = 0; p < box_of.size(); ++p) box_of[p] = static_cast<int>(p);
-    draw(box_of, box_of.size());
-    return mesh;
-  }
-  const Bounds bounds = bounds_of(surface.place);
+/// Which places become one.
+struct Boxes {
+  std::vector<int> of;  ///< each place
+  std::size_t count = 0;
+};
+
+Boxes boxes_of_grid(const TriangleMesh& surface, const Bounds& bounds, int side) {
   double longest = 0.0;
   for (std::size_t d = 0; d < 3; ++d) longest = std::max(longest, bounds.high[d] - bounds.low[d]);
-  for (int side = kCoarsest; side <= kFinest; ++side) {
-    std::map<std::array<int, 3>, int> number;
-    for (std::size_t p = 0; p < box_of.size(); ++p) {
-      std::array<int, 3> box{};
-      for (std::size_t d = 0; d < 3; ++d) {
-        box[d] = static_cast<int>(std::floor((surface.place[p][d] - bounds.low[d]) / longest * side));
-      }
-      box_of[p] = number.try_emplace(box, static_cast<int>(number.size())).first->second;
+  std::map<std::array<int, 3>, int> number;
+  Boxes boxes;
+  boxes.of.reserve(surface.place.size());
+  for (const Place& place : surface.place) {
+    std::array<int, 3> box{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      box[d] = static_cast<int>(std::floor((place[d] - bounds.low[d]) / longest * side));
     }
-    if (number.size() > kMostPlaces && !mesh.place_m.empty()) break;
-    draw(box_of, number.size());
+    boxes.of.push_back(number.try_emplace(box, static_cast<int>(number.size())).first->second);
+  }
+  boxes.count = number.size();
+  return boxes;
+}
+
+/// Those of the finest grid that leaves few enough; of a mesh with few places each has its own.
+Boxes boxes_of(const TriangleMesh& surface) {
+  constexpr std::size_t kMostPlaces = 1500;
+  constexpr int kCoarsest = 12, kFinest = 40;
+  if (surface.place.size() <= kMostPlaces) {
+    Boxes own{std::vector<int>(surface.place.size()), surface.place.size()};
+    std::iota(own.of.begin(), own.of.end(), 0);
+    return own;
+  }
+  const Bounds bounds = bounds_of(surface.place);
+  Boxes boxes = boxes_of_grid(surface, bounds, kCoarsest);
+  for (int side = kCoarsest + 1; side <= kFinest; ++side) {
+    Boxes finer = boxes_of_grid(surface, bounds, side);
+    if (finer.count > kMostPlaces) break;
+    boxes = std::move(finer);
+  }
+  return boxes;
+}
+
+/// Places of one box become their mean.
+ShapeMesh drawn_mesh(const TriangleMesh& surface, const std::array<double, 3>& stretch_m) {
+  const Boxes boxes = boxes_of(surface);
+  ShapeMesh mesh{std::vector<Place>(boxes.count, Place{}), {}};
+  std::vector<int> count(boxes.count, 0);
+  for (std::size_t p = 0; p < surface.place.size(); ++p) {
+    const auto box = static_cast<std::size_t>(boxes.of[p]);
+    ++count[box];
+    for (std::size_t d = 0; d < 3; ++d) mesh.place_m[box][d] += surface.place[p][d] * stretch_m[d];
+  }
+  for (std::size_t b = 0; b < boxes.count; ++b) {
+    for (double& component : mesh.place_m[b]) component /= count[b];
+  }
+  for (const auto& triangle : surface.triangle) {
+    std::array<int, 3> corner{};
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = boxes.of[static_cast<std::size_t>(triangle[k])];
+    if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0])
+      mesh.triangle.push_back(corner);
   }
   return mesh;
 }

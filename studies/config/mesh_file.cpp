@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include <xxhash.h>
 
 #include "core/scenario/mesh_fault.hpp"
 #include "studies/config/mesh_reader.hpp"
+#include "studies/text/hex_text.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
@@ -71,22 +71,15 @@ const LengthUnit* sound_unit(const MeshText& text, const Extents& extents, Probl
 
 }  // namespace
 
-std::string mesh_hash_text(std::uint64_t hash) {
-  std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16).ptr;
-  const std::string text(digits.data(), end);
-  return std::string(digits.size() - text.size(), '0') + text;
-}
-
 std::shared_ptr<const ProductMesh> mesh_of_text(const MeshText& text, Problems& problems) {
   const auto refuse = [&](const Entry& entry, const std::string& rule) {
     problems.add(entry.origin, entry.path, spelled(entry.value), rule);
     return nullptr;
   };
   const std::uint64_t hash = XXH3_64bits(text.content.data(), text.content.size());
-  if (text.hash != nullptr && text.hash->value.text != mesh_hash_text(hash)) {
-    return refuse(*text.hash, joined({"is not the hash of ", text.file.value.text, ", which is ",
-                                      mesh_hash_text(hash), ": the file has changed, or another one is meant"}));
+  if (text.hash != nullptr && text.hash->value.text != hex_text(hash)) {
+    return refuse(*text.hash, joined({"is not the hash of ", text.file.value.text, ", which is ", hex_text(hash),
+                                      ": the file has changed, or another one is meant"}));
   }
   const auto read = read_triangles(text.content, text.ending);
   if (!read) return refuse(text.file, read.error());

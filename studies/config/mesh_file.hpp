@@ -19,9 +19,6 @@ namespace unbruised::studies {
 inline constexpr std::string_view kMeshFileKey = "product.mesh_file", kMeshUnitKey = "product.mesh_unit",
                                   kMeshHashKey = "product.mesh_hash", kMeshKeys = "product.mesh_";
 
-/// 16 hexadecimal digits.
-std::string mesh_hash_text(std::uint64_t hash);
-
 /// What a study says of a mesh, beside the content of its file.
 struct MeshText {
   std::string_view content;

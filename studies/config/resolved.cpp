@@ -4,6 +4,7 @@
 #include "studies/config/measured_data.hpp"
 #include "studies/config/mesh_file.hpp"
 #include "studies/config/study_data.hpp"
+#include "studies/text/hex_text.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -25,7 +26,7 @@ struct Writer {
     if (lattice == nullptr || !lattice->mesh) return "";
     const MeshSource& source = lattice->mesh->source();
     if (path == kMeshFileKey) return toml_string(source.file);
-    return toml_string(path == kMeshUnitKey ? source.unit : mesh_hash_text(source.hash));
+    return toml_string(path == kMeshUnitKey ? source.unit : hex_text(source.hash));
   }
 
   /// All used keys of one table, e.g. "cell" or "product.particle[]".

@@ -14,14 +14,6 @@
 
 #include "studies/text/joined.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define UNBRUISED_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define UNBRUISED_SANITIZED
-#endif
-#endif
-
 namespace unbruised::studies {
 namespace {
 
@@ -36,7 +28,7 @@ void limit(int resource, rlim_t most, rlim_t after = 0) {
 
 /// Address space of this process; 0 where it is not known, or where a sanitizer takes all there is.
 std::size_t own_bytes() {
-#ifdef UNBRUISED_SANITIZED
+#ifdef UNBRUISED_SANITIZER
   return 0;
 #else
   std::size_t pages = 0;

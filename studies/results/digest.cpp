@@ -7,6 +7,7 @@
 #include <xxhash.h>
 
 #include "studies/results/bytes.hpp"
+#include "studies/text/hex_text.hpp"
 
 namespace unbruised::studies {
 
@@ -48,11 +49,6 @@ void DigestOfDigests::add(std::uint64_t digest) { XXH3_64bits_update(state_->sta
 
 std::uint64_t DigestOfDigests::value() const { return XXH3_64bits_digest(state_->state); }
 
-std::string digest_text(std::uint64_t digest) {
-  static constexpr char kHexDigits[] = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t i = 0; i < text.size(); ++i) text[i] = kHexDigits[(digest >> (60 - 4 * i)) & 0xF];
-  return text;
-}
+std::string digest_text(std::uint64_t digest) { return hex_text(digest); }
 
 }  // namespace unbruised::studies

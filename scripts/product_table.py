@@ -51,8 +51,17 @@ def mass(product):
     return shown(product, "density_kg_m3", digits(1e3 * product["density_kg_m3"] * volume_m3(product)))
 
 
+def deviation(product, key):
+    """Standard deviation that studies draw with; None where the file gives none."""
+    drawn = [random for random in product.get("random", []) if random["key"] == f"product.{key}"]
+    return drawn[0].get("standard_deviation") if drawn else None
+
+
 def modulus(product, key):
-    return shown(product, key, digits(product[key] / 1e3)) if key in product else ""
+    if key not in product:
+        return ""
+    spread = deviation(product, key)
+    return shown(product, key, digits(product[key] / 1e3) + (f" ± {digits(spread / 1e3)}" if spread else ""))
 
 
 def time_dependent(product):

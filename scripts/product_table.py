@@ -141,6 +141,11 @@ def bruise_mm2():
     return 1e6 * metric("kiwi_drop", 2, "bruised_area_m2")
 
 
+def potato_ratio(name):
+    """Of nine falls to one."""
+    return lambda: metric("potato_impacts", 1, name) / metric("potato_impacts", 0, name)
+
+
 def kiwi_stiffness():
     """Between 1 and 3 N."""
     return 2.0 / (closed(1)() - closed(0)())
@@ -149,6 +154,7 @@ def kiwi_stiffness():
 SHEEP = "github.com/SheepLiu712/FruitRuptureEstimate, 40 specimens"
 AGRONOMY = "Agronomy 2025, 15(10):2283 (review)"
 FU = "Fu, He, Ma, Karkee et al., Jazz apple impact bruise responses to different cushioning materials"
+MOLEMA = "Molema 1999, PhD Wageningen"
 XIA = "Xia et al. 2021, Agriculture 11(6):471, its Prony terms"
 KORLA = "doi 10.13427/j.cnki.njyi.2022.06.026"
 
@@ -161,6 +167,9 @@ TABLE = [
     ("kiwi, firm: force from which gripping damages", "N", 180, "about; patch and ripeness not given", AGRONOMY, "experiment_damage", damage(1)),
     ("kiwi, firm (Xuxiang): bruised area after 0.5 m onto steel", "mm2", 540.38, "their finite elements 592; simulated: flesh strained by 1 % and more, no skin",
      "Zhu et al. 2024, Foods 13(21):3523", "kiwi_drop", bruise_mm2),
+    ("potato, 0.6 J in nine impacts over the same in one: bruised volume", "", 0.36, "blows by a body of steel; simulated: falls onto steel, volume strained by 1 % and more",
+     MOLEMA, "potato_impacts", potato_ratio("bruised_volume_m3")),
+    ("the same: depth", "", 0.67, "", MOLEMA, "potato_impacts", potato_ratio("bruised_depth_m")),
     ("apple: force from which gripping damages", "N", 27.5, "15 to 40 N, middle taken; simulated between bare plates", AGRONOMY, "experiment_damage",
      damage(2)),
     ("apple, Red Fuji of 70 to 90 mm: least compression that damages", "N", 24.33, "", "Agriculture 2026, 16(2):178", "experiment_damage", damage(3)),

@@ -34,7 +34,7 @@ void turn(const Attitude& attitude, const BodyModel& body, BodyState& state) {
 void launch_solid(const LatticeParameters& product, const BodyModel& body, BodyState& state) {
   if (!starts_in_the_air(product)) return;
   const std::vector<double> zero(state.displacement_m.size(), 0.0);
-  BodyState launched{zero, zero, zero, product.initial_rotation_rad};
+  BodyState launched{state.displacement_m, zero, zero, product.initial_rotation_rad};
   const Attitude attitude = attitude_of(product.initial_rotation_rad), back = inverse(attitude);
   const bool is_turned = product.initial_rotation_rad != std::array<double, 3>{};
   add_steady_spin(body, turned(back, product.initial_spin_rad_s), launched);

@@ -181,6 +181,7 @@ class ContactLanes {
 
   /// Notes the register's changes in a lane from now on, beginning with the contacts that it holds.
   void note_events(int lane);
+  [[nodiscard]] bool notes_events(int lane) const { return events_.lanes()[lane]; }
   /// Another step begins: what was noted of the last one has been read.
   void forget_events() { events_.forget(); }
   /// Appends the changes of the last step in `lane` in the order of time.

@@ -99,7 +99,8 @@ bool SupportRest::press(const std::vector<double>& free_m, Layers& layers) const
   return changed;
 }
 
-StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffness_N_m3) const {
+StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffness_N_m3,
+                                      std::span<const double> worn_N) const {
   const std::vector<double>& mass_kg = statics_.mass_kg();
   const std::size_t size = 3 * mass_kg.size();
   const std::size_t k = support_candidate_.size();
@@ -116,6 +117,7 @@ StaticRest SupportRest::under_gravity(double gravity_m_s2, double layer_stiffnes
     for (std::size_t i = 0; i < size; ++i) {
       load[i] = statics_.shift_1_s2() * mass_kg[i / 3] * rest.displacement_m[i];
       if (i % 3 == 2) load[i] -= mass_kg[i / 3] * gravity_m_s2;
+      if (!worn_N.empty()) load[i] += worn_N[i];
     }
     const std::vector<double> free = statics_.shifted_solve(load);
     for (int pass = 0; pass < kMaxPasses; ++pass) {

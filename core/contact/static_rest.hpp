@@ -3,6 +3,7 @@
 /// @file
 /// The state in which a product lies on its support before anything happens.
 
+#include <span>
 #include <vector>
 
 #include "core/body/static_solver.hpp"
@@ -26,7 +27,9 @@ class SupportRest {
 
   /// @param gravity_m_s2 magnitude along -z
   /// @param layer_stiffness_N_m3 stiffness of the support's layer per area
-  [[nodiscard]] StaticRest under_gravity(double gravity_m_s2, double layer_stiffness_N_m3) const;
+  /// @param worn_N of what has flowed within the product, in balance, [3n]; empty: nothing has
+  [[nodiscard]] StaticRest under_gravity(double gravity_m_s2, double layer_stiffness_N_m3,
+                                         std::span<const double> worn_N = {}) const;
 
  private:
   /// The support's layer under each of its candidates.

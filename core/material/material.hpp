@@ -33,6 +33,12 @@ class Material {
     lane(largest_strain_, largest_cell_rotation_, largest_plastic_, plastic_work_, hardening_energy_);
   }
 
+  /// Opens the accounts of energy of a lane anew; what the material is stays.
+  void open_accounts(int lane) {
+    plastic_work_.set(lane, 0.0);
+    hardening_energy_.set(lane, 0.0);
+  }
+
   /// The load that holds at t + theta dt so far, rows 3 x particle + axis; null: there never is one.
   [[nodiscard]] virtual const LaneArray* load_theta() const = 0;
   /// Follows `load`, once the displacement of the lane is there too.

@@ -369,8 +369,9 @@ MotionPlan planned_motion(const Scenario& scenario, const PalmCarrier* carrier) 
 }
 
 double planned_end_s(const Scenario& scenario) {
-  if (!has_gripper(scenario)) return scenario.simulation.duration_s.value_or(0.0);
-  return planned_motion(scenario).end_s();
+  const double once_s =
+      has_gripper(scenario) ? planned_motion(scenario).end_s() : scenario.simulation.duration_s.value_or(0.0);
+  return scenario.strategy.repeat * once_s;
 }
 
 }  // namespace unbruised

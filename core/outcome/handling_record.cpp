@@ -75,6 +75,13 @@ HandlingRecord::HandlingRecord(const Scenario& scenario)
   if (arm_sways(scenario)) metrics[Metric::robot_sway_max_m] = 0.0;
 }
 
+HandlingRecord HandlingRecord::next(const Scenario& scenario) const {
+  HandlingRecord next(scenario);
+  next.patches_ = patches_;
+  next.absorbed_before_J_ = next.absorbed_J_ = absorbed_J_;
+  return next;
+}
+
 void HandlingRecord::raise(Metric metric, double value) { metrics[metric] = std::max(metrics[metric], value); }
 
 void HandlingRecord::check_limits(std::initializer_list<Metric> changed, double time_s, std::string_view where) {
@@ -89,7 +96,8 @@ bool HandlingRecord::observe(const StepObservation& now, const HandlingCycle& cy
   for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, now.patch[s]);
   const PatchDamage patches = patches_.together();
   metrics[Metric::plastic_strain_max] = std::max(now.plastic_strain, patches.plastic_strain);
-  metrics[Metric::absorbed_energy_J] = std::max(now.absorbed_energy_J, patches.absorbed_energy_J);
+  absorbed_J_ = absorbed_before_J_ + now.absorbed_energy_J;
+  metrics[Metric::absorbed_energy_J] = std::max(absorbed_J_, patches.absorbed_energy_J);
   check_limits({Metric::plastic_strain_max, Metric::absorbed_energy_J}, now.time_s);
   observe_belt(now, cycle);
   if (!has_gripper_) {

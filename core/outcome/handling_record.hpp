@@ -71,6 +71,8 @@ class HandlingRecord {
  public:
   HandlingRecord() = default;
   explicit HandlingRecord(const Scenario& scenario);
+  /// Of the next handling of the product that this one has left.
+  [[nodiscard]] HandlingRecord next(const Scenario& scenario) const;
 
   /// Takes in one step. @return false: the run has nothing more to show and ends here (dropped, not grasped).
   bool observe(const StepObservation& now, const HandlingCycle& cycle);
@@ -121,7 +123,8 @@ class HandlingRecord {
   bool lists_fingers_ = false;
   bool has_belt_ = false;
   bool has_product_yield_ = false;
-  WorstPatches patches_;
+  WorstPatches patches_;                           ///< of former handlings too
+  double absorbed_before_J_ = 0, absorbed_J_ = 0;  ///< by the cells: in former handlings, and with this one
   ContactTransition transition_;
   bool both_touched_ = false;  ///< at the last contacts within the grip phase; of more fingers, two of them
   bool grasp_checked_ = false;

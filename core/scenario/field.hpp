@@ -39,6 +39,7 @@ inline constexpr Range kDampingRatio{.min = 0.0, .max = 1.0, .max_open = true};
 inline constexpr Range kExponent{.min = kLeastExponent, .max = kLargestExponent};
 inline constexpr Range kUse{.min = 0.0, .min_open = true, .max = 1.0};
 
+inline constexpr Range kHandlings{.min = 1.0, .max = 1000.0};
 inline constexpr Range kModeCount{.min = 0.0, .max = 2000.0};
 
 inline constexpr Range kRingElements{.min = 3.0, .max = 64.0};

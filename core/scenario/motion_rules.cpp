@@ -3,6 +3,7 @@
 
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/palm_stops.hpp"
+#include "core/scenario/relaxation.hpp"
 #include "core/scenario/rule_tables.hpp"
 #include "core/scenario/words.hpp"
 
@@ -92,10 +93,38 @@ void duration_known(const Scenario& s, Violations& out) {
   out.push_back({"simulation.duration_s", "", "missing; a study without [gripper] needs it"});
 }
 
+bool relaxes(const ProductParameters& product) {
+  if (const auto* lattice = std::get_if<LatticeParameters>(&product))
+    return !relaxation_branches(*lattice).empty();
+  const auto* network = std::get_if<NetworkParameters>(&product);
+  return network != nullptr && std::ranges::any_of(network->spring, [](const NetworkSpring& spring) {
+           return !relaxation_branches(spring).empty();
+         });
+}
+
+void repeated_keeps_stiffness(const Scenario& s, Violations& out) {
+  if (s.strategy.repeat == 1 || !relaxes(s.product)) return;
+  out.push_back(
+      {"strategy.repeat", std::to_string(s.strategy.repeat),
+       "must be 1 of a product that relaxes: what it remembers of one handling in the next one depends on "
+       "the time between them, which nothing says"});
+}
+
+void repeated_is_not_stopped(const Scenario& s, Violations& out) {
+  if (s.strategy.repeat == 1 || !s.strategy.stop_time_s) return;
+  out.push_back({"strategy.repeat", std::to_string(s.strategy.repeat),
+                 "must be 1 with strategy.stop_time_s: a handling that is stopped does not put the product down"});
+}
+
 }  // namespace
 
 std::vector<Rule> motion_rules() {
   return {
+      {{"strategy.repeat", "product.prony_modulus", "product.burgers_flow_time_s",
+        "product.spring[].prony_modulus", "product.spring[].burgers_flow_N_s_m"},
+       "1 of a product that relaxes",
+       repeated_keeps_stiffness},
+      {{"strategy.repeat", "strategy.stop_time_s"}, "1 with an emergency stop", repeated_is_not_stopped},
       gripped(bounded("strategy.approach_speed_m_s", "<= gripper.max_speed_m_s", "gripper.max_speed_m_s")),
       gripped(bounded("strategy.grip_force_N", "<= gripper.max_force_N", "gripper.max_force_N")),
       gripped(bounded("strategy.contact_force_N", "<= strategy.grip_force_N", "strategy.grip_force_N")),

@@ -249,6 +249,9 @@ struct StrategyParameters {
   /// >= 0; an emergency stop ends the cycle there: the palm brakes along its path and the fingers hold what they
   /// have. None, or after the release has begun: no stop.
   std::optional<double> stop_time_s{};
+  /// >= 1, <= 1000; handlings one after another, each of the product as the one before has left it. It is put back
+  /// to where it began, and comes to rest there.
+  int repeat = 1;
   /// At most 16, and not with a tilt. A palm that tracks comes to rest over the first before it turns. The product
   /// is put down as it was turned last.
   std::vector<Waypoint> waypoint;

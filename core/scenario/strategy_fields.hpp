@@ -28,7 +28,7 @@ void visit_fields(T& p, Visit&& visit) {
          grip_ramp_s, ramp_from_start, settle_s, pick, pick_offset_m, tracking_lag_s, profile,
          lift_acceleration_m_s2, transfer_acceleration_m_s2, lower_acceleration_m_s2, speed_m_s, jerk_m_s3,
          tilt_rad, tilt_speed_rad_s, tilt_acceleration_rad_s2, tilt_jerk_rad_s3, hold_s, release_height_m,
-         place_settle_s, release_speed_m_s, recover_s, stop_time_s, waypoint] = p;
+         place_settle_s, release_speed_m_s, recover_s, stop_time_s, repeat, waypoint] = p;
   visit({"approach_speed_m_s", Decides::run, kPositive}, approach_speed_m_s);
   visit({"guard", Decides::run}, guard);
   visit({"guard_range_m", Decides::run, kPositive}, guard_range_m);
@@ -58,6 +58,7 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"release_speed_m_s", Decides::run, kPositive}, release_speed_m_s);
   visit({"recover_s", Decides::run, kNotNegative}, recover_s);
   visit({"stop_time_s", Decides::run, kNotNegative}, stop_time_s);
+  visit({"repeat", Decides::run, kHandlings}, repeat);
 }
 
 }  // namespace unbruised

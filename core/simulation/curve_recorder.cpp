@@ -43,7 +43,7 @@ void CurveRecorder::observe_fingers(const LaneStep& step) {
   }
   if (!all_touched) return;
   if (!first_contact_s_) first_contact_s_ = touched_s;
-  curve_.time_s.push_back(step.time_s - *first_contact_s_);
+  curve_.time_s.push_back(step.before_s + step.time_s - *first_contact_s_);
   curve_.closure_m.push_back(closure_m);
   curve_.force_N.push_back(force_N);
   curve_.slide_N.push_back(slide_N);
@@ -67,7 +67,7 @@ void CurveRecorder::observe_load(const LaneStep& step) {
     closure_m += state.displacement_m[first + i] * along[i] / size;
     along_N += force_N[first + i] * along[i] / size;
   }
-  curve_.time_s.push_back(step.time_s);
+  curve_.time_s.push_back(step.before_s + step.time_s);
   curve_.closure_m.push_back(closure_m);
   curve_.force_N.push_back(along_N);
   curve_.slide_N.push_back(0.0);

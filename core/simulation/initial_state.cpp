@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/body/launch.hpp"
+#include "core/body/rigid_motion.hpp"
 #include "core/contact/layered_face.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/product.hpp"
@@ -21,24 +22,37 @@ void ride_along(const ConveyorParameters& conveyor, BodyState& state) {
 
 }  // namespace
 
-InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N) {
-  InitialState state{written_state(scenario.product, model_.body), nullptr};
-  if (model_.body.is_solid) {
-    launch(scenario.product, model_.body, state.body);
-    lay_down_or_drop(scenario, state);
+InitialState InitialStates::of(const Scenario& scenario, const std::vector<double>& plastic_load_N,
+                               const std::vector<double>& worn_N) {
+  const BodyModel& body = model_.body;
+  InitialState state{written_state(scenario.product, body), nullptr};
+  if (!worn_N.empty()) {
+    std::vector<double> shape = body.statics->free_shape(worn_N);
+    if (!body.is_anchored()) remove_rigid_motion(body.position_m, shape);
+    for (std::size_t i = 0; i < shape.size(); ++i) state.body.displacement_m[i] += shape[i];
+  }
+  if (body.is_solid) {
+    launch(scenario.product, body, state.body);
+    lay_down_or_drop(scenario, worn_N, state);
   } else if (scenario.simulation.initial_acceleration == InitialAcceleration::consistent) {
-    accelerate(scenario, plastic_load_N, state.body);
+    std::vector<double> load_N = plastic_load_N;
+    for (std::size_t i = 0; i < worn_N.size(); ++i) load_N[i] += worn_N[i];
+    accelerate(scenario, load_N, state.body);
   }
   return state;
 }
 
-void InitialStates::lay_down_or_drop(const Scenario& scenario, InitialState& state) {
+void InitialStates::lay_down_or_drop(const Scenario& scenario, const std::vector<double>& worn_N,
+                                     InitialState& state) {
   const CellParameters& cell = scenario.cell;
   const double down = -cell.gravity_m_s2[2];
   const bool rests = cell.support && down > 0.0 && !starts_in_the_air(scenario.product);
   if (rests) {
     const std::array<double, 2> key = {down, support_layer_N_m3(scenario, layer_at_support(scenario))};
-    if (key != rest_key_) {
+    if (!worn_N.empty()) {
+      rest_ = model_.rest->under_gravity(key[0], key[1], worn_N);
+      rest_key_ = kNobodys;
+    } else if (key != rest_key_) {
       rest_ = model_.rest->under_gravity(key[0], key[1]);
       rest_key_ = key;
     }

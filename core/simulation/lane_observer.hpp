@@ -16,13 +16,16 @@ namespace unbruised {
 
 class Balances;
 
-/// One accepted step of one lane. Valid during the call: the lane may be another one in the next.
+/// One accepted step of one lane; counts and times are those of the present handling. Valid during the call: the
+/// lane may be another one in the next.
 struct LaneStep {
   int lane = 0;
   std::int64_t count = 0;                         ///< accepted steps so far; 0: the state the scenario starts from
   std::int64_t tick = 0;                          ///< shortest steps of the scenario that they add up to
   double start_s = 0;                             ///< of the step
   double time_s = 0;                              ///< at its end
+  double before_s = 0;                            ///< that former handlings of the product took
+  std::int64_t ticks_before = 0;                  ///< likewise
   double contact_sweeps = 0, plastic_rounds = 0;  ///< that the step took
   const Scenario& scenario;
   const HandlingCycle& cycle;                   ///< has taken in the step
@@ -41,9 +44,11 @@ class LaneObserver {
 
   /// The scenario is loaded; no step is taken yet.
   virtual void start(const LaneStep& loaded) = 0;
+  /// Another handling of the product begins (strategy.repeat); no step of it is taken yet.
+  virtual void next_handling(const LaneStep& /*loaded*/) {}
   /// A step is accepted. @return false: it has seen enough, and the run ends
   virtual bool observe(const LaneStep& step) = 0;
-  /// The run ends with the step that was observed last.
+  /// The run ends with the step that was observed last; of several handlings the last one's.
   virtual void end(const LaneStep& last) = 0;
 };
 

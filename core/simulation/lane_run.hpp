@@ -28,6 +28,9 @@ struct LaneRun {
   std::int64_t tick = 0;                                 ///< shortest steps of the scenario that they add up to
   LevelChoice level;                                     ///< of the coming step
   SupportPlane plane = SupportPlane::start;              ///< under the product
+  double before_s = 0.0;                                 ///< that former handlings took
+  std::int64_t ticks_before = 0;                         ///< likewise
+  bool again_due = false;                                ///< a handling has ended, and the next one is to begin
   OutcomeObserver* outcome = nullptr;                    ///< one of the observers
   std::vector<std::unique_ptr<LaneObserver>> observers;  ///< in the order in which they see a step
 

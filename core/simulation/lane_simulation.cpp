@@ -10,6 +10,7 @@
 #include "core/simulation/lane_mounts.hpp"
 #include "core/simulation/lane_simulation_impl.hpp"
 #include "core/simulation/replay_recorder.hpp"
+#include "core/simulation/step_levels.hpp"
 #include "core/simulation/trace_recorder.hpp"
 
 namespace unbruised {
@@ -224,6 +225,8 @@ void LaneSimulation::Impl::observe_lane(int lane) {
                       .tick = r.tick,
                       .start_s = start,
                       .time_s = time,
+                      .before_s = r.before_s,
+                      .ticks_before = r.ticks_before,
                       .contact_sweeps = sweeps[lane],
                       .plastic_rounds = rounds[lane],
                       .scenario = r.scenario,
@@ -281,6 +284,13 @@ StepObservation LaneSimulation::Impl::see(int lane, double time_s) {
 
 void LaneSimulation::Impl::finish(const LaneStep& last) {
   LaneRun& r = run_of(last.lane);
+  if (r.outcome->end_handling(last)) {
+    r.before_s += last.time_s;
+    r.ticks_before += last.tick;
+    r.again_due = true;
+    r.level = LevelChoice(step_levels(r.scenario));
+    return begin_next_handling(last.lane);
+  }
   for (const auto& observer : r.observers) observer->end(last);
   finished.push_back({last.lane, r.outcome->result()});
   r.observers.clear();

@@ -22,6 +22,11 @@ struct LaneSimulation::Impl {
   explicit Impl(std::shared_ptr<const Model> shared);
 
   void load(int lane, const Scenario& scenario);
+  /// Begins the scenario of a lane, or the next handling of its product.
+  /// @param worn what the material was at the end of the last; null: it is the first
+  void begin(int lane, LaneContent* worn);
+  std::vector<double> wear(int lane, LaneContent* worn, const std::vector<double>& mounted_N);
+  void begin_next_handling(int lane);
   void set_up(int lane, const LaneRun& r);
   void archive(LaneArchive& lane);
   std::unique_ptr<ParkedScenario> take(int lane);
@@ -42,6 +47,8 @@ struct LaneSimulation::Impl {
   void read_instruments(int lane, double start_s, double time_s);
   [[nodiscard]] StepObservation see(int lane, double time_s);
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
+  /// The state of a lane before its first step.
+  [[nodiscard]] LaneStep loaded(int lane, const StepObservation& seen);
   void observe_lane(int lane);
   void choose_level(const LaneStep& step);
   void finish(const LaneStep& last);

@@ -104,7 +104,7 @@ bool OutcomeObserver::observe(const LaneStep& step) {
   return goes_on && !record_.aborted();
 }
 
-void OutcomeObserver::end(const LaneStep& last) {
+bool OutcomeObserver::end_handling(const LaneStep& last) {
   Metrics& metrics = record_.metrics;
   metrics[Metric::step_count] = static_cast<double>(last.count);
   metrics[Metric::contact_iterations] = contact_sweeps_;
@@ -119,7 +119,13 @@ void OutcomeObserver::end(const LaneStep& last) {
   }
   if (!record_.aborted()) last.view.measure_permanent_set(last.lane, last.scenario.limits, metrics);
   if (!record_.diverged()) last.balances.measure(last.lane, last.time_s, last.view, last.scenario, metrics);
-  result_ = record_.finish(last.cycle, last.time_s);
+  handlings_.add(record_.finish(last.cycle, last.time_s), last.time_s);
+  return handlings_.go_on();
+}
+
+void OutcomeObserver::next_handling(const LaneStep& loaded) {
+  record_ = record_.next(loaded.scenario);
+  contact_sweeps_ = plastic_rounds_ = 0.0;
 }
 
 }  // namespace unbruised

@@ -92,7 +92,7 @@ bool ReplayRecorder::observe(const LaneStep& step) {
   for (std::size_t s = 0; s < kSurfaceCount; ++s) {
     worst_strain_[s] = std::max(worst_strain_[s], step.seen.patch[s].plastic_strain);
   }
-  const double passed = step.time_s / interval_s_ * (1.0 + kRounding);
+  const double passed = (step.before_s + step.time_s) / interval_s_ * (1.0 + kRounding);
   if (passed < static_cast<double>(frames_)) return true;
   record(step);
   frames_ = static_cast<std::int64_t>(passed) + 1;
@@ -100,12 +100,12 @@ bool ReplayRecorder::observe(const LaneStep& step) {
 }
 
 void ReplayRecorder::end(const LaneStep& last) {
-  if (replay_.time_s.back() < last.time_s) record(last);
+  if (replay_.time_s.back() < last.before_s + last.time_s) record(last);
   record_permanent_set(last);
 }
 
 void ReplayRecorder::record(const LaneStep& step) {
-  replay_.time_s.push_back(step.time_s);
+  replay_.time_s.push_back(step.before_s + step.time_s);
   record_pose(step);
   record_carriers(step);
   record_forces(step);

@@ -119,7 +119,7 @@ double planned_steps(const Scenario& scenario, double contact_s) {
                           .weight_N = 1.0});
     steps += 1.0;
   }
-  return steps;
+  return scenario.strategy.repeat * steps;
 }
 
 }  // namespace unbruised

@@ -19,17 +19,19 @@ void TraceRecorder::start(const LaneStep& loaded) {
 bool TraceRecorder::observe(const LaneStep& step) {
   record_events(step);
   for (std::size_t s = 0; s < kSurfaceCount; ++s) patches_.raise(s, step.seen.patch[s]);
-  if (step.tick / stride_ > rows_) record(step);
+  if ((step.ticks_before + step.tick) / stride_ > rows_) record(step);
   return true;
 }
 
 void TraceRecorder::record_events(const LaneStep& step) {
   const LaneView& view = step.view;
-  view.contact.append_events(step.lane, {step.start_s, step.time_s, view.body, view.carriers}, trace_.events);
+  view.contact.append_events(step.lane,
+                             {step.before_s + step.start_s, step.before_s + step.time_s, view.body, view.carriers},
+                             trace_.events);
 }
 
 void TraceRecorder::record(const LaneStep& step) {
-  rows_ = step.tick / stride_;
+  rows_ = (step.ticks_before + step.tick) / stride_;
   TraceRow row = step.view.trace_row(step.lane, step.scenario, step.time_s);
   row.dissipated = Balances::dissipated(step.lane, step.view, step.scenario);
   row.work = step.balances.work_done(step.lane, step.view, step.scenario);
@@ -44,7 +46,8 @@ void TraceRecorder::record(const LaneStep& step) {
     row.friction_margin[f] = friction_margin(finger, friction, step.scenario.limits).value_or(std::nan(""));
   }
   if (step.six_axis != nullptr) row.sensor = SensorRow{step.six_axis->reading(), step.six_axis->compensated()};
-  row.phase = step.cycle.phase(row.time_s);
+  row.phase = step.cycle.phase(step.time_s);
+  row.time_s = step.before_s + step.time_s;
   row.support_yield_ratio = step.seen.support_yield_ratio;
   row.patch_pressure_Pa = step.seen.patch_pressure_Pa;
   const PatchDamage patches = patches_.together();

@@ -14,6 +14,7 @@ class TraceRecorder final : public LaneObserver {
   explicit TraceRecorder(Trace& trace) : trace_(trace) {}
 
   void start(const LaneStep& loaded) override;
+  void next_handling(const LaneStep& loaded) override { record_events(loaded); }
   bool observe(const LaneStep& step) override;
   void end(const LaneStep& /*last*/) override {}
 

@@ -162,6 +162,14 @@ Table motion_keys() {
        .use = use,
        .note = "absent, or after the release has begun: no stop",
        .field = strategy<&S::stop_time_s>},
+      {.path = "strategy.repeat",
+       .type = integer,
+       .meaning =
+           "Handlings one after another, each of the product as the one before has left it: it keeps its plastic "
+           "strain and its shape, is put back to where it began and comes to rest there. The first handling that "
+           "does not go well is the last. Metrics are the worst of all handlings, or their sum, or what the last "
+           "one shows (docs/metrics.md, \"Repeated handling\").",
+       .field = strategy<&S::repeat>},
   };
 }
 

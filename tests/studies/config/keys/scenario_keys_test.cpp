@@ -314,6 +314,7 @@ std::vector<Arrival> strategy_arrivals() {
       {"strategy.release_speed_m_s", "0.375", [](S s) { return s.strategy.release_speed_m_s == 0.375; }},
       {"strategy.recover_s", "0.875", [](S s) { return s.strategy.recover_s == 0.875; }},
       {"strategy.stop_time_s", "0.875", [](S s) { return s.strategy.stop_time_s == 0.875; }},
+      {"strategy.repeat", "3", [](S s) { return s.strategy.repeat == 3; }},
   };
 }
 

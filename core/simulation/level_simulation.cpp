@@ -16,7 +16,8 @@
 namespace unbruised {
 namespace {
 
-constexpr int kPlaces = 3 * kLanes;
+/// With as many in flight one of the batches is full: there are four at most, of 1, 2, 4 and 8 ticks.
+constexpr int kPlaces = 4 * kLanes;
 
 /// Who waits for a lane: not begun, or between two steps.
 struct Waiting {

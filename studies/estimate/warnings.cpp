@@ -1,6 +1,7 @@
 #include "studies/estimate/warnings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -8,6 +9,7 @@
 #include "core/contact/contact_effort.hpp"
 #include "core/contact/contact_time.hpp"
 #include "core/scenario/body_modes.hpp"
+#include "core/scenario/product_mesh.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/estimate/guard_warnings.hpp"
 #include "studies/findings/shown_probability.hpp"
@@ -114,6 +116,30 @@ void warn_about_modes(const Study& study, std::vector<std::string>& warnings) {
                              " of the scenarios: ", why, "; such are computed with every particle"}));
 }
 
+/// Fruits of one kind differ in their proportions by a fifth at most.
+constexpr double kProportionsMost = 1.2;
+
+void warn_about_stretched_meshes(const Study& study, std::vector<std::string>& warnings) {
+  std::array<double, 3> worst{};
+  double largest = kProportionsMost;
+  look_at_some(study, [&](const Scenario& scenario) {
+    const auto* product = std::get_if<LatticeParameters>(&scenario.product);
+    if (product == nullptr || !product->mesh) return;
+    std::array<double, 3> stretch{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      stretch[axis] = product->size_m[axis] / product->mesh->extents()[axis];
+    }
+    const auto [least, most] = std::ranges::minmax(stretch);
+    if (!(most > largest * least)) return;
+    largest = most / least;
+    for (std::size_t axis = 0; axis < 3; ++axis) worst[axis] = stretch[axis] / least;
+  });
+  if (worst[0] == 0.0) return;
+  warnings.push_back(joined(
+      {"product.size_m stretches the mesh to other proportions than those of its file: ", short_number(worst[0]),
+       " : ", short_number(worst[1]), " : ", short_number(worst[2]), " along x, y, z"}));
+}
+
 }  // namespace
 
 std::vector<std::string> study_warnings(const Study& study) {
@@ -122,6 +148,7 @@ std::vector<std::string> study_warnings(const Study& study) {
   warn_about_light_products(study, warnings);
   warn_about_damping(study, warnings);
   warn_about_modes(study, warnings);
+  warn_about_stretched_meshes(study, warnings);
   for (std::string& warning : guard_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));

@@ -16,6 +16,10 @@ class CountedSimulator final : public Simulator {
   CountedSimulator(const Simulator& simulator, Progress& progress) : simulator_(simulator), progress_(progress) {}
 
   [[nodiscard]] int lane_count() const override { return simulator_.lane_count(); }
+  [[nodiscard]] int place_count() const override { return simulator_.place_count(); }
+  [[nodiscard]] double duration_s(const Scenario& scenario) const override {
+    return simulator_.duration_s(scenario);
+  }
   [[nodiscard]] std::string factor_key(const Scenario& scenario) const override {
     return simulator_.factor_key(scenario);
   }

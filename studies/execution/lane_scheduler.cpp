@@ -219,17 +219,28 @@ void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::ui
   const bool leaves_some = grows() && unassigned_workers_ > 0;
   const int places = leaves_some ? simulator_.lane_count() : simulator_.place_count();
   const auto free = static_cast<std::size_t>(std::max(0, places - busy));
-  const std::size_t mine = grows() ? left_by_seniors(group, seat) : fair_share(group);
+  const std::size_t sharers = grows() ? 1 : sharers_of(group);
+  const std::size_t mine = grows() ? left_by_seniors(group, seat) : (group.waiting.size() + sharers - 1) / sharers;
   const std::size_t count = std::min(free, mine);
-  taken.assign(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));
-  group.waiting.erase(group.waiting.begin(), group.waiting.begin() + static_cast<std::ptrdiff_t>(count));
+  deal(group.waiting, count, sharers, taken);
   seat.free_lanes = static_cast<int>(free - count);
   if (group.waiting.empty() && count > 0) open_.erase(group.index);
 }
 
+/// Every `sharers`-th of those in front: the longest come first, and each worker is to have its part of them.
+void LaneScheduler::deal(std::deque<std::uint64_t>& waiting, std::size_t count, std::size_t sharers,
+                         std::vector<std::uint64_t>& taken) {
+  std::vector<std::uint64_t> left;
+  for (std::size_t i = 0; taken.size() < count; ++i) {
+    (i % sharers == 0 ? taken : left).push_back(waiting.front());
+    waiting.pop_front();
+  }
+  waiting.insert(waiting.begin(), left.begin(), left.end());
+}
+
 /// What is left is shared among the workers of the group and those about to join it, so that no thread is left
 /// with a long tail of its own.
-std::size_t LaneScheduler::fair_share(const Group& group) const {
+std::size_t LaneScheduler::sharers_of(const Group& group) const {
   std::size_t share = group.seats.size();
   if (unassigned_workers_ > 0) {
     const auto unassigned = static_cast<std::size_t>(unassigned_workers_);
@@ -239,8 +250,7 @@ std::size_t LaneScheduler::fair_share(const Group& group) const {
     }
     share += unassigned - std::min(unassigned, free_groups);
   }
-  share = std::max<std::size_t>(1, share);
-  return (group.waiting.size() + share - 1) / share;
+  return std::max<std::size_t>(1, share);
 }
 
 /// A step costs the same however many lanes are busy, so whoever came first fills up first, and the last one runs

@@ -77,7 +77,9 @@ class LaneScheduler final : public Work {
   Group* pick_group();
   Group* build(Group& group, std::unique_lock<std::mutex>& lock);
   [[nodiscard]] ModelOrReason build_first_scenario(std::uint64_t id) const;
-  [[nodiscard]] std::size_t fair_share(const Group& group) const;
+  [[nodiscard]] std::size_t sharers_of(const Group& group) const;
+  static void deal(std::deque<std::uint64_t>& waiting, std::size_t count, std::size_t sharers,
+                   std::vector<std::uint64_t>& taken);
   [[nodiscard]] static std::size_t left_by_seniors(const Group& group, const Seat& seat);
   [[nodiscard]] static std::size_t uncovered(const Group& group);
   void drop_model(Group& group);

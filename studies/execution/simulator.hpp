@@ -47,10 +47,10 @@ class Simulator {
   /// Scenarios that one step can advance.
   [[nodiscard]] virtual int lane_count() const = 0;
   /// Scenarios that lanes of one maker can hold, `lane_count()` or more.
-  [[nodiscard]] virtual int place_count() const { return lane_count(); }
+  [[nodiscard]] virtual int place_count() const = 0;
   [[nodiscard]] virtual std::string factor_key(const Scenario& scenario) const = 0;
   /// Simulated time that a scenario takes, about [s].
-  [[nodiscard]] virtual double duration_s(const Scenario&) const { return 0.0; }
+  [[nodiscard]] virtual double duration_s(const Scenario& scenario) const = 0;
   [[nodiscard]] virtual ModelOrReason build(const Scenario& scenario) const = 0;
 };
 

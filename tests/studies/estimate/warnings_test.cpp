@@ -1,8 +1,11 @@
 #include "studies/estimate/warnings.hpp"
 
+#include <filesystem>
 #include <variant>
 
 #include <gtest/gtest.h>
+
+#include "tests/places.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -50,6 +53,21 @@ TEST(Warnings, WrittenZerosOfDampingSayWhatTheyDoToTheWindow) {
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"product.relaxation_time_s=0"}), "without damping: the product"));
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"gripper.pad_relaxation_time_s=0"}), "without damping: the pads"));
   EXPECT_TRUE(one_says(warnings_of(kGripped, {"cell.support_relaxation_time_s=0"}), "half as wide"));
+}
+
+TEST(Warnings, AMeshThatIsStretchedOutOfProportionSaysHow) {
+  const std::filesystem::path configs = std::filesystem::path(UNBRUISED_SOURCE_DIR) / "configs";
+  const auto of_size = [&](const std::string& size_m) {
+    const StudyOrError read = read_study_text(
+        "[study]\nname = \"t\"\nkind = \"simulate\"\n[product]\n"
+        "use = \"products/tomato_ribbed.toml\"\nsize_m = " +
+            size_m + "\n[gripper]\n",
+        "study.toml", {}, configs, configs);
+    EXPECT_TRUE(read.has_value());
+    return read ? study_warnings(*read) : std::vector<std::string>{};
+  };
+  EXPECT_TRUE(one_says(of_size("[0.08, 0.08, 0.12]"), "stretches the mesh"));
+  EXPECT_FALSE(one_says(of_size("[0.08, 0.08, 0.06]"), "stretches the mesh"));
 }
 
 TEST(Warnings, AGuardWithoutRoomToBrakeSaysHowFastTheFingersTouch) {

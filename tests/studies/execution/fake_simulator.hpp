@@ -133,6 +133,8 @@ class FakeSimulator final : public Simulator {
   FakeFaults faults;
 
   int lane_count() const override { return kFakeLanes; }
+  int place_count() const override { return kFakeLanes; }
+  double duration_s(const Scenario&) const override { return 0.0; }
   std::string factor_key(const Scenario& scenario) const override { return std::to_string(modulus(scenario)); }
   ModelOrReason build(const Scenario& scenario) const override {
     if (modulus(scenario) == faults.no_model_of_modulus_Pa) return std::string("the matrix cannot be factored");

@@ -72,6 +72,8 @@ class FormulaSimulator final : public Simulator {
  public:
   explicit FormulaSimulator(Formula formula) : formula_(std::move(formula)) {}
   int lane_count() const override { return kFormulaLanes; }
+  int place_count() const override { return kFormulaLanes; }
+  double duration_s(const Scenario&) const override { return 0.0; }
   std::string factor_key(const Scenario& scenario) const override { return unbruised::factor_key(scenario); }
   ModelOrReason build(const Scenario&) const override {
     return std::shared_ptr<const SharedModel>(std::make_shared<FormulaModel>(formula_));

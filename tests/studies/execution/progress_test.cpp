@@ -80,6 +80,20 @@ Batch batch() {
   return batch;
 }
 
+// A default in between would take from every study what the simulator asks for.
+TEST(CountedSimulator, IsTheSimulatorInAllElse) {
+  const Simulator& core = core_simulator();
+  Progress progress(ProgressStyle::none, [](std::string_view) {});
+  const CountedSimulator counting(core, progress);
+  EXPECT_EQ(counting.lane_count(), core.lane_count());
+  EXPECT_EQ(counting.place_count(), core.place_count());
+  EXPECT_GT(core.place_count(), core.lane_count());
+  Scenario scenario;
+  scenario.simulation.duration_s = 2.5;
+  EXPECT_EQ(counting.duration_s(scenario), 2.5);
+  EXPECT_EQ(counting.factor_key(scenario), core.factor_key(scenario));
+}
+
 TEST(CountedSimulator, CountsEveryStepOfEveryScenarioAndChangesNoResult) {
   const testing::FakeSimulator fake;
   std::map<std::uint64_t, std::uint64_t> plain;

@@ -167,7 +167,7 @@ TABLE = [
     ("kiwi, firm: force from which gripping damages", "N", 180, "about; patch and ripeness not given", AGRONOMY, "experiment_damage", damage(1)),
     ("kiwi, firm (Xuxiang): bruised area after 0.5 m onto steel", "mm2", 540.38, "their finite elements 592; simulated: flesh strained by 1 % and more, no skin",
      "Zhu et al. 2024, Foods 13(21):3523", "kiwi_drop", bruise_mm2),
-    ("potato, 0.6 J in nine impacts over the same in one: bruised volume", "", 0.36, "blows by a body of steel; simulated: falls onto steel, volume strained by 1 % and more",
+    ("potato, 0.6 J in nine impacts over the same in one: bruised volume", "", 0.36, "simulated: falls onto steel; each of the nine stays below first yield, which was taken from the energy at which damage begins",
      MOLEMA, "potato_impacts", potato_ratio("bruised_volume_m3")),
     ("the same: depth", "", 0.67, "", MOLEMA, "potato_impacts", potato_ratio("bruised_depth_m")),
     ("apple: force from which gripping damages", "N", 27.5, "15 to 40 N, middle taken; simulated between bare plates", AGRONOMY, "experiment_damage",

@@ -99,8 +99,8 @@ TEST(Repeat, ADeformedProductBeginsAtRest) {
 
 TEST(Repeat, TheTraceGoesOn) {
   Trace once, twice;
-  run(yielding_box(), &once);
-  run(repeated(yielding_box(), 2), &twice);
+  run(small_box(), &once);
+  run(repeated(small_box(), 2), &twice);
   ASSERT_EQ(twice.time_s.size(), 2 * once.time_s.size() - 1);
   for (std::size_t k = 1; k < twice.time_s.size(); ++k) ASSERT_GT(twice.time_s[k], twice.time_s[k - 1]);
   const std::vector<double> phase = column(twice, "phase"), of_one = column(once, "phase");
@@ -150,20 +150,20 @@ TEST(Repeat, ANetworkKeepsItsPlasticElongation) {
   for (NetworkSpring* spring : {&yields, &holds}) {
     spring->between = {0, 1};
     spring->stiffness_N_m = 1000.0;
-    spring->damping_N_s_m = 2.0;
+    spring->damping_N_s_m = 5.0;
   }
   yields.yield_force_N = 1.0;
   network.spring = {yields, holds};
   NetworkLoad load;
   load.particle = 1;
-  load.time_s = {0.0, 0.2, 0.4};
-  load.force_N = {{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  load.time_s = {0.0, 0.2, 0.3, 0.5};
+  load.force_N = {{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   network.load = {load};
   Scenario scenario;
   scenario.product = network;
   scenario.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   scenario.cell.support = false;
-  scenario.simulation.duration_s = 0.5;
+  scenario.simulation.duration_s = 0.6;
   scenario.simulation.time_step_s = 1e-3;
   // u = (3 N - 1 N) / k at the peak, of which 1 N / k is elastic in the one that yields: 1 mm stays in it, and
   // half a millimetre between the two.
@@ -201,10 +201,9 @@ TEST(Handlings, AreCountedAsTheirMetricsSay) {
   each.outcome = Outcome::held;
   for (const double value : {2.0, -3.0, 1.0}) {
     for (double& metric : each.metrics.values()) metric = value;
-    EXPECT_TRUE(handlings.go_on());
     handlings.add(each, 5.0);
+    EXPECT_EQ(handlings.go_on(), value != 1.0);
   }
-  EXPECT_FALSE(handlings.go_on());
   const Metrics& together = handlings.together().metrics;
   EXPECT_EQ(together[Metric::permanent_set_max_m], 1.0);
   EXPECT_EQ(together[Metric::peak_finger_force_N], 2.0);

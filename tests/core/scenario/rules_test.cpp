@@ -793,11 +793,61 @@ std::vector<Breach> robot_breaches() {
   };
 }
 
+ProductLayer layer_from(double from_depth_m) {
+  ProductLayer layer;
+  layer.from_depth_m = from_depth_m;
+  return layer;
+}
+
+std::vector<Breach> layer_breaches() {
+  return {
+      {"product.layer[0].from_depth_m", "must be 8 layers at most", usual_grip,
+       [](S s) {
+         for (int i = 0; i < 9; ++i) lattice_in(s).layer.push_back(layer_from(1e-3 * (i + 1)));
+       }},
+      {"product.layer[1].from_depth_m", "must be > 0.005, where the layer before", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005), layer_from(0.005)};
+       }},
+      {"product.layer[0].from_depth_m", "must be < half the smallest extent", usual_grip,
+       [](S s) { lattice_in(s).layer = {layer_from(0.5)}; }},
+      {"product.layer[0].tangent_modulus_Pa", "missing; yield_stress_Pa", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].yield_stress_Pa = 1e4;
+       }},
+      {"product.layer[0].tangent_modulus_Pa", "must be < product.layer[0].youngs_modulus_Pa", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].yield_stress_Pa = 1e4;
+         lattice_in(s).layer[0].tangent_modulus_Pa = 1e6;
+       }},
+      {"product.skin_modulus_Pa", "missing; skin_thickness_m", usual_grip,
+       [](S s) { lattice_in(s).skin_thickness_m = 1e-4; }},
+      {"product.skin_thickness_m", "must be < product.cell_size_m", usual_grip,
+       [](S s) {
+         lattice_in(s).skin_thickness_m = 0.02;
+         lattice_in(s).skin_modulus_Pa = 1e6;
+       }},
+      {"strategy.repeat", "must be 1 of a product that relaxes", usual_grip,
+       [](S s) {
+         s.strategy.repeat = 2;
+         lattice_in(s).prony_modulus = {0.2};
+         lattice_in(s).prony_time_s = {1.0};
+       }},
+      {"strategy.repeat", "must be 1 with strategy.stop_time_s", usual_grip,
+       [](S s) {
+         s.strategy.repeat = 2;
+         s.strategy.stop_time_s = 0.5;
+       }},
+  };
+}
+
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part :
-       {lattice_breaches(), pad_breaches(), lattice_pad_breaches(), finger_breaches(), surface_breaches(),
-        sensor_breaches(), network_breaches(), handling_breaches(), guard_breaches(), robot_breaches()}) {
+  for (const auto& part : {lattice_breaches(), layer_breaches(), pad_breaches(), lattice_pad_breaches(),
+                           finger_breaches(), surface_breaches(), sensor_breaches(), network_breaches(),
+                           handling_breaches(), guard_breaches(), robot_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -832,12 +882,19 @@ TEST(Rules, AreBrokenByTheScenariosMadeForThem) {
   }
 }
 
+/// What breaks a rule each.
+std::vector<Scenario> broken_scenarios() {
+  std::vector<Scenario> all;
+  for (const Breach& breach : breaches()) all.push_back(broken_by(breach));
+  return all;
+}
+
 TEST(Rules, EachHaveAScenarioThatBreaksThem) {
-  const std::vector<Breach> all = breaches();
+  const std::vector<Scenario> all = broken_scenarios();
   for (const Rule& rule : scenario_rules()) {
-    const bool broken = std::any_of(all.begin(), all.end(), [&](const Breach& breach) {
+    const bool broken = std::any_of(all.begin(), all.end(), [&](const Scenario& scenario) {
       Violations found;
-      rule.check(broken_by(breach), found);
+      rule.check(scenario, found);
       return !found.empty();
     });
     EXPECT_TRUE(broken) << rule.fields.front() << ": " << rule.sentence;
@@ -863,10 +920,11 @@ void expect_blind_to_others(const Rule& rule, const Scenario& scenario) {
 }
 
 TEST(Rules, LookAtTheFieldsTheyNameOnly) {
+  const std::vector<Scenario> all = broken_scenarios();
   for (const Rule& rule : scenario_rules()) {
     expect_blind_to_others(rule, usual_grip());
     expect_blind_to_others(rule, usual_network());
-    for (const Breach& breach : breaches()) expect_blind_to_others(rule, broken_by(breach));
+    for (const Scenario& scenario : all) expect_blind_to_others(rule, scenario);
   }
 }
 

@@ -424,17 +424,19 @@ std::vector<Arrival> robot_arrivals() {
 
 /// Of a study with a product of one layer.
 std::vector<Arrival> layer_arrivals() {
-  const auto layer = [](S s) { return lattice(s).layer.at(0); };
   const std::vector<std::string> plastic = {"product.layer[0].yield_stress_Pa=11.5",
                                             "product.layer[0].tangent_modulus_Pa=7.5"};
   return {
-      {"product.layer[0].from_depth_m", "0.0125", [=](S s) { return layer(s).from_depth_m == 0.0125; }},
+      {"product.layer[0].from_depth_m", "0.0125",
+       [](S s) { return lattice(s).layer.at(0).from_depth_m == 0.0125; }},
       {"product.layer[0].youngs_modulus_Pa", "12345.0",
-       [=](S s) { return layer(s).youngs_modulus_Pa == 12345.0; }},
-      {"product.layer[0].poisson_ratio", "0.375", [=](S s) { return layer(s).poisson_ratio == 0.375; }},
-      {"product.layer[0].yield_stress_Pa", "11.5", [=](S s) { return layer(s).yield_stress_Pa == 11.5; }, plastic},
-      {"product.layer[0].tangent_modulus_Pa", "7.5", [=](S s) { return layer(s).tangent_modulus_Pa == 7.5; },
-       plastic},
+       [](S s) { return lattice(s).layer.at(0).youngs_modulus_Pa == 12345.0; }},
+      {"product.layer[0].poisson_ratio", "0.375",
+       [](S s) { return lattice(s).layer.at(0).poisson_ratio == 0.375; }},
+      {"product.layer[0].yield_stress_Pa", "11.5",
+       [](S s) { return lattice(s).layer.at(0).yield_stress_Pa == 11.5; }, plastic},
+      {"product.layer[0].tangent_modulus_Pa", "7.5",
+       [](S s) { return lattice(s).layer.at(0).tangent_modulus_Pa == 7.5; }, plastic},
   };
 }
 

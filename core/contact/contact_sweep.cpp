@@ -162,9 +162,12 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   const LayerLaw law = layer_law(candidate, at, rate_slope * at - viscous_.get(c), rate_slope, contacts_.cover(c));
   const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
   Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
-  if (surface.curve.any()) {
-    const Lane by_law = force_by_law(c, penetration + compliance * old_normal, compliance);
-    wanted = select(surface.curve.lanes(), by_law, wanted);
+  // There a step along the steepest slope would be a part of the force only, whatever the contact carries already,
+  // and sweeps would throw it to and fro.
+  const Mask exact = slope == Slope::steepest ? surface.curve.lanes() | (active & below) : surface.curve.lanes();
+  if (any(exact)) {
+    const Lane by_law = force_by_law(c, penetration + compliance * old_normal, compliance, exact);
+    wanted = select(exact, by_law, wanted);
   }
   const Lane normal = select(active, max0(wanted), old_normal);
   contacts_.normal_theta.put(c, normal);

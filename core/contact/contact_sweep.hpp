@@ -83,7 +83,7 @@ class ContactSweep {
   /// How a layer's law is followed down.
   enum class Slope {
     tangent,   ///< Newton; the law's kinks can make it go round in circles
-    steepest,  ///< cannot overshoot
+    steepest,  ///< cannot overshoot; of a contact that lies below its layer the root itself
   };
   /// One pass over all active nodes.
   struct Pass {
@@ -110,8 +110,9 @@ class ContactSweep {
   template <class Mounting>
   void update_shaped(std::size_t candidate, const GripperLanes& gripper, const Mask& active, Pass& pass,
                      TurnedNode& node);
-  /// Force of a layer with a law of its own that stands at `unloaded_m` without it.
-  [[nodiscard]] Lane force_by_law(std::size_t candidate, const Lane& unloaded_m, const Lane& compliance) const;
+  /// Force of a layer that stands at `unloaded_m` without it, in `lanes`: the root, where one step is not enough.
+  [[nodiscard]] Lane force_by_law(std::size_t candidate, const Lane& unloaded_m, const Lane& compliance,
+                                  const Mask& lanes) const;
   Lane press(std::size_t candidate, const Lane& gap, const Lane& compliance, const Mask& active, Slope slope);
   std::array<Lane, 2> drag(std::size_t candidate, const std::array<Lane, 2>& r, const Lane& relaxed,
                            const Mask& active);

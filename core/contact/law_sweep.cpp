@@ -14,7 +14,8 @@ constexpr int kMostLooks = 80;
 
 /// The root of p + compliance N(p) = unloaded, by Newton between places that are known to be too shallow and too
 /// deep, and by their middle where that leads out of them.
-Lane ContactSweep::force_by_law(std::size_t c, const Lane& unloaded, const Lane& compliance) const {
+Lane ContactSweep::force_by_law(std::size_t c, const Lane& unloaded, const Lane& compliance,
+                                const Mask& lanes) const {
   const ContactCandidate& candidate = model_.candidate[c];
   const SurfaceLane& surface = surfaces_[candidate.surface];
   const Lane& rate_slope = rate_slope_[candidate.surface];
@@ -27,7 +28,7 @@ Lane ContactSweep::force_by_law(std::size_t c, const Lane& unloaded, const Lane&
   Lane shallow = min(least, unloaded), deep = unloaded;
   Lane p = max(shallow, min(deep, contacts_.penetration_theta.get(c)));
   const Lane enough = Lane(kNearEnough) * max(deep - shallow, Lane(1e-9));
-  Mask open = surface.curve.lanes() & (unloaded > least);
+  Mask open = lanes & (unloaded > least);
   for (int look = 0; look < kMostLooks && any(open); ++look) {
     const LayerLaw law = law_at(p);
     const Lane excess = p + compliance * layer * law.force - unloaded;

@@ -83,7 +83,7 @@ void LaneSimulation::Impl::begin_next_handling(int lane) {
   begin(lane, &worn);
   if (notes_events) contact.note_events(lane);
   const StepObservation seen = see(lane, 0.0);
-  for (const auto& observer : r.observers) observer->next_handling(loaded(lane, seen));
+  for (const auto& observer : r.observers) observer->next_handling(present(lane, seen));
 }
 
 /// Puts there what the scenario alone decides.
@@ -141,13 +141,15 @@ void LaneSimulation::Impl::watch(int lane, std::unique_ptr<LaneObserver> observe
   LaneRun& r = run_of(lane);
   require(r.busy && r.step == 0 && r.ticks_before == 0, "LaneSimulation::watch: not right after load");
   const StepObservation seen = see(lane, 0.0);
-  observer->start(loaded(lane, seen));
+  observer->start(present(lane, seen));
   r.observers.push_back(std::move(observer));
 }
 
-LaneStep LaneSimulation::Impl::loaded(int lane, const StepObservation& seen) {
+LaneStep LaneSimulation::Impl::present(int lane, const StepObservation& seen) {
   const LaneRun& r = run_of(lane);
   return {.lane = lane,
+          .count = r.step,
+          .tick = r.tick,
           .before_s = r.before_s,
           .ticks_before = r.ticks_before,
           .scenario = r.scenario,

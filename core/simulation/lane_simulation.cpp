@@ -220,21 +220,11 @@ void LaneSimulation::Impl::observe_lane(int lane) {
   tell_cycle(lane, start, time);
   const StepObservation seen = see(lane, time);
   balances.book_impulse(lane, view);
-  const LaneStep step{.lane = lane,
-                      .count = r.step,
-                      .tick = r.tick,
-                      .start_s = start,
-                      .time_s = time,
-                      .before_s = r.before_s,
-                      .ticks_before = r.ticks_before,
-                      .contact_sweeps = sweeps[lane],
-                      .plastic_rounds = rounds[lane],
-                      .scenario = r.scenario,
-                      .cycle = r.cycle,
-                      .seen = seen,
-                      .view = view,
-                      .balances = balances,
-                      .six_axis = six_axis(r)};
+  LaneStep step = present(lane, seen);
+  step.start_s = start;
+  step.time_s = time;
+  step.contact_sweeps = sweeps[lane];
+  step.plastic_rounds = rounds[lane];
   bool goes_on = time < r.cycle.plan().end_s() - 1e-9 * clock.tick_s;
   for (const auto& observer : r.observers) goes_on = observer->observe(step) && goes_on;
   if (!goes_on) return finish(step);

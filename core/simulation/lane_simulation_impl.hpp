@@ -47,8 +47,8 @@ struct LaneSimulation::Impl {
   void read_instruments(int lane, double start_s, double time_s);
   [[nodiscard]] StepObservation see(int lane, double time_s);
   void watch(int lane, std::unique_ptr<LaneObserver> observer);
-  /// The state of a lane before its first step.
-  [[nodiscard]] LaneStep loaded(int lane, const StepObservation& seen);
+  /// Where a lane is, without what its last step took.
+  [[nodiscard]] LaneStep present(int lane, const StepObservation& seen);
   void observe_lane(int lane);
   void choose_level(const LaneStep& step);
   void finish(const LaneStep& last);

@@ -14,26 +14,9 @@ namespace {
 
 using namespace testing;
 
-constexpr double kYield_Pa = 3e4, kTangent_Pa = 3e5;
-
-Scenario bar(double largest_stress_Pa) {
-  Scenario scenario = pressed_bar();
-  LatticeParameters& product = lattice_of(scenario);
-  product.yield_stress_Pa = kYield_Pa;
-  product.tangent_modulus_Pa = kTangent_Pa;
-  product.relaxation_time_s = 5e-3;
-  jaw_of(scenario).pad_modulus_Pa = 1e8;
-  scenario.strategy.grip_force_N = largest_stress_Pa * kWidth_m * kWidth_m;
-  scenario.strategy.grip_ramp_s = 3.0;
-  scenario.strategy.settle_s = 0.5;
-  scenario.strategy.recover_s = 0.5;
-  scenario.simulation.time_step_s = 2e-3;
-  return scenario;
-}
-
 TEST(CellPlasticity, ABarFollowsTheElasticPlasticLineAndKeepsTheRest) {
   const double most = 1.8 * kYield_Pa;
-  const Scenario scenario = bar(most);
+  const Scenario scenario = yielding_bar(most);
   Trace trace;
   const ScenarioResult result = run(scenario, &trace);
   ASSERT_EQ(result.outcome, Outcome::held) << result.cause;
@@ -73,7 +56,7 @@ TEST(CellPlasticity, ABarFollowsTheElasticPlasticLineAndKeepsTheRest) {
 }
 
 TEST(CellPlasticity, BelowYieldNothingStays) {
-  const ScenarioResult result = run(bar(0.95 * kYield_Pa));
+  const ScenarioResult result = run(yielding_bar(0.95 * kYield_Pa));
   EXPECT_EQ(result.metrics[Metric::plastic_strain_max], 0.0);
   EXPECT_EQ(result.metrics[Metric::permanent_set_max_m], 0.0);
   EXPECT_EQ(result.metrics[Metric::absorbed_energy_J], 0.0);
@@ -81,7 +64,7 @@ TEST(CellPlasticity, BelowYieldNothingStays) {
 
 TEST(CellPlasticity, SoftHardeningStillConvergesWithinItsSteps) {
   // E_t / E = 0.1: the fixed point of the initial-strain iteration contracts by about 0.9 per round.
-  Scenario scenario = bar(1.3 * kYield_Pa);
+  Scenario scenario = yielding_bar(1.3 * kYield_Pa);
   lattice_of(scenario).tangent_modulus_Pa = 1e5;
   const ScenarioResult result = run(scenario);
   EXPECT_EQ(result.outcome, Outcome::held) << result.cause;

@@ -29,6 +29,24 @@ inline Scenario pressed_bar() {
   return scenario;
 }
 
+inline constexpr double kYield_Pa = 3e4, kTangent_Pa = 3e5;
+
+/// The same, which yields and is pressed so hard.
+inline Scenario yielding_bar(double largest_stress_Pa) {
+  Scenario scenario = pressed_bar();
+  LatticeParameters& product = lattice_of(scenario);
+  product.yield_stress_Pa = kYield_Pa;
+  product.tangent_modulus_Pa = kTangent_Pa;
+  product.relaxation_time_s = 5e-3;
+  jaw_of(scenario).pad_modulus_Pa = 1e8;
+  scenario.strategy.grip_force_N = largest_stress_Pa * kWidth_m * kWidth_m;
+  scenario.strategy.grip_ramp_s = 3.0;
+  scenario.strategy.settle_s = 0.5;
+  scenario.strategy.recover_s = 0.5;
+  scenario.simulation.time_step_s = 2e-3;
+  return scenario;
+}
+
 /// Compressive strain between the ends of the bar, over time.
 inline std::vector<double> bar_strain(const Trace& trace) {
   const auto n = static_cast<std::size_t>(trace.particle_count);

@@ -39,18 +39,9 @@ TEST(Repeat, AnElasticProductGoesThroughTheSameEachTime) {
 
 // A bar that hardens bears what it was pressed with: the second press finds it elastic. It shakes down.
 TEST(Repeat, AHardeningBarShakesDownInTheFirstHandling) {
-  Scenario scenario = pressed_bar();
-  LatticeParameters& product = lattice_of(scenario);
-  constexpr double kYield_Pa = 3e4, kTangent_Pa = 3e5, kMost_Pa = 1.8 * kYield_Pa;
-  product.yield_stress_Pa = kYield_Pa;
-  product.tangent_modulus_Pa = kTangent_Pa;
-  product.relaxation_time_s = 5e-3;
-  jaw_of(scenario).pad_modulus_Pa = 1e8;
-  scenario.strategy.grip_force_N = kMost_Pa * kWidth_m * kWidth_m;
+  constexpr double kMost_Pa = 1.8 * kYield_Pa;
+  Scenario scenario = yielding_bar(kMost_Pa);
   scenario.strategy.grip_ramp_s = 1.0;
-  scenario.strategy.settle_s = 0.5;
-  scenario.strategy.recover_s = 0.5;
-  scenario.simulation.time_step_s = 2e-3;
   const double strain = (kMost_Pa - kYield_Pa) * (1.0 / kTangent_Pa - 1.0 / kE_Pa);
   const double work_J = 0.5 * (kYield_Pa + kMost_Pa) * strain * kWidth_m * kWidth_m * kLength_m;
   ScenarioResult first;

@@ -6,6 +6,7 @@
 
 #include "core/algebra/shifted_entries.hpp"
 #include "core/algebra/supernodal_cholesky.hpp"
+#include "core/body/layers.hpp"
 #include "core/door/eigen.hpp"
 
 namespace unbruised {
@@ -23,9 +24,9 @@ void add_product(const LatticeParameters& parameters, MassSpread spread, const W
                  BodyModel& body) {
   body.is_solid = true;
   body.lattice = build_lattice(parameters);
-  body.cell =
-      cell_stiffness(instantaneous_modulus_Pa(parameters), parameters.poisson_ratio, body.lattice->cell_extent_m);
-  body.K = assemble_stiffness(*body.lattice, *body.cell);
+  body.cell = material_cells(parameters, body.lattice->cell_extent_m);
+  body.material = cell_materials(parameters, *body.lattice);
+  body.K = assemble_stiffness(*body.lattice, body.cell, body.material, cell_skins(parameters, *body.lattice));
   body.relaxation_time_s = relaxation_time(parameters);
   body.relaxation = relaxation_step(relaxation_branches(parameters), wilson);
   body.position_m = body.lattice->position_m;

@@ -40,7 +40,8 @@ struct BodyModel {
   double relaxation_time_s = 0.0;  ///< lattices
   RelaxationStep relaxation;       ///< lattices; springs have their own
   std::optional<Lattice> lattice;
-  std::optional<CellStiffness> cell;
+  std::vector<CellStiffness> cell;      ///< of each material; lattices
+  std::vector<int> material;            ///< of each cell; empty: all are of the first
   std::vector<SpringGeometry> springs;  ///< networks
   std::vector<double> rest_force_N;     ///< networks, [3n]
 
@@ -55,6 +56,9 @@ struct BodyModel {
   /// Smallest extent of a solid's particles [m]; of a network, which has no body to measure closeness with, so
   /// large that all its few contacts are near.
   [[nodiscard]] double smallest_extent_m() const;
+  [[nodiscard]] std::size_t material_of(std::size_t cell_number) const {
+    return material.empty() ? 0 : static_cast<std::size_t>(material[cell_number]);
+  }
   /// Middle of a lattice's true shape; of a network the centre of mass.
   [[nodiscard]] const std::array<double, 3>& center_m() const {
     return lattice ? lattice->center_m : center_of_mass_m;

@@ -129,21 +129,39 @@ CellStiffness cell_stiffness(double youngs_modulus_Pa, double poisson_ratio,
   return cell;
 }
 
-BlockMatrix assemble_stiffness(const Lattice& lattice, const CellStiffness& cell) {
-  std::array<std::array<double, 9>, 64> block{};
+namespace {
+
+using Blocks = std::array<std::array<double, 9>, 64>;
+
+Blocks blocks_of(const std::array<double, 24 * 24>& K) {
+  Blocks block{};
   for (int a = 0; a < 8; ++a) {
     for (int b = 0; b < 8; ++b) {
       for (int r = 0; r < 3; ++r) {
-        for (int s = 0; s < 3; ++s) block[8 * a + b][3 * r + s] = cell.K[24 * (3 * a + r) + 3 * b + s];
+        for (int s = 0; s < 3; ++s) block[8 * a + b][3 * r + s] = K[24 * (3 * a + r) + 3 * b + s];
       }
     }
   }
-  BlockMatrixBuilder builder(static_cast<int>(lattice.position_m.size()));
-  for (const auto& corners : lattice.cell) {
-    for (int a = 0; a < 8; ++a) {
-      for (int b = 0; b < 8; ++b) builder.add(corners[a], corners[b], block[8 * a + b]);
-    }
+  return block;
+}
+
+void add_blocks(const std::array<int, 8>& corners, const Blocks& block, BlockMatrixBuilder& builder) {
+  for (int a = 0; a < 8; ++a) {
+    for (int b = 0; b < 8; ++b) builder.add(corners[a], corners[b], block[8 * a + b]);
   }
+}
+
+}  // namespace
+
+BlockMatrix assemble_stiffness(const Lattice& lattice, std::span<const CellStiffness> cell,
+                               std::span<const int> material, std::span<const CellAddition> more) {
+  std::vector<Blocks> block;
+  for (const CellStiffness& of_material : cell) block.push_back(blocks_of(of_material.K));
+  BlockMatrixBuilder builder(static_cast<int>(lattice.position_m.size()));
+  for (std::size_t c = 0; c < lattice.cell.size(); ++c) {
+    add_blocks(lattice.cell[c], block[material.empty() ? 0 : static_cast<std::size_t>(material[c])], builder);
+  }
+  for (const CellAddition& each : more) add_blocks(lattice.cell[each.cell], blocks_of(each.K), builder);
   return builder.build();
 }
 

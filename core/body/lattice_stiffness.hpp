@@ -9,6 +9,8 @@
 /// each the share of one cell. A cube of side a has 4 edge shares = 2 diagonal shares = E a / (2 (1 + nu)).
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "core/algebra/block_matrix.hpp"
 #include "core/body/lattice.hpp"
@@ -48,7 +50,21 @@ CellSprings cell_springs(double youngs_modulus_Pa, double poisson_ratio,
 CellStiffness cell_stiffness(double youngs_modulus_Pa, double poisson_ratio,
                              const std::array<double, 3>& cell_extent_m);
 
-/// K of the whole lattice, the sum of its cells' in their order; symmetric to the bit.
-BlockMatrix assemble_stiffness(const Lattice& lattice, const CellStiffness& cell);
+/// What one cell has beside that of its material.
+struct CellAddition {
+  std::size_t cell = 0;
+  std::array<double, 24 * 24> K{};  ///< as that of CellStiffness
+};
+
+/// K of the whole lattice, the sum of its cells' in their order and of what some have beside it; symmetric to the
+/// bit.
+/// @param cell of each material
+/// @param material of each cell; empty: all are of the first
+BlockMatrix assemble_stiffness(const Lattice& lattice, std::span<const CellStiffness> cell,
+                               std::span<const int> material, std::span<const CellAddition> more);
+/// Of one material.
+inline BlockMatrix assemble_stiffness(const Lattice& lattice, const CellStiffness& cell) {
+  return assemble_stiffness(lattice, std::span(&cell, 1), {}, {});
+}
 
 }  // namespace unbruised

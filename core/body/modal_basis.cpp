@@ -51,7 +51,7 @@ std::vector<std::size_t> cells_at(const Lattice& lattice, const std::vector<int>
 
 /// Mean strains of some cells under shapes, one column each.
 Matrix strains_of(const BodyModel& body, const std::vector<std::size_t>& cells, const Matrix& shapes) {
-  const auto& B = body.cell->B;
+  const auto& B = body.cell.front().B;
   Matrix strain = Matrix::Zero(static_cast<Eigen::Index>(6 * cells.size()), shapes.cols());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     for (std::size_t i = 0; i < 6; ++i) {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// The true surface of a lattice product as triangles, to be looked at.
+/// The true surface of a lattice product as triangles, to be looked at and to carry a skin.
 
 #include <array>
 #include <optional>

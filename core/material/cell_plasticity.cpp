@@ -22,10 +22,10 @@ CellPlasticity::CellPlasticity(const BodyModel& body, const WilsonTheta& wilson,
     : body_(body),
       lattice_(*body.lattice),
       time_step_s_(wilson.dt),
-      volume_m3_(body.cell->volume_m3),
+      volume_m3_(body.cell.front().volume_m3),
       measures_rotation_(frame == ProductFrame::floating) {
   for (std::size_t axis = 0; axis < 3; ++axis) gradient_[axis] = 1.0 / (4.0 * lattice_.cell_extent_m[axis]);
-  shear_modulus_ = Lane(body.cell->D[21]);  // D_44
+  for (const CellStiffness& cell : body.cell) material_.push_back({.shear_modulus = Lane(cell.D[21])});  // D_44
   const std::size_t cells = lattice_.cell.size();
   touched_.assign(cells, 0);
   strain_ = LaneArray(6 * cells);
@@ -44,9 +44,11 @@ CellPlasticity::CellPlasticity(const BodyModel& body, const WilsonTheta& wilson,
 void CellPlasticity::load(int lane, const Scenario& scenario) {
   require(is_lane(lane), "CellPlasticity::load: there is no such lane");
   constexpr YieldLaw kElastic{std::numeric_limits<double>::infinity(), 0.0, 0.0};
-  const YieldLaw law = yield_law(scenario.product).value_or(kElastic);
-  yield_stress_.set(lane, law.yield_stress_Pa);
-  hardening_.set(lane, law.hardening_modulus_Pa);
+  for (std::size_t m = 0; m < material_.size(); ++m) {
+    const YieldLaw law = yield_law(scenario.product, m).value_or(kElastic);
+    material_[m].yield_stress.set(lane, law.yield_stress_Pa);
+    material_[m].hardening.set(lane, law.hardening_modulus_Pa);
+  }
   for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
     if (touched_[cell] == 0) continue;
     for (std::size_t i = 0; i < 6; ++i)
@@ -90,7 +92,8 @@ void CellPlasticity::settle(int lane, const LaneArray& u) {
 void CellPlasticity::begin_step(const LaneArray& u) {
   flowing_ = false;
   if (!relaxation_) return;
-  may_yield_ = any(yield_stress_ < Lane(kNeverYields));
+  may_yield_ = std::ranges::any_of(
+      material_, [](const CellMaterial& each) { return any(each.yield_stress < Lane(kNeverYields)); });
   relaxation_->begin_step(u);
   load_.fill(0.0);
   load_theta_.fill(0.0);
@@ -102,7 +105,7 @@ void CellPlasticity::begin_step(const LaneArray& u) {
 /// The loads of a cell at t and, with what it remembers and no further flow, at t + theta dt.
 void CellPlasticity::remember(std::size_t cell) {
   const RelaxationStep& step = relaxation_->step();
-  const Lane twice_shear = shear_modulus_ + shear_modulus_;
+  const Lane shear_modulus = material_of(cell).shear_modulus, twice_shear = shear_modulus + shear_modulus;
   Lane now[6], later[6];
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t row = 6 * cell + i;
@@ -213,15 +216,17 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
       if (relaxation_) e[i] -= past_strain_.get(6 * cell + i);
     }
   }
-  const Lane twice_shear = shear_modulus_ + shear_modulus_;
+  const CellMaterial& material = material_of(cell);
+  const Lane shear_modulus = material.shear_modulus, twice_shear = shear_modulus + shear_modulus;
   const Lane norm2 =
       e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + Lane(2.0) * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
   const Lane equivalent = twice_shear * sqrt(Lane(1.5) * norm2);
-  const Lane excess = equivalent - (yield_stress_ + hardening_ * accumulated);
+  const Lane excess = equivalent - (material.yield_stress + material.hardening * accumulated);
   const Mask yielding = active & (excess > Lane(0.0));
   if (!touched && none(yielding)) return;
   touched_[cell] = 1;
-  const Lane flow = select(yielding, excess / (Lane(3.0 * share_) * shear_modulus_ + hardening_), Lane(0.0));
+  const Lane flow =
+      select(yielding, excess / (Lane(3.0 * share_) * shear_modulus + material.hardening), Lane(0.0));
   const Lane scale = Lane(1.5) * flow * twice_shear / max(equivalent, Lane(1e-300));
   Lane stress[6];
   for (std::size_t i = 0; i < 6; ++i) {
@@ -267,11 +272,12 @@ void CellPlasticity::end_step(const LaneArray& u, const WilsonTheta& w, const Ma
         branch_strain_[k].put(i, select(running, Lane(b.keep) * q + Lane(b.gain) * change, q));
       }
     }
+    const CellMaterial& material = material_of(cell);
     const Lane before = accumulated_.get(cell);
     const Lane after = take_over(w, running, cell, accumulated_, accumulated_theta_);
     const Lane flow = after - before;
-    const Lane stored = Lane(0.5) * hardening_ * (after + before) * flow * volume;
-    plastic_work_ += select(flow > Lane(0.0), stored + yield_stress_ * flow * volume, Lane(0.0));
+    const Lane stored = Lane(0.5) * material.hardening * (after + before) * flow * volume;
+    plastic_work_ += select(flow > Lane(0.0), stored + material.yield_stress * flow * volume, Lane(0.0));
     hardening_energy_ += stored;
     largest_plastic_ = max(largest_plastic_, after);
   }
@@ -289,7 +295,7 @@ double CellPlasticity::strain_energy(int lane, const LaneArray& strain) const {
       const double e = strain.at(6 * cell + i, lane);
       norm2 += (i < 3 ? 1.0 : 2.0) * e * e;
     }
-    energy += volume_m3_ * shear_modulus_[lane] * norm2;
+    energy += volume_m3_ * material_of(cell).shear_modulus[lane] * norm2;
   }
   return energy;
 }
@@ -348,8 +354,8 @@ std::vector<double> CellPlasticity::load_of(int lane, const LaneArray& strain) c
       const auto row = 3 * static_cast<std::size_t>(lattice_.cell[cell][corner]);
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-          const double part =
-              2.0 * shear_modulus_[lane] * strain.at(6 * cell + kVoigt[i][j], lane) * gradient_[j] * volume_m3_;
+          const double part = 2.0 * material_of(cell).shear_modulus[lane] *
+                              strain.at(6 * cell + kVoigt[i][j], lane) * gradient_[j] * volume_m3_;
           load[row + i] += ((corner >> j) & 1) != 0 ? part : -part;
         }
       }

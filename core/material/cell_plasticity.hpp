@@ -72,8 +72,14 @@ class CellPlasticity final : public Material {
   double time_step_s_;
   double gradient_[3];  ///< 1 / (4 h)
   double volume_m3_;
-  Lane shear_modulus_{1.0};
-  Lane yield_stress_{1e300}, hardening_{0.0};
+  struct CellMaterial {
+    Lane shear_modulus{1.0};
+    Lane yield_stress{1e300}, hardening{0.0};
+  };
+  [[nodiscard]] const CellMaterial& material_of(std::size_t cell) const {
+    return material_[body_.material_of(cell)];
+  }
+  std::vector<CellMaterial> material_;
   std::vector<unsigned char> touched_;  ///< cell has plastic strain in some lane
   LaneArray strain_, strain_theta_;     ///< plastic, 6 per cell, Voigt xx yy zz yz xz xy, tensor shears
   LaneArray accumulated_, accumulated_theta_;

@@ -40,7 +40,7 @@ class ElasticMaterial final : public Material {
 }  // namespace
 
 std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame) {
-  if (body.cell) return std::make_unique<CellPlasticity>(body, wilson, frame);
+  if (body.lattice) return std::make_unique<CellPlasticity>(body, wilson, frame);
   if (can_yield(body.springs) || can_relax(body.springs)) {
     return std::make_unique<SpringPlasticity>(body, wilson);
   }

@@ -87,6 +87,7 @@ std::string factor_key(const Scenario& scenario) {
     key.add(network->particle.size());
     key.add(network->spring.size());
   }
+  if (const auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) key.add(lattice->layer.size());
   visit_parameters(scenario,
                    [&](std::string_view, int, const auto& parameters) { visit_fields(parameters, key); });
   key.add(product_frame(scenario));

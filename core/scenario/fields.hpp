@@ -18,13 +18,24 @@ namespace unbruised {
 
 // visit_fields(parameters, visit) calls visit(Field, member) for each field, in the order of the struct.
 
+template <FieldsOf<ProductLayer> T, class Visit>
+void visit_fields(T& p, Visit&& visit) {
+  auto& [from_depth_m, youngs_modulus_Pa, poisson_ratio, yield_stress_Pa, tangent_modulus_Pa] = p;
+  visit({"from_depth_m", Decides::model, kPositive}, from_depth_m);
+  visit({"youngs_modulus_Pa", Decides::model, kPositive}, youngs_modulus_Pa);
+  visit({"poisson_ratio", Decides::model, kPoissonRatio}, poisson_ratio);
+  visit({"yield_stress_Pa", Decides::run, kPositive}, yield_stress_Pa);
+  visit({"tangent_modulus_Pa", Decides::run, kPositive}, tangent_modulus_Pa);
+}
+
+/// Layers have fields of their own.
 template <FieldsOf<LatticeParameters> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
   auto& [shape, size_m, axis, profile_height, profile_radius, exponents, mesh, cell_size_m, mass_kg, density_kg_m3,
          youngs_modulus_Pa, poisson_ratio, yield_stress_Pa, tangent_modulus_Pa, relaxation_time_s, loss_ratio,
          at_frequency_Hz, prony_modulus, prony_time_s, prony_from, burgers_flow_time_s, burgers_recovery_modulus,
-         burgers_recovery_time_s, friction, initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad,
-         initial_height_m] = p;
+         burgers_recovery_time_s, skin_thickness_m, skin_modulus_Pa, skin_poisson_ratio, friction,
+         initial_velocity_m_s, initial_spin_rad_s, initial_rotation_rad, initial_height_m, layer] = p;
   visit({"shape", Decides::model}, shape);
   visit({"size_m", Decides::model, kPositive}, size_m);
   visit({"axis", Decides::model}, axis);
@@ -48,6 +59,9 @@ void visit_fields(T& p, Visit&& visit) {
   visit({"burgers_flow_time_s", Decides::model, kPositive}, burgers_flow_time_s);
   visit({"burgers_recovery_modulus", Decides::model, kPositive}, burgers_recovery_modulus);
   visit({"burgers_recovery_time_s", Decides::model, kPositive}, burgers_recovery_time_s);
+  visit({"skin_thickness_m", Decides::model, kPositive}, skin_thickness_m);
+  visit({"skin_modulus_Pa", Decides::model, kPositive}, skin_modulus_Pa);
+  visit({"skin_poisson_ratio", Decides::model, kPoissonRatio}, skin_poisson_ratio);
   visit({"friction", Decides::run, kNotNegative}, friction);
   visit({"initial_velocity_m_s", Decides::run, kAnyNumber}, initial_velocity_m_s);
   visit({"initial_spin_rad_s", Decides::run, kAnyNumber}, initial_spin_rad_s);
@@ -304,7 +318,10 @@ void visit_parameters(T& scenario, Visit&& visit) {
   const auto each = [&visit](std::string_view prefix, auto& list) {
     for (std::size_t i = 0; i < list.size(); ++i) visit(prefix, static_cast<int>(i), list[i]);
   };
-  if (auto* lattice = std::get_if<LatticeParameters>(&product)) visit("product.", -1, *lattice);
+  if (auto* lattice = std::get_if<LatticeParameters>(&product)) {
+    each("product.layer[].", lattice->layer);
+    visit("product.", -1, *lattice);
+  }
   if (auto* network = std::get_if<NetworkParameters>(&product)) {
     each("product.particle[].", network->particle);
     each("product.spring[].", network->spring);

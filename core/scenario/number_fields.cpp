@@ -55,6 +55,7 @@ std::vector<Variant> one_of_each() {
 std::vector<Scenario> specimens() {
   std::vector<Scenario> all;
   for (ProductParameters product : one_of_each<ProductParameters>()) {
+    if (auto* lattice = std::get_if<LatticeParameters>(&product)) lattice->layer.resize(1);
     if (auto* network = std::get_if<NetworkParameters>(&product)) {
       network->particle.resize(1);
       network->spring.resize(1);

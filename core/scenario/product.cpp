@@ -29,15 +29,25 @@ std::optional<double> reach_of(const NetworkParameters&, const std::array<double
 std::optional<double> yield_stress_of(const LatticeParameters& p) { return p.yield_stress_Pa; }
 std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nullopt; }
 
-std::optional<YieldLaw> law_of(const LatticeParameters& p) {
-  if (!p.yield_stress_Pa || !p.tangent_modulus_Pa) return std::nullopt;
-  const double E = p.youngs_modulus_Pa, E_t = *p.tangent_modulus_Pa;
-  return YieldLaw{*p.yield_stress_Pa, E * E_t / (E - E_t),
-                  0.5 * instantaneous_modulus_Pa(p) / (1.0 + p.poisson_ratio)};
+std::optional<YieldLaw> law_of(const LatticeParameters& p, std::size_t material) {
+  const ProductLayer own{.youngs_modulus_Pa = p.youngs_modulus_Pa,
+                         .poisson_ratio = p.poisson_ratio,
+                         .yield_stress_Pa = p.yield_stress_Pa,
+                         .tangent_modulus_Pa = p.tangent_modulus_Pa};
+  const ProductLayer& part = material == 0 ? own : p.layer[material - 1];
+  if (!part.yield_stress_Pa || !part.tangent_modulus_Pa) return std::nullopt;
+  const double E = part.youngs_modulus_Pa, E_t = *part.tangent_modulus_Pa;
+  const double instantaneous_Pa =
+      material == 0 ? instantaneous_modulus_Pa(p) : E * (instantaneous_modulus_Pa(p) / p.youngs_modulus_Pa);
+  return YieldLaw{*part.yield_stress_Pa, E * E_t / (E - E_t),
+                  0.5 * instantaneous_Pa / (1.0 + part.poisson_ratio.value_or(p.poisson_ratio))};
 }
-std::optional<YieldLaw> law_of(const NetworkParameters&) { return std::nullopt; }
+std::optional<YieldLaw> law_of(const NetworkParameters&, std::size_t) { return std::nullopt; }
 
-bool yields(const LatticeParameters& p) { return p.yield_stress_Pa.has_value(); }
+bool yields(const LatticeParameters& p) {
+  return p.yield_stress_Pa ||
+         std::ranges::any_of(p.layer, [](const ProductLayer& layer) { return layer.yield_stress_Pa.has_value(); });
+}
 bool yields(const NetworkParameters& p) {
   return std::any_of(p.spring.begin(), p.spring.end(),
                      [](const NetworkSpring& spring) { return spring.yield_force_N.has_value(); });
@@ -72,8 +82,8 @@ std::optional<double> yield_stress_Pa(const ProductParameters& product) {
   return std::visit([](const auto& kind) { return yield_stress_of(kind); }, product);
 }
 
-std::optional<YieldLaw> yield_law(const ProductParameters& product) {
-  return std::visit([](const auto& kind) { return law_of(kind); }, product);
+std::optional<YieldLaw> yield_law(const ProductParameters& product, std::size_t material) {
+  return std::visit([material](const auto& kind) { return law_of(kind, material); }, product);
 }
 
 bool can_yield(const ProductParameters& product) {

@@ -37,7 +37,8 @@ struct YieldLaw {
   double shear_modulus_Pa;      ///< E / (2 (1 + nu))
 };
 /// None: it stays elastic, or has springs for a material.
-std::optional<YieldLaw> yield_law(const ProductParameters& product);
+/// @param material 0: its own; i + 1: of its layer i, which it has to have
+std::optional<YieldLaw> yield_law(const ProductParameters& product, std::size_t material = 0);
 
 /// Can it yield?
 bool can_yield(const ProductParameters& product);

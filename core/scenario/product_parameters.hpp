@@ -20,6 +20,21 @@ enum class Axis { x = 0, y = 1, z = 2 };
 /// Which of its moduli the stiffness of a relaxing material is written with.
 enum class PronyFrom { instantaneous, long_term };
 
+/// What lies deeper in a lattice product: flesh under a rind, a core, a stone.
+struct ProductLayer {
+  /// > 0, more than that of the layer before; below the true surface. It reaches to the next one, or to the
+  /// middle.
+  double from_depth_m = 0.001;
+  /// > 0; what youngs_modulus_Pa of the product is of it, instantaneous or long-term, this is
+  double youngs_modulus_Pa = 1e6;
+  /// 0 <= poisson_ratio < 0.5; none: that of the product
+  std::optional<double> poisson_ratio;
+  /// > 0; none: it stays elastic
+  std::optional<double> yield_stress_Pa;
+  /// 0 < tangent_modulus_Pa < youngs_modulus_Pa; required with yield_stress_Pa
+  std::optional<double> tangent_modulus_Pa;
+};
+
 /// A solid product as a lattice of particles, springs and dampers (docs/theory.md, "Lattice").
 /// It stands centred on x = y = 0 with the lowest point of its true shape on z = 0.
 struct LatticeParameters {
@@ -69,6 +84,12 @@ struct LatticeParameters {
   std::optional<double> burgers_flow_time_s;
   std::optional<double> burgers_recovery_modulus;
   std::optional<double> burgers_recovery_time_s;
+  /// > 0, < cell_size_m; of a skin that gives way only with the surface, as a membrane. None: there is no skin.
+  std::optional<double> skin_thickness_m;
+  /// > 0; required with skin_thickness_m
+  std::optional<double> skin_modulus_Pa;
+  /// 0 <= skin_poisson_ratio < 0.5; none: poisson_ratio
+  std::optional<double> skin_poisson_ratio;
   /// >= 0; Coulomb coefficient against the pads.
   double friction = 0.5;
   std::array<double, 3> initial_velocity_m_s{0.0, 0.0, 0.0};
@@ -78,6 +99,9 @@ struct LatticeParameters {
   std::array<double, 3> initial_rotation_rad{0.0, 0.0, 0.0};
   /// >= 0; of its lowest place above the support's plane at the start; 0 with a gripper.
   double initial_height_m = 0.0;
+  /// At most 8, from the outside to the middle; all moduli fade alike. Above the first the product is what its own
+  /// keys say.
+  std::vector<ProductLayer> layer;
 };
 
 struct NetworkParticle {

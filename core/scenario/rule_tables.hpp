@@ -9,6 +9,7 @@ namespace unbruised {
 
 std::vector<Rule> lattice_rules();
 std::vector<Rule> shape_rules();
+std::vector<Rule> layer_rules();
 std::vector<Rule> relaxation_rules();
 std::vector<Rule> lattice_pad_rules();
 std::vector<Rule> network_rules();

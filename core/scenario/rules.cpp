@@ -29,9 +29,10 @@ Rule bounded(std::string_view lower, std::string_view sentence, std::string_view
 const std::vector<Rule>& scenario_rules() {
   static const std::vector<Rule> table = [] {
     std::vector<Rule> all;
-    for (const auto& part : {lattice_rules(), shape_rules(), relaxation_rules(), network_rules(), gripper_rules(),
-                             finger_rules(), pad_rules(), lattice_pad_rules(), holding_rules(), motion_rules(),
-                             sensor_rules(), surface_rules(), turn_rules(), guard_rules(), robot_rules()}) {
+    for (const auto& part :
+         {lattice_rules(), shape_rules(), layer_rules(), relaxation_rules(), network_rules(), gripper_rules(),
+          finger_rules(), pad_rules(), lattice_pad_rules(), holding_rules(), motion_rules(), sensor_rules(),
+          surface_rules(), turn_rules(), guard_rules(), robot_rules()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -43,7 +43,7 @@ std::vector<double> at_particles(const Lattice& lattice, std::span<const double>
 /// Equivalent stress of one cell. @param u displacements, [3n] @param plastic strain of the cell, or empty
 double von_mises_Pa(const BodyModel& body, std::size_t cell, std::span<const double> u,
                     std::span<const double> plastic) {
-  const CellStiffness& matrices = *body.cell;
+  const CellStiffness& matrices = body.cell[body.material_of(cell)];
   std::array<double, 6> strain{}, stress{};
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 24; ++j) {

@@ -6,6 +6,7 @@
 #include "studies/cli/json_output.hpp"
 #include "studies/estimate/arm_lines.hpp"
 #include "studies/estimate/cost_estimate.hpp"
+#include "studies/estimate/layer_lines.hpp"
 #include "studies/estimate/memory_need.hpp"
 #include "studies/estimate/mode_lines.hpp"
 #include "studies/estimate/study_cost.hpp"
@@ -71,6 +72,7 @@ void print_check(const Study& study, const StudyCost& cost) {
   print_line(time_line(cost));
   print_contact(study);
   for (const std::string& line : arm_lines(study)) print_line(line);
+  for (const std::string& line : layer_lines(study)) print_line(line);
   for (const std::string& line : mode_lines(study)) print_line(line);
 }
 

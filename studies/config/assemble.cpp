@@ -103,6 +103,9 @@ struct Assembler {
     }
     const auto kind = highest({"product.kind"});
     if (kind && kind->entry->value.text != "network") scenario.product = LatticeParameters{};
+    if (auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) {
+      lattice->layer.resize(list_size("product.layer["));
+    }
     if (auto* network = std::get_if<NetworkParameters>(&scenario.product)) {
       network->particle.resize(list_size("product.particle["));
       network->spring.resize(list_size("product.spring["));

@@ -54,6 +54,7 @@ Scenario specimen(const KeySpec& spec) {
   scenario.strategy.waypoint.resize(1);
   scenario.cell.surface.resize(1);
   scenario.robot.joint.resize(1);
+  std::get<LatticeParameters>(scenario.product).layer.resize(1);
   if (spec.path.find("product.") == 0 && (spec.use == Use::network || spec.use == Use::network_support)) {
     NetworkParameters network;
     network.particle.resize(1);

@@ -73,7 +73,7 @@ struct Writer {
   /// The product's table under `name` ("product" or "vary.variant"), without its header.
   void product(const std::string& name, Scenario& scenario) {
     keys("product", scenario, 0);
-    for (const std::string leaf : {"particle", "spring", "load"})
+    for (const std::string leaf : {"layer", "particle", "spring", "load"})
       list_of("product." + leaf + "[]", name + "." + leaf, scenario);
   }
 

@@ -84,6 +84,10 @@ std::optional<std::size_t> scenario_list_size(const Scenario& scenario, std::str
     const ParallelJawParameters* jaw = parallel_jaw(scenario);
     return jaw == nullptr ? 0 : jaw->finger.size();
   }
+  if (path.starts_with("product.layer[")) {
+    const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
+    return lattice == nullptr ? 0 : lattice->layer.size();
+  }
   const auto* network = std::get_if<NetworkParameters>(&scenario.product);
   if (network == nullptr) return std::nullopt;
   if (path.starts_with("product.particle[")) return network->particle.size();

@@ -37,6 +37,7 @@ const std::vector<KeySpec>& key_table() {
                               shape_keys(),
                               material_keys(),
                               relaxation_keys(),
+                              layer_keys(),
                               particle_keys(),
                               spring_and_load_keys(),
                               spring_relaxation_keys(),

@@ -12,6 +12,7 @@
 #include "core/scenario/product_mesh.hpp"
 #include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/estimate/guard_warnings.hpp"
+#include "studies/estimate/layer_lines.hpp"
 #include "studies/findings/shown_probability.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -149,6 +150,7 @@ std::vector<std::string> study_warnings(const Study& study) {
   warn_about_damping(study, warnings);
   warn_about_modes(study, warnings);
   warn_about_stretched_meshes(study, warnings);
+  for (std::string& warning : layer_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& warning : guard_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& warning : grip_force_warnings(study)) warnings.push_back(std::move(warning));
   for (std::string& doubt : probability_doubts(study)) warnings.push_back(std::move(doubt));

@@ -139,6 +139,7 @@ class FieldReader {
 /// Calls visit(list) for each list of structs, whose lengths have to be known before their fields are read.
 template <class S, class Visit>
 void visit_lists(S& scenario, Visit&& visit) {
+  if (auto* lattice = std::get_if<LatticeParameters>(&scenario.product)) visit(lattice->layer);
   if (auto* network = std::get_if<NetworkParameters>(&scenario.product)) {
     visit(network->particle);
     visit(network->spring);

@@ -53,6 +53,11 @@ FieldRef lattice(Scenario& scenario, int /*index*/) {
   return field_ref(std::get<LatticeParameters>(scenario.product).*member);
 }
 template <auto member>
+FieldRef layer(Scenario& scenario, int index) {
+  return field_ref(std::get<LatticeParameters>(scenario.product).layer.at(static_cast<std::size_t>(index)).*
+                   member);
+}
+template <auto member>
 FieldRef particle(Scenario& scenario, int index) {
   return field_ref(std::get<NetworkParameters>(scenario.product).particle.at(static_cast<std::size_t>(index)).*
                    member);

@@ -793,8 +793,44 @@ std::vector<Breach> robot_breaches() {
   };
 }
 
-std::vector<Breach> repeat_breaches() {
+ProductLayer layer_from(double from_depth_m) {
+  ProductLayer layer;
+  layer.from_depth_m = from_depth_m;
+  return layer;
+}
+
+std::vector<Breach> layer_breaches() {
   return {
+      {"product.layer[0].from_depth_m", "must be 8 layers at most", usual_grip,
+       [](S s) {
+         for (int i = 0; i < 9; ++i) lattice_in(s).layer.push_back(layer_from(1e-3 * (i + 1)));
+       }},
+      {"product.layer[1].from_depth_m", "must be > 0.005, where the layer before", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005), layer_from(0.005)};
+       }},
+      {"product.layer[0].from_depth_m", "must be < half the smallest extent", usual_grip,
+       [](S s) { lattice_in(s).layer = {layer_from(0.5)}; }},
+      {"product.layer[0].tangent_modulus_Pa", "missing; yield_stress_Pa", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].yield_stress_Pa = 1e4;
+       }},
+      {"product.layer[0].tangent_modulus_Pa", "must be < product.layer[0].youngs_modulus_Pa", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].yield_stress_Pa = 1e4;
+         lattice_in(s).layer[0].tangent_modulus_Pa = 1e6;
+       }},
+      {"product.skin_modulus_Pa", "missing; skin_thickness_m", usual_grip,
+       [](S s) { lattice_in(s).skin_thickness_m = 1e-4; }},
+      {"product.skin_poisson_ratio", "not used without skin_thickness_m", usual_grip,
+       [](S s) { lattice_in(s).skin_poisson_ratio = 0.4; }},
+      {"product.skin_thickness_m", "must be < product.cell_size_m", usual_grip,
+       [](S s) {
+         lattice_in(s).skin_thickness_m = 0.02;
+         lattice_in(s).skin_modulus_Pa = 1e6;
+       }},
       {"strategy.repeat", "must be 1 of a product that relaxes", usual_grip,
        [](S s) {
          s.strategy.repeat = 2;
@@ -811,7 +847,7 @@ std::vector<Breach> repeat_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), repeat_breaches(), pad_breaches(), lattice_pad_breaches(),
+  for (const auto& part : {lattice_breaches(), layer_breaches(), pad_breaches(), lattice_pad_breaches(),
                            finger_breaches(), surface_breaches(), sensor_breaches(), network_breaches(),
                            handling_breaches(), guard_breaches(), robot_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());

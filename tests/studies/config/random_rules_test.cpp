@@ -102,7 +102,8 @@ class Writer {
     const std::set<Use> conditional = {Use::network,     Use::with_axis,     Use::superellipsoid, Use::tracking,
                                        Use::stop,        Use::range,         Use::guard,          Use::range_guard,
                                        Use::force_guard, Use::position_hold, Use::not_gripper};
-    const bool is_rare = conditional.contains(spec.use) || spec.path.starts_with("gripper.pad.");
+    const bool is_rare = conditional.contains(spec.use) || spec.path.starts_with("gripper.pad.") ||
+                         spec.path.starts_with("product.skin_");
     return chance(is_rare ? 0.15 * share : share);
   }
 

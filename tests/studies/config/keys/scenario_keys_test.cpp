@@ -68,6 +68,18 @@ std::vector<Arrival> product_arrivals() {
       {"product.poisson_ratio", "0.375", [](S s) { return lattice(s).poisson_ratio == 0.375; }},
       {"product.yield_stress_Pa", "11.5", [](S s) { return lattice(s).yield_stress_Pa == 11.5; }, plastic},
       {"product.tangent_modulus_Pa", "7.5", [](S s) { return lattice(s).tangent_modulus_Pa == 7.5; }, plastic},
+      {"product.skin_thickness_m",
+       "0.00125",
+       [](S s) { return lattice(s).skin_thickness_m == 0.00125; },
+       {"product.skin_modulus_Pa=1e6"}},
+      {"product.skin_modulus_Pa",
+       "3.75e6",
+       [](S s) { return lattice(s).skin_modulus_Pa == 3.75e6; },
+       {"product.skin_thickness_m=1e-4"}},
+      {"product.skin_poisson_ratio",
+       "0.375",
+       [](S s) { return lattice(s).skin_poisson_ratio == 0.375; },
+       {"product.skin_thickness_m=1e-4", "product.skin_modulus_Pa=1e6"}},
       {"product.relaxation_time_s", "0.125", [](S s) { return lattice(s).relaxation_time_s == 0.125; }},
       {"product.loss_ratio", "0.25", [](S s) { return lattice(s).loss_ratio == 0.25; }, lossy},
       {"product.at_frequency_Hz", "12.5", [](S s) { return lattice(s).at_frequency_Hz == 12.5; }, lossy},
@@ -410,6 +422,24 @@ std::vector<Arrival> robot_arrivals() {
   };
 }
 
+/// Of a study with a product of one layer.
+std::vector<Arrival> layer_arrivals() {
+  const std::vector<std::string> plastic = {"product.layer[0].yield_stress_Pa=11.5",
+                                            "product.layer[0].tangent_modulus_Pa=7.5"};
+  return {
+      {"product.layer[0].from_depth_m", "0.0125",
+       [](S s) { return lattice(s).layer.at(0).from_depth_m == 0.0125; }},
+      {"product.layer[0].youngs_modulus_Pa", "12345.0",
+       [](S s) { return lattice(s).layer.at(0).youngs_modulus_Pa == 12345.0; }},
+      {"product.layer[0].poisson_ratio", "0.375",
+       [](S s) { return lattice(s).layer.at(0).poisson_ratio == 0.375; }},
+      {"product.layer[0].yield_stress_Pa", "11.5",
+       [](S s) { return lattice(s).layer.at(0).yield_stress_Pa == 11.5; }, plastic},
+      {"product.layer[0].tangent_modulus_Pa", "7.5",
+       [](S s) { return lattice(s).layer.at(0).tangent_modulus_Pa == 7.5; }, plastic},
+  };
+}
+
 /// Of a study with one surface beside the product.
 std::vector<Arrival> surface_arrivals() {
   return {
@@ -712,6 +742,11 @@ TEST(ScenarioKeys, EveryKeyOfAnArmReachesTheFieldItNames) {
   expect_arrivals(robot_arrivals(), gripped_block("simulate") + "[[robot.joint]]\nmass_kg = 2.0\n");
 }
 
+TEST(ScenarioKeys, EveryKeyOfALayerReachesTheFieldItNames) {
+  expect_arrivals(layer_arrivals(),
+                  gripped_block("simulate") + "[[product.layer]]\nfrom_depth_m = 0.01\nyoungs_modulus_Pa = 2e5\n");
+}
+
 TEST(ScenarioKeys, EveryKeyOfASurfaceReachesTheFieldItNames) {
   expect_arrivals(surface_arrivals(),
                   gripped_block("simulate") + "[[cell.surface]]\ncenter_m = [0.0, 0.0, -0.5]\nfriction = 0.25\n");
@@ -732,8 +767,9 @@ TEST(ScenarioKeys, EveryNetworkKeyReachesTheFieldItNames) { expect_arrivals(netw
 
 TEST(ScenarioKeys, EveryKeyOfAScenarioIsCoveredByTheTestsAbove) {
   std::vector<std::string> covered;
-  for (const auto& list : {lattice_arrivals(), surface_arrivals(), sensor_arrivals(), waypoint_arrivals(),
-                           flight_arrivals(), finger_arrivals(), robot_arrivals(), network_arrivals()}) {
+  for (const auto& list :
+       {lattice_arrivals(), surface_arrivals(), sensor_arrivals(), waypoint_arrivals(), flight_arrivals(),
+        finger_arrivals(), robot_arrivals(), layer_arrivals(), network_arrivals()}) {
     for (const Arrival& arrival : list) covered.push_back(pattern_of(arrival.key));
   }
   for (const KeySpec& spec : key_table()) {

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <string>
+
+#include "core/scenario/rule_tables.hpp"
+#include "core/scenario/words.hpp"
+
+namespace unbruised {
+namespace {
+
+constexpr std::size_t kMostLayers = 8;
+
+/// Calls back with each layer and its path, "product.layer[0].".
+template <class Take>
+void each_layer(const Scenario& s, const Take& take) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  for (std::size_t i = 0; p != nullptr && i < p->layer.size(); ++i) {
+    take(p->layer[i], "product.layer[" + std::to_string(i) + "].", i);
+  }
+}
+
+void few_layers(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  if (p == nullptr || p->layer.size() <= kMostLayers) return;
+  out.push_back({"product.layer[0].from_depth_m", std::to_string(p->layer.size()) + " layers",
+                 "must be " + std::to_string(kMostLayers) + " layers at most"});
+}
+
+void layers_lie_within(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  if (p == nullptr) return;
+  const double middle_m = 0.5 * *std::ranges::min_element(p->size_m);
+  double before_m = 0.0;
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t i) {
+    if (i > 0 && !(layer.from_depth_m > before_m)) {
+      out.push_back({path + "from_depth_m", spelled(layer.from_depth_m),
+                     "must be > " + spelled(before_m) + ", where the layer before it begins: layers go inwards"});
+    } else if (!(layer.from_depth_m < middle_m)) {
+      out.push_back({path + "from_depth_m", spelled(layer.from_depth_m),
+                     "must be < half the smallest extent of product.size_m = " + spelled(middle_m) +
+                         ": nothing lies deeper"});
+    }
+    before_m = layer.from_depth_m;
+  });
+}
+
+void layers_yield_completely(const Scenario& s, Violations& out) {
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (layer.yield_stress_Pa.has_value() == layer.tangent_modulus_Pa.has_value()) return;
+    out.push_back(layer.yield_stress_Pa
+                      ? Violation{path + "tangent_modulus_Pa", "", "missing; yield_stress_Pa needs it"}
+                      : Violation{path + "tangent_modulus_Pa", spelled(*layer.tangent_modulus_Pa),
+                                  "not used without yield_stress_Pa"});
+  });
+}
+
+void layers_harden_less(const Scenario& s, Violations& out) {
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (!layer.tangent_modulus_Pa || *layer.tangent_modulus_Pa < layer.youngs_modulus_Pa) return;
+    add_bound(out, path + "tangent_modulus_Pa", *layer.tangent_modulus_Pa, path + "youngs_modulus_Pa",
+              layer.youngs_modulus_Pa, Strictness::below);
+  });
+}
+
+void skin_complete(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  if (p == nullptr || p->skin_thickness_m.has_value() == p->skin_modulus_Pa.has_value()) return;
+  out.push_back(p->skin_thickness_m
+                    ? Violation{"product.skin_modulus_Pa", "", "missing; skin_thickness_m needs it"}
+                    : Violation{"product.skin_modulus_Pa", spelled(*p->skin_modulus_Pa),
+                                "not used without skin_thickness_m"});
+}
+
+void skin_has_a_ratio(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  if (p == nullptr || p->skin_thickness_m || !p->skin_poisson_ratio) return;
+  out.push_back(
+      {"product.skin_poisson_ratio", spelled(*p->skin_poisson_ratio), "not used without skin_thickness_m"});
+}
+
+void skin_is_thin(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  if (p == nullptr || !p->skin_thickness_m || *p->skin_thickness_m < p->cell_size_m) return;
+  out.push_back({"product.skin_thickness_m", spelled(*p->skin_thickness_m),
+                 "must be < product.cell_size_m = " + spelled(p->cell_size_m) +
+                     ": what is thicker is the product's own material, over a [[product.layer]]"});
+}
+
+}  // namespace
+
+std::vector<Rule> layer_rules() {
+  return {
+      {{"product.layer[].from_depth_m"}, "of 8 layers at most", few_layers},
+      {{"product.layer[].from_depth_m", "product.size_m"},
+       "deeper than the layer before, within the product",
+       layers_lie_within},
+      {{"product.layer[].tangent_modulus_Pa", "product.layer[].yield_stress_Pa"},
+       "goes with yield_stress_Pa",
+       layers_yield_completely,
+       "goes with tangent_modulus_Pa"},
+      {{"product.layer[].tangent_modulus_Pa", "product.layer[].youngs_modulus_Pa"},
+       "< youngs_modulus_Pa",
+       layers_harden_less},
+      {{"product.skin_modulus_Pa", "product.skin_thickness_m"},
+       "goes with skin_thickness_m",
+       skin_complete,
+       "goes with skin_modulus_Pa"},
+      {{"product.skin_poisson_ratio", "product.skin_thickness_m"}, "goes with skin_thickness_m", skin_has_a_ratio},
+      {{"product.skin_thickness_m", "product.cell_size_m"}, "< cell_size_m", skin_is_thin},
+  };
+}
+
+}  // namespace unbruised

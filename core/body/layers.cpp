@@ -132,6 +132,16 @@ void add_piece(const Place& local, const Place& normal, double stiffness_N_m, do
   }
 }
 
+/// Whether a place, seen from the middle of the bounding box and that deep, lies in a layer.
+bool holds(const ProductLayer& layer, const Place& place_m, double depth_m) {
+  if (layer.from_depth_m) return depth_m >= *layer.from_depth_m;
+  if (!layer.size_m) return false;
+  const Place center_m = layer.center_m.value_or(Place{});
+  Place in_radii{};
+  for (std::size_t d = 0; d < 3; ++d) in_radii[d] = (place_m[d] - center_m[d]) / (0.5 * (*layer.size_m)[d]);
+  return dot(in_radii, in_radii) <= 1.0 + kRounding;
+}
+
 }  // namespace
 
 std::vector<int> cell_materials(const LatticeParameters& product, const Lattice& lattice) {
@@ -147,8 +157,11 @@ std::vector<int> cell_materials(const LatticeParameters& product, const Lattice&
                   lattice.center_m[d];
     }
     const double depth_m = -shape.nearest(middle).distance_m * (1.0 + kRounding);
-    material.push_back(static_cast<int>(std::ranges::count_if(
-        product.layer, [&](const ProductLayer& layer) { return depth_m >= layer.from_depth_m; })));
+    int of = 0;
+    for (std::size_t i = 0; i < product.layer.size(); ++i) {
+      if (holds(product.layer[i], middle, depth_m)) of = static_cast<int>(i) + 1;
+    }
+    material.push_back(of);
   }
   return material;
 }

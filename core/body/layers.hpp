@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file
-/// The materials of a lattice product: layers by depth below its true surface, cell by cell, and a skin as a
-/// membrane on that surface (docs/theory.md, "Layers and skin").
+/// The materials of a lattice product: layers by depth below its true surface or by place, cell by cell, and a
+/// skin as a membrane on that surface (docs/theory.md, "Layers and skin").
 
 #include <array>
 #include <cstddef>

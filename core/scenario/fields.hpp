@@ -20,8 +20,11 @@ namespace unbruised {
 
 template <FieldsOf<ProductLayer> T, class Visit>
 void visit_fields(T& p, Visit&& visit) {
-  auto& [from_depth_m, youngs_modulus_Pa, poisson_ratio, yield_stress_Pa, tangent_modulus_Pa] = p;
+  auto& [from_depth_m, size_m, center_m, youngs_modulus_Pa, poisson_ratio, yield_stress_Pa, tangent_modulus_Pa] =
+      p;
   visit({"from_depth_m", Decides::model, kPositive}, from_depth_m);
+  visit({"size_m", Decides::model, kPositive}, size_m);
+  visit({"center_m", Decides::model, kAnyNumber}, center_m);
   visit({"youngs_modulus_Pa", Decides::model, kPositive}, youngs_modulus_Pa);
   visit({"poisson_ratio", Decides::model, kPoissonRatio}, poisson_ratio);
   visit({"yield_stress_Pa", Decides::run, kPositive}, yield_stress_Pa);

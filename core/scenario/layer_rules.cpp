@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "core/scenario/rule_tables.hpp"
@@ -30,16 +32,53 @@ void layers_lie_within(const Scenario& s, Violations& out) {
   if (p == nullptr) return;
   const double middle_m = 0.5 * *std::ranges::min_element(p->size_m);
   double before_m = 0.0;
-  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t i) {
-    if (i > 0 && !(layer.from_depth_m > before_m)) {
-      out.push_back({path + "from_depth_m", spelled(layer.from_depth_m),
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (!layer.from_depth_m) return;
+    const double from_m = *layer.from_depth_m;
+    if (before_m > 0.0 && !(from_m > before_m)) {
+      out.push_back({path + "from_depth_m", spelled(from_m),
                      "must be > " + spelled(before_m) + ", where the layer before it begins: layers go inwards"});
-    } else if (!(layer.from_depth_m < middle_m)) {
-      out.push_back({path + "from_depth_m", spelled(layer.from_depth_m),
+    } else if (!(from_m < middle_m)) {
+      out.push_back({path + "from_depth_m", spelled(from_m),
                      "must be < half the smallest extent of product.size_m = " + spelled(middle_m) +
                          ": nothing lies deeper"});
     }
-    before_m = layer.from_depth_m;
+    before_m = from_m;
+  });
+}
+
+void layers_are_somewhere(const Scenario& s, Violations& out) {
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (layer.from_depth_m && layer.size_m) {
+      out.push_back({path + "size_m", spelled(layer.size_m->front()) + ", ...",
+                     "not together with from_depth_m: a layer is there by depth or by place"});
+    } else if (!layer.from_depth_m && !layer.size_m) {
+      out.push_back({path + "from_depth_m", "", "missing; or size_m, the extents of an ellipsoid"});
+    }
+  });
+}
+
+void centers_are_of_regions(const Scenario& s, Violations& out) {
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (!layer.center_m || layer.size_m) return;
+    out.push_back({path + "center_m", spelled(layer.center_m->front()) + ", ...", "not used without size_m"});
+  });
+}
+
+void regions_lie_within(const Scenario& s, Violations& out) {
+  const auto* p = std::get_if<LatticeParameters>(&s.product);
+  each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
+    if (!layer.size_m) return;
+    const std::array<double, 3> center_m = layer.center_m.value_or(std::array<double, 3>{});
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double room_m = p->size_m[d] - 2.0 * std::abs(center_m[d]);
+      if ((*layer.size_m)[d] <= room_m) continue;
+      const std::string at = "[" + std::to_string(d) + "]";
+      out.push_back({path + "size_m" + at, spelled((*layer.size_m)[d]),
+                     "must be <= product.size_m" + at +
+                         " less twice the way from its middle to center_m = " + spelled(room_m)});
+      return;
+    }
   });
 }
 
@@ -93,6 +132,14 @@ std::vector<Rule> layer_rules() {
       {{"product.layer[].from_depth_m", "product.size_m"},
        "deeper than the layer before, within the product",
        layers_lie_within},
+      {{"product.layer[].size_m", "product.layer[].from_depth_m"},
+       "in place of from_depth_m",
+       layers_are_somewhere,
+       "in place of size_m"},
+      {{"product.layer[].center_m", "product.layer[].size_m"}, "goes with size_m", centers_are_of_regions},
+      {{"product.layer[].size_m", "product.size_m", "product.layer[].center_m"},
+       "within the product",
+       regions_lie_within},
       {{"product.layer[].tangent_modulus_Pa", "product.layer[].yield_stress_Pa"},
        "goes with yield_stress_Pa",
        layers_yield_completely,

@@ -29,12 +29,18 @@ std::optional<double> reach_of(const NetworkParameters&, const std::array<double
 std::optional<double> yield_stress_of(const LatticeParameters& p) { return p.yield_stress_Pa; }
 std::optional<double> yield_stress_of(const NetworkParameters&) { return std::nullopt; }
 
+/// What the product's own keys say, as if it were a layer.
+ProductLayer own_material(const LatticeParameters& p) {
+  ProductLayer own;
+  own.youngs_modulus_Pa = p.youngs_modulus_Pa;
+  own.poisson_ratio = p.poisson_ratio;
+  own.yield_stress_Pa = p.yield_stress_Pa;
+  own.tangent_modulus_Pa = p.tangent_modulus_Pa;
+  return own;
+}
+
 std::optional<YieldLaw> law_of(const LatticeParameters& p, std::size_t material) {
-  const ProductLayer own{.youngs_modulus_Pa = p.youngs_modulus_Pa,
-                         .poisson_ratio = p.poisson_ratio,
-                         .yield_stress_Pa = p.yield_stress_Pa,
-                         .tangent_modulus_Pa = p.tangent_modulus_Pa};
-  const ProductLayer& part = material == 0 ? own : p.layer[material - 1];
+  const ProductLayer part = material == 0 ? own_material(p) : p.layer[material - 1];
   if (!part.yield_stress_Pa || !part.tangent_modulus_Pa) return std::nullopt;
   const double E = part.youngs_modulus_Pa, E_t = *part.tangent_modulus_Pa;
   const double instantaneous_Pa =

@@ -20,11 +20,15 @@ enum class Axis { x = 0, y = 1, z = 2 };
 /// Which of its moduli the stiffness of a relaxing material is written with.
 enum class PronyFrom { instantaneous, long_term };
 
-/// What lies deeper in a lattice product: flesh under a rind, a core, a stone.
+/// What lies deeper in a lattice product: flesh under a rind, a core, a stone. By depth or by place.
 struct ProductLayer {
-  /// > 0, more than that of the layer before; below the true surface. It reaches to the next one, or to the
+  /// > 0, more than those of the layers before; below the true surface. It reaches to the next one, or to the
   /// middle.
-  double from_depth_m = 0.001;
+  std::optional<double> from_depth_m;
+  /// > 0; in place of a depth, extents of an ellipsoid along the product's axes, within its bounding box
+  std::optional<std::array<double, 3>> size_m;
+  /// Of that ellipsoid, from the middle of the bounding box; none: there
+  std::optional<std::array<double, 3>> center_m;
   /// > 0; what youngs_modulus_Pa of the product is of it, instantaneous or long-term, this is
   double youngs_modulus_Pa = 1e6;
   /// 0 <= poisson_ratio < 0.5; none: that of the product
@@ -99,8 +103,8 @@ struct LatticeParameters {
   std::array<double, 3> initial_rotation_rad{0.0, 0.0, 0.0};
   /// >= 0; of its lowest place above the support's plane at the start; 0 with a gripper.
   double initial_height_m = 0.0;
-  /// At most 8, from the outside to the middle; all moduli fade alike. Above the first the product is what its own
-  /// keys say.
+  /// At most 8; a cell is of the last that holds its middle, of none: what the product's own keys say. All moduli
+  /// fade alike.
   std::vector<ProductLayer> layer;
 };
 

@@ -37,6 +37,8 @@ const std::vector<KeySpec>& key_table() {
                               shape_keys(),
                               material_keys(),
                               relaxation_keys(),
+                              skin_keys(),
+                              network_file_keys(),
                               layer_keys(),
                               particle_keys(),
                               spring_and_load_keys(),

@@ -1,5 +1,6 @@
 #include "studies/estimate/layer_lines.hpp"
 
+#include <array>
 #include <variant>
 
 #include "core/body/layers.hpp"
@@ -24,7 +25,14 @@ std::vector<LatticeParameters> layered_products(const Study& study, std::size_t 
   return products;
 }
 
-std::string depth_text(double depth_m) { return joined({short_number(1e3 * depth_m), " mm"}); }
+std::string place_text(const ProductLayer& layer) {
+  if (layer.from_depth_m) return joined({" from ", short_number(1e3 * *layer.from_depth_m), " mm deep"});
+  std::string extents;
+  for (const double extent_m : layer.size_m.value_or(std::array<double, 3>{})) {
+    extents += joined({extents.empty() ? " in an ellipsoid of " : " x ", short_number(1e3 * extent_m)});
+  }
+  return extents + " mm";
+}
 
 }  // namespace
 
@@ -34,8 +42,7 @@ std::vector<std::string> layer_lines(const Study& study) {
     const std::vector<std::size_t> cells = cells_of_materials(product);
     std::string line = joined({"materials: ", with_thousands(cells[0]), " cells of its own"});
     for (std::size_t i = 0; i < product.layer.size(); ++i) {
-      line += joined(
-          {", ", with_thousands(cells[i + 1]), " from ", depth_text(product.layer[i].from_depth_m), " deep"});
+      line += joined({", ", with_thousands(cells[i + 1]), place_text(product.layer[i])});
     }
     lines.push_back(line);
   }

@@ -1,14 +1,16 @@
 #pragma once
 
 /// @file
-/// SHA-256 (FIPS 180-4) and CRC-32C (Castagnoli, RFC 3720 appendix B.4).
+/// SHA-256 (FIPS 180-4, by OpenSSL) and CRC-32C (Castagnoli, RFC 3720 appendix B.4).
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <string>
 #include <string_view>
+
+struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
 
 namespace unbruised::studies {
 
@@ -18,16 +20,17 @@ std::array<std::uint8_t, 32> sha256(std::string_view bytes);
 /// SHA-256 of bytes that come piece by piece.
 class Sha256 {
  public:
+  Sha256();
   void add(std::string_view bytes);
   /// As 64 lower-case hex digits.
   [[nodiscard]] std::string hex() const;
   [[nodiscard]] std::array<std::uint8_t, 32> value() const;
 
  private:
-  std::array<std::uint32_t, 8> hash_ = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  std::string rest_;  ///< less than a block
-  std::uint64_t bytes_ = 0;
+  struct Free {
+    void operator()(evp_md_ctx_st* state) const;
+  };
+  std::unique_ptr<evp_md_ctx_st, Free> state_;
 };
 
 /// SHA-256 of `bytes` as 64 lower-case hex digits.

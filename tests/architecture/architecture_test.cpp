@@ -274,6 +274,10 @@ TEST(Architecture, Hdf5StaysInResults) {
   expect_included_only_below("^(hdf5|H5[A-Za-z]*public|hdf5_hl|H5Cpp)", {"studies/results/"});
 }
 
+TEST(Architecture, OpenSslStaysInChecksum) {
+  expect_included_only_below("^openssl/", {"studies/results/checksum"});
+}
+
 TEST(Architecture, UrdfdomAndKdlStayBehindTheirDoors) {
   expect_included_only_below("^(urdf_parser|urdf_model|urdf_exception|console_bridge|kdl)/",
                              {"studies/config/urdf_arm"});

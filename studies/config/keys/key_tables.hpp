@@ -20,6 +20,8 @@ Table sensitivity_keys();
 Table shape_keys();
 Table material_keys();
 Table relaxation_keys();
+Table skin_keys();
+Table network_file_keys();
 Table layer_keys();
 Table particle_keys();
 Table spring_and_load_keys();

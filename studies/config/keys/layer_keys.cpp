@@ -5,16 +5,15 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table layer_keys() {
+Table skin_keys() {
   using L = LatticeParameters;
-  using P = ProductLayer;
   const Use use = Use::lattice;
   return {
       {.path = "product.skin_thickness_m",
        .type = optional_number,
        .meaning = "Thickness of a skin thinner than a cell: a membrane on the true surface, which resists being "
-                  "stretched "
-                  "along it and nothing else. What is thicker than a cell is the product's own material, over a "
+                  "stretched along it and nothing else. What is thicker than a cell is the product's own "
+                  "material, over a "
                   "[[product.layer]].",
        .use = use,
        .note = "absent: no skin",
@@ -31,15 +30,36 @@ Table layer_keys() {
        .use = use,
        .note = "that of the product",
        .field = lattice<&L::skin_poisson_ratio>},
+  };
+}
+
+Table layer_keys() {
+  using P = ProductLayer;
+  const Use use = Use::lattice;
+  return {
       {.path = "product.layer[].from_depth_m",
-       .type = number,
+       .type = optional_number,
        .meaning =
            "Depth below the true surface from which the product is of another material, down to the next layer or "
-           "to the middle: flesh under a rind, a core, a stone. Cells belong to the layer that has their middle; "
-           "above the first layer the product is what its own keys say, and so is what touches.",
+           "to the middle: flesh under a rind, a core. A cell belongs to the last layer that has its middle; "
+           "where "
+           "there is none the product is what its own keys say, and so is what touches.",
        .use = use,
-       .required = true,
        .field = layer<&P::from_depth_m>},
+      {.path = "product.layer[].size_m",
+       .type = maybe_numbers,
+       .meaning = "In place of a depth: extents of an ellipsoid along the axes of product.size_m in which the "
+                  "product is of another material, a stone or a place that is bruised already.",
+       .size = 3,
+       .use = use,
+       .field = layer<&P::size_m>},
+      {.path = "product.layer[].center_m",
+       .type = maybe_numbers,
+       .meaning = "Middle of that ellipsoid, from the middle of the product's extents.",
+       .size = 3,
+       .use = use,
+       .note = "the product's middle",
+       .field = layer<&P::center_m>},
       {.path = "product.layer[].youngs_modulus_Pa",
        .type = number,
        .meaning = "Young's modulus there. All moduli of a product fade alike.",

@@ -5,8 +5,7 @@ namespace unbruised::studies::key_rows {
 
 using enum KeyType;
 
-Table particle_keys() {
-  using P = NetworkParticle;
+Table network_file_keys() {
   const Use use = Use::network;
   return {
       {.path = "product.particles_csv",
@@ -17,6 +16,13 @@ Table particle_keys() {
        .type = text,
        .meaning = "CSV file with one spring per row, in place of [[product.spring]].",
        .use = use},
+  };
+}
+
+Table particle_keys() {
+  using P = NetworkParticle;
+  const Use use = Use::network;
+  return {
       {.path = "product.particle[].position_m",
        .type = numbers,
        .meaning = "Place in the rest shape.",

@@ -811,6 +811,23 @@ std::vector<Breach> layer_breaches() {
        }},
       {"product.layer[0].from_depth_m", "must be < half the smallest extent", usual_grip,
        [](S s) { lattice_in(s).layer = {layer_from(0.5)}; }},
+      {"product.layer[0].from_depth_m", "missing; or size_m", usual_grip,
+       [](S s) { lattice_in(s).layer.resize(1); }},
+      {"product.layer[0].size_m", "not together with from_depth_m", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].size_m = {0.001, 0.001, 0.001};
+       }},
+      {"product.layer[0].center_m", "not used without size_m", usual_grip,
+       [](S s) {
+         lattice_in(s).layer = {layer_from(0.005)};
+         lattice_in(s).layer[0].center_m = {0.0, 0.0, 0.0};
+       }},
+      {"product.layer[0].size_m[1]", "must be <= product.size_m[1] less twice", usual_grip,
+       [](S s) {
+         lattice_in(s).layer.resize(1);
+         lattice_in(s).layer[0].size_m = {0.001, 0.5, 0.001};
+       }},
       {"product.layer[0].tangent_modulus_Pa", "missing; yield_stress_Pa", usual_grip,
        [](S s) {
          lattice_in(s).layer = {layer_from(0.005)};

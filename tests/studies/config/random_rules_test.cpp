@@ -1,5 +1,7 @@
 // What the reader accepts, `validate` accepts, and `Model::build` builds: over random studies.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -13,7 +15,7 @@
 namespace unbruised::studies {
 namespace {
 
-/// Writes random studies, about half of which are right.
+/// Writes random studies, some of which are right.
 class Writer {
  public:
   explicit Writer(std::uint64_t seed) : random_(seed) {}
@@ -29,7 +31,7 @@ class Writer {
     text += "cell_size_m = " + number(size * log_uniform(0.12, 0.4)) + "\n";
     text += "youngs_modulus_Pa = " + number(log_uniform(1e4, 1e7)) + "\n";
     text += chance(0.9) ? "mass_kg = " + number(log_uniform(0.01, 1.0)) + "\n" : "density_kg_m3 = 1000.0\n";
-    text += keys("product.", 0.1);
+    text += keys("product.", 0.1) + materials(size);
     text += "[gripper]\n" + keys("gripper.", 0.12) + "[cell]\n" + keys("cell.", 0.12) + "[strategy]\n" +
             keys("strategy.", 0.12) + "[limits]\n" + keys("limits.", 0.2) + "[simulation]\n" +
             keys("simulation.", 0.15);
@@ -97,13 +99,16 @@ class Writer {
     return "[" + items + "]";
   }
 
-  /// Keys that have an effect only beside others are written rarely.
+  /// Keys that have an effect only beside others, or a narrow range, are written rarely.
   bool is_chosen(const KeySpec& spec, double share) {
     const std::set<Use> conditional = {Use::network,     Use::with_axis,     Use::superellipsoid, Use::tracking,
                                        Use::stop,        Use::range,         Use::guard,          Use::range_guard,
                                        Use::force_guard, Use::position_hold, Use::not_gripper};
-    const bool is_rare = conditional.contains(spec.use) || spec.path.starts_with("gripper.pad.") ||
-                         spec.path.starts_with("product.skin_");
+    const bool is_rare =
+        conditional.contains(spec.use) ||
+        std::ranges::any_of(std::to_array<std::string_view>(
+                                {"gripper.pad.", "product.burgers_", "product.initial_", "simulation.theta"}),
+                            [&](std::string_view rare) { return spec.path.starts_with(rare); });
     return chance(is_rare ? 0.15 * share : share);
   }
 
@@ -117,7 +122,8 @@ class Writer {
     for (const KeySpec& spec : key_table()) {
       if (!spec.path.starts_with(table) || spec.field == nullptr || spec.path.find("[]") != std::string_view::npos)
         continue;
-      if (spec.type == KeyType::series) continue;  // lists that have to fit each other
+      if (spec.type == KeyType::series) continue;            // lists that have to fit each other
+      if (spec.path.starts_with("product.skin_")) continue;  // so do these: see `materials`
       if (std::find(written.begin(), written.end(), spec.path) != written.end() || !is_chosen(spec, share))
         continue;
       std::string value;
@@ -128,6 +134,28 @@ class Writer {
       if (spec.type == KeyType::integer) value = std::to_string(integer(0, 9));
       if (value.empty()) value = near_default(spec);
       text += std::string(spec.path.substr(table.size())) + " = " + value + "\n";
+    }
+    return text;
+  }
+
+  /// A skin, a layer by depth, one by place: mostly such as fit.
+  std::string materials(double size) {
+    std::string text;
+    if (chance(0.2)) {
+      text += "skin_thickness_m = " + number(size * log_uniform(0.01, 0.3)) + "\n";
+      if (chance(0.8)) text += "skin_modulus_Pa = " + number(log_uniform(1e4, 1e8)) + "\n";
+      if (chance(0.3)) text += "skin_poisson_ratio = " + number(log_uniform(0.1, 0.6)) + "\n";
+    }
+    for (const char* where : {"from_depth_m", "size_m"}) {
+      if (!chance(0.2)) continue;
+      const std::string length = number(size * log_uniform(0.05, 0.4));
+      text += "[[product.layer]]\n" + std::string(where) + " = ";
+      text +=
+          where == std::string("size_m") ? "[" + length + ", " + length + ", " + length + "]\n" : length + "\n";
+      text += "youngs_modulus_Pa = " + number(log_uniform(1e4, 1e8)) + "\n";
+      if (chance(0.1)) text += "center_m = [0.0, 0.001, 0.0]\n";
+      if (chance(0.3))
+        text += "yield_stress_Pa = 1e4\ntangent_modulus_Pa = " + number(log_uniform(1e3, 1e5)) + "\n";
     }
     return text;
   }

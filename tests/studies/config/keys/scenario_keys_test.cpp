@@ -429,6 +429,18 @@ std::vector<Arrival> layer_arrivals() {
   return {
       {"product.layer[0].from_depth_m", "0.0125",
        [](S s) { return lattice(s).layer.at(0).from_depth_m == 0.0125; }},
+      {"product.layer[0].size_m",
+       "[0.001, 0.002, 0.003]",
+       [](S s) {
+         return lattice(s).layer.at(0).size_m == std::array<double, 3>{0.001, 0.002, 0.003};
+       },
+       {"product.layer[0].from_depth_m=none"}},
+      {"product.layer[0].center_m",
+       "[0.001, 0.002, 0.003]",
+       [](S s) {
+         return lattice(s).layer.at(0).center_m == std::array<double, 3>{0.001, 0.002, 0.003};
+       },
+       {"product.layer[0].from_depth_m=none", "product.layer[0].size_m=[0.001, 0.001, 0.001]"}},
       {"product.layer[0].youngs_modulus_Pa", "12345.0",
        [](S s) { return lattice(s).layer.at(0).youngs_modulus_Pa == 12345.0; }},
       {"product.layer[0].poisson_ratio", "0.375",

@@ -95,6 +95,8 @@ void CellPlasticity::begin_step(const LaneArray& u) {
   may_yield_ = std::ranges::any_of(
       material_, [](const CellMaterial& each) { return any(each.yield_stress < Lane(kNeverYields)); });
   relaxation_->begin_step(u);
+  has_load_ = std::ranges::any_of(touched_, [](unsigned char touched) { return touched != 0; });
+  if (!has_load_) return;
   load_.fill(0.0);
   load_theta_.fill(0.0);
   for (std::size_t cell = 0; cell < touched_.size(); ++cell) {
@@ -129,7 +131,8 @@ void CellPlasticity::book_power(const LaneArray& rate, const LaneArray& stiffnes
   if (!relaxation_) return;
   Lane power(0.0);
   for (std::size_t i = 0; i < rate.rows(); ++i) {
-    power += relaxation_->stressed().get(i) * stiffness_rate.get(i) - load_.get(i) * rate.get(i);
+    const Lane of_strain = relaxation_->stressed().get(i) * stiffness_rate.get(i);
+    power += has_load_ ? of_strain - load_.get(i) * rate.get(i) : of_strain;
   }
   deformed_.book(time_step_s_, power, running);
 }

@@ -81,6 +81,7 @@ class CellPlasticity final : public Material {
   }
   std::vector<CellMaterial> material_;
   std::vector<unsigned char> touched_;  ///< cell has plastic strain in some lane
+  bool has_load_ = false;               ///< with relaxation: some cell had at the start of the step
   LaneArray strain_, strain_theta_;     ///< plastic, 6 per cell, Voigt xx yy zz yz xz xy, tensor shears
   LaneArray accumulated_, accumulated_theta_;
   LaneArray load_, load_theta_;

@@ -3,6 +3,7 @@
 
 #include "core/body/body_lanes.hpp"
 #include "core/body/modal_lanes.hpp"
+#include "core/lanes/flush_subnormals.hpp"
 #include "core/scenario/product.hpp"
 #include "core/scenario/vectors.hpp"
 #include "core/simulation/curve_recorder.hpp"
@@ -298,7 +299,10 @@ int LaneSimulation::busy_count() const {
   return static_cast<int>(
       std::count_if(impl_->run.begin(), impl_->run.end(), [](const LaneRun& r) { return r.busy; }));
 }
-void LaneSimulation::step() { impl_->step(); }
+void LaneSimulation::step() {
+  const FlushSubnormals flush;
+  impl_->step();
+}
 int LaneSimulation::ticks() const { return impl_->clock.ticks; }
 int LaneSimulation::next_ticks(int lane) const { return impl_->run_of(lane).level.ticks(); }
 double LaneSimulation::time_left_s(int lane) const {

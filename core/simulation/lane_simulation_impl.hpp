@@ -31,7 +31,7 @@ struct LaneSimulation::Impl {
   void archive(LaneArchive& lane);
   std::unique_ptr<ParkedScenario> take(int lane);
   void put(int lane, ParkedScenario& parked);
-  void step();
+  [[gnu::noinline]] void step();  // arithmetic stays within what LaneSimulation::step sets for it
 
   // The parts of a step, in order.
   void follow_plans();

@@ -69,8 +69,9 @@ export async function coloursOf(page, section) {
   });
 }
 
-/** What a button of a section saves. */
+/** What a button of a section saves. Chromium drops the eleventh download of a second, which no hand asks for. */
 export async function saved(page, button) {
+  await page.waitForTimeout(110);
   const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
 }

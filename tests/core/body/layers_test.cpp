@@ -237,6 +237,23 @@ TEST(Layers, OfTheProductsOwnMaterialChangeNothing) {
   expect_same_bits(run(scenario), plain, "layer");
 }
 
+// As stiff as flesh and a millionth of a cell thick it bears some millionths of the force.
+TEST(Skin, ThatVanishesChangesNothing) {
+  Scenario scenario = small_box();
+  LatticeParameters& product = lattice_of(scenario);
+  product.yield_stress_Pa = 500.0;
+  product.tangent_modulus_Pa = 2e4;
+  const ScenarioResult plain = run(scenario);
+  ASSERT_GT(plain.metrics[Metric::plastic_strain_max], 0.0);
+  give_skin(product, 1e-6 * product.cell_size_m, product.youngs_modulus_Pa);
+  const ScenarioResult skinned = run(scenario);
+  EXPECT_EQ(skinned.outcome, plain.outcome);
+  for (const Metric metric : {Metric::compression_max_m, Metric::contact_yield_ratio_max,
+                              Metric::plastic_strain_max, Metric::permanent_set_max_m, Metric::grip_impulse_N_s}) {
+    EXPECT_NEAR(skinned.metrics[metric], plain.metrics[metric], 1e-4 * std::abs(plain.metrics[metric]));
+  }
+}
+
 TEST(Layers, OfASoftCoreFlowWhereTheOutsideDoesNot) {
   Scenario scenario = small_box();
   LatticeParameters& product = lattice_of(scenario);

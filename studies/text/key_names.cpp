@@ -8,7 +8,7 @@
 namespace unbruised::studies {
 namespace {
 
-constexpr std::array<Unit, 21> kUnits = {{
+constexpr std::array<Unit, 22> kUnits = {{
     {"_N_m_rad", "N m/rad", "N m rad-1"},
     {"_rad_s3", "rad/s3", "rad s-3"},
     {"_rad_s2", "rad/s2", "rad s-2"},
@@ -18,6 +18,7 @@ constexpr std::array<Unit, 21> kUnits = {{
     {"_kg_m3", "kg/m3", "kg m-3"},
     {"_kg_m2", "kg m2", "kg m2"},
     {"_N_m", "N/m", "N m-1", "stiffness"},
+    {"_N_m", "N/m", "N m-1", "recovery"},  // the spring k2 of a Burgers model
     {"_N_m", "N m", "N m"},
     {"_rad_s", "rad/s", "rad s-1"},
     {"_m_s", "m/s", "m s-1"},

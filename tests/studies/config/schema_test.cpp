@@ -14,6 +14,7 @@ TEST(Schema, EveryDimensionalKeyEndsInItsUnit) {
   EXPECT_EQ(unit_of("sensor.inertia_kg_m2[0]")->udunits, "kg m2");
   // Stiffnesses and torques are written alike.
   EXPECT_EQ(unit_of("sensor.ring_stiffness_N_m[1]")->udunits, "N m-1");
+  EXPECT_EQ(unit_of("product.spring[].burgers_recovery_N_m")->udunits, "N m-1");
   EXPECT_EQ(unit_of("sensor.stiffness_N_m_rad")->udunits, "N m rad-1");
   EXPECT_EQ(unit_of("sensor.noise_N_m")->udunits, "N m");
   EXPECT_EQ(unit_of("peak_sensor_torque_N_m")->udunits, "N m");

@@ -1,7 +1,7 @@
 /// @file
-/// What it costs that a product may turn, and touch with its whole surface: the kiwi of `kiwi_first` gripped,
-/// lifted, carried and put down, upright, tilted on its way, and upright with its whole surface, on coarser and
-/// finer cells; all lanes busy, by turns on one thread.
+/// What it costs that a product may turn, touch with its whole surface, or relax: the kiwi of `kiwi_first`
+/// gripped, lifted, carried and put down, upright, tilted on its way, upright with its whole surface, and upright
+/// with two branches of relaxation, on coarser and finer cells; all lanes busy, by turns on one thread.
 
 #include <cmath>
 #include <cstdio>
@@ -20,12 +20,13 @@ namespace {
 constexpr int kTurns = 3;
 /// The shipped ripe kiwi has cells of 6.25 mm, `kiwi_window` of 5.
 constexpr double kCells_m[] = {8.33e-3, 6.25e-3, 5e-3};
-/// The limit that turning scenes are held to, against the upright one on the same cells.
-constexpr double kLargestRatio = 1.3;
+/// The limits that turning and relaxing scenes are held to, against the upright one on the same cells.
+constexpr double kLargestTurning = 1.3, kLargestRelaxing = 1.1;
 
 struct Scene {
   const char* name;
   std::vector<std::string> sets;
+  double largest_ratio = kLargestTurning;
 };
 
 const std::vector<Scene>& scenes() {
@@ -34,6 +35,9 @@ const std::vector<Scene>& scenes() {
       {"tilted", {"strategy.tilt_rad=[0.0, 0.8, 0.0]"}},
       {"whole surface", {"simulation.contact_set=\"whole surface\""}},
       {"whole surface, tilted", {"simulation.contact_set=\"whole surface\"", "strategy.tilt_rad=[0.0, 0.8, 0.0]"}},
+      {"relaxing, two branches",
+       {"product.prony_modulus=[0.15, 0.15]", "product.prony_time_s=[0.5, 5.0]"},
+       kLargestRelaxing},
   };
   return all;
 }
@@ -91,8 +95,8 @@ bool measure(const std::string& root, double cell_m) {
     const double ratio = cost.all / costs.front().all;
     std::printf("%8.2f %9zu %9zu  %-22s %7.0f %9.1f %7.2f%s %8.1f %8.1f %8.1f %8.1f\n", 1e3 * cell_m,
                 models[s]->particle_count(), models[s]->contact_candidate_count(), scenes()[s].name, cost.steps,
-                cost.all, ratio, ratio > kLargestRatio ? "*" : " ", cost.right_hand_side, cost.solve, cost.contact,
-                cost.update);
+                cost.all, ratio, ratio > scenes()[s].largest_ratio ? "*" : " ", cost.right_hand_side, cost.solve,
+                cost.contact, cost.update);
   }
   std::fflush(stdout);
   return true;
@@ -104,13 +108,15 @@ bool measure(const std::string& root, double cell_m) {
 int main(int argc, char** argv) {
   using namespace unbruised::benchmarks;
   const std::string root = argc > 1 ? argv[1] : "configs";
-  std::printf("Products that turn: kiwi_first's, %d lanes, least of %d turns; microseconds per lane and step\n",
-              unbruised::lane_count(), kTurns);
+  std::printf(
+      "Products that turn or relax: kiwi_first's, %d lanes, least of %d turns; microseconds per lane and step\n",
+      unbruised::lane_count(), kTurns);
   std::printf("%8s %9s %9s  %-22s %7s %9s %8s %8s %8s %8s %8s\n", "cells mm", "particles", "may touch", "scene",
               "steps", "total", "ratio", "rhs", "solve", "contact", "update");
   for (const double cell_m : kCells_m) {
     if (!measure(root, cell_m)) return EXIT_FAILURE;
   }
-  std::printf("*: more than %.1f times the upright one\n", kLargestRatio);
+  std::printf("*: more than %.1f times the upright one, of what relaxes more than %.1f times\n", kLargestTurning,
+              kLargestRelaxing);
   return EXIT_SUCCESS;
 }

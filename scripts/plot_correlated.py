@@ -10,30 +10,23 @@ import argparse
 import sys
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 
 from draw_pictures import INK, save  # which sets the looks of the pictures
+from window_tables import Unsuitable, opened, read_outcomes
 
 ROOT = Path(__file__).resolve().parent.parent
 KEYS = ("product.youngs_modulus_Pa", "product.yield_stress_Pa")
 
 
-def read(path):
-    """(modulus, yield stress, outcome of each product, {outcome: (name, colour)})."""
-    with h5py.File(path, "r") as file:
-        outcome = file["scenarios/outcome"]
-        words = {number: (name, colour) for number, name, colour in zip(outcome.attrs["flag_values"], outcome.attrs["flag_meanings"].split(),
-                                                                         outcome.attrs["flag_colors"].split())}
-        return *(file[f"scenarios/input/{key}"][:] for key in KEYS), outcome[:], words
-
-
 def draw(axes, path, title):
-    modulus, stress, outcome, words = read(path)
-    for number in sorted(set(outcome)):
-        chosen = outcome == number
-        name, colour = words[number]
-        axes.scatter(1e-3 * modulus[chosen], 1e-3 * stress[chosen], s=12, color=colour, edgecolor=INK, linewidth=0.3, label=f"{name}, {chosen.sum()}")
+    with opened(path) as file:
+        modulus, stress = (1e-3 * file[f"scenarios/input/{key}"][:] for key in KEYS)
+        found = read_outcomes(file["scenarios/outcome"])
+    for code in sorted(set(found["outcome"])):
+        chosen = found["outcome"] == code
+        axes.scatter(modulus[chosen], stress[chosen], s=12, color=found["colours"][code], edgecolor=INK, linewidth=0.3,
+                     label=f"{found['words'][code]}, {chosen.sum()}")
     axes.set_title(title)
     axes.set_xlabel("Young's modulus, kPa")
     axes.legend(loc="upper left", fontsize=8, framealpha=1.0)
@@ -49,7 +42,7 @@ def main():
     try:
         draw(axes[0], words.results, "drawn together")
         draw(axes[1], words.independent, "drawn independently")
-    except (OSError, KeyError) as fault:
+    except (Unsuitable, KeyError) as fault:
         print(f"plot_correlated: {fault}", file=sys.stderr)
         return 2
     axes[0].set_ylabel("yield stress, kPa")

@@ -14,11 +14,11 @@ import textwrap
 import tomllib
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
 from draw_pictures import FORCE, INK, SOFT, save  # which sets the looks of the pictures
+from window_tables import Unsuitable, opened
 
 ROOT = Path(__file__).resolve().parent.parent
 LEAST_RATIO = 0.1  # what is less is drawn at the edge
@@ -76,7 +76,7 @@ def draw_carrot(axes, rows):
 
 
 def draw_drop(axes, path):
-    with h5py.File(path, "r") as file:
+    with opened(path) as file:
         height_m = file["scenarios/input/product.initial_height_m"][:]
         ratio = file["scenarios/metric/contact_yield_ratio_max"][:]
         area_mm2 = 1e6 * file["scenarios/metric/bruised_area_m2"][:]
@@ -102,8 +102,8 @@ def main():
     draw_carrot(figure.add_subplot(grid[0, 1]), rows)
     try:
         draw_drop(figure.add_subplot(grid[1, 1]), words.results)
-    except (OSError, KeyError) as fault:
-        print(f"plot_experiments: {words.results}: {fault}", file=sys.stderr)
+    except (Unsuitable, KeyError) as fault:
+        print(f"plot_experiments: {fault}", file=sys.stderr)
         return 2
     save(figure, words.output)
     return 0

@@ -147,8 +147,7 @@ def touched_mm2():
     with h5py.File(ROOT / "results/kiwi_drop/scenario_2.h5", "r") as file:
         force = file["trace/surface_force_N"][:, -1, 2].max()
     product = read(ROOT / "configs/products/kiwi_layered.toml")
-    low, long = 0.5 * product["size_m"][0], 0.5 * product["size_m"][1]  # it lies on its side
-    radius = math.sqrt(low * long**2 / low)
+    radius = 0.5 * product["size_m"][1]  # it lies on its side, a b b: the radii b and a^2 / b have the mean a
     modulus = product["youngs_modulus_Pa"] / (1.0 - product["poisson_ratio"] ** 2)
     return 1e6 * math.pi * (0.75 * force * radius / modulus) ** (2.0 / 3.0)
 

@@ -55,8 +55,13 @@ void BodyLanes::archive(LaneArchive& lane) {
 
 void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   running_ = running;
+  // What is remembered is multiplied by K together with what is damped.
+  const Lane factor(damping_factor());
   if (frame_) {
     frame_->predict(motion(), viscous_, rate_, running);
+    for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
+      viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
+    }
     const LaneVector gravity = frame_->to_frame({gravity_}), turned = frame_->rigid_load_rad_s2();
     const auto outer_m_s2 = [&](std::size_t p, int first) {
       return narrow(gravity, first) + cross(narrow(turned, first), to_lanes<NarrowPack>(frame_->rest_place_m(p)));
@@ -64,7 +69,8 @@ void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
     put_right_hand_side(rate_, remembered, outer_m_s2, running);
   } else {
     for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
-      viscous_.put(i, w_.viscous(u_.get(i), v_.get(i), a_.get(i)));
+      const Lane viscous = w_.viscous(u_.get(i), v_.get(i), a_.get(i));
+      viscous_.put(i, remembered != nullptr ? factor * viscous - remembered->get(i) : viscous);
     }
     const LaneVector gravity{gravity_};
     put_right_hand_side(
@@ -82,14 +88,9 @@ template <class Acceleration>
                                                                   const LaneArray* remembered,
                                                                   const Acceleration& outer_m_s2,
                                                                   const Mask& running) {
-  const bool proportional = body_.C.value.empty();
-  const double factor = proportional ? body_.relaxation_time_s : 1.0;
-  // What is remembered is multiplied by K together with what is damped.
+  const double factor = damping_factor();
   const double of_both = remembered != nullptr ? 1.0 : factor;
-  for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
-    viscous_.put(i, Lane(factor) * viscous_.get(i) - remembered->get(i));
-  }
-  multiply_two(proportional ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
+  multiply_two(is_damped_as_it_is_stiff() ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   const NarrowPacks busy(running);
   const NarrowPack pack_factor = factor, pack_of_both = of_both;
   std::array<NarrowPack, kNarrowPacks> power_of;

@@ -58,6 +58,12 @@ class BodyLanes final : public BodyMotion {
 
  private:
   [[nodiscard]] LaneMotion motion() { return {u_, v_, a_}; }
+  /// C = tau K?
+  [[nodiscard]] bool is_damped_as_it_is_stiff() const { return body_.C.value.empty(); }
+  /// Of the matrix that stands for C.
+  [[nodiscard]] double damping_factor() const {
+    return is_damped_as_it_is_stiff() ? body_.relaxation_time_s : 1.0;
+  }
   /// Begins the right-hand side. @param rate velocity that is damped
   /// @param outer_m_s2 gives a particle's acceleration by what acts on all of them
   template <class Acceleration>

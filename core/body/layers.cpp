@@ -176,10 +176,10 @@ std::vector<std::size_t> cells_of_materials(const LatticeParameters& product) {
 
 std::vector<CellStiffness> material_cells(const LatticeParameters& product,
                                           const std::array<double, 3>& cell_extent_m) {
-  const double modulus_Pa = instantaneous_modulus_Pa(product);
-  std::vector<CellStiffness> cells{cell_stiffness(modulus_Pa, product.poisson_ratio, cell_extent_m)};
+  std::vector<CellStiffness> cells{
+      cell_stiffness(instantaneous_modulus_Pa(product), product.poisson_ratio, cell_extent_m)};
   for (const ProductLayer& layer : product.layer) {
-    cells.push_back(cell_stiffness(layer.youngs_modulus_Pa * (modulus_Pa / product.youngs_modulus_Pa),
+    cells.push_back(cell_stiffness(instantaneous_modulus_Pa(product, layer.youngs_modulus_Pa),
                                    layer.poisson_ratio.value_or(product.poisson_ratio), cell_extent_m));
   }
   return cells;
@@ -190,8 +190,8 @@ std::vector<CellAddition> cell_skins(const LatticeParameters& product, const Lat
   const std::optional<ShapeMesh> mesh = shape_mesh(product);
   if (!mesh) return {};
   const double nu = product.skin_poisson_ratio.value_or(product.poisson_ratio);
-  const double fades_from = instantaneous_modulus_Pa(product) / product.youngs_modulus_Pa;
-  const double per_area_N_m = fades_from * *product.skin_modulus_Pa * *product.skin_thickness_m / (1.0 - nu * nu);
+  const double per_area_N_m =
+      instantaneous_modulus_Pa(product, *product.skin_modulus_Pa) * *product.skin_thickness_m / (1.0 - nu * nu);
   const CellGrid grid(lattice);
   std::map<std::size_t, std::array<double, 24 * 24>> skin;
   for (const auto& triangle : mesh->triangle) {

@@ -147,7 +147,7 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6], LaneArr
     for (int j = 0; j < 3; ++j) part[i][j] = stress[kVoigt[i][j]] * g[j];
   }
   for (int corner = 0; corner < 8; ++corner) {
-    const auto row = 3 * static_cast<std::size_t>(lattice_.cell[cell][corner]);
+    const std::size_t row = row_of(cell, corner);
     for (int i = 0; i < 3; ++i) {
       Lane force = load.get(row + i);
       for (int j = 0; j < 3; ++j) force = ((corner >> j) & 1) != 0 ? force + part[i][j] : force - part[i][j];
@@ -156,22 +156,14 @@ void CellPlasticity::add_load(std::size_t cell, const Lane (&stress)[6], LaneArr
   }
 }
 
-/// Mean displacement gradient of a cell: differences of opposite faces,
+/// Mean gradient of one displacement over a cell from its values at the corners: differences of opposite faces,
 /// du_i/dx_j = (sum_+ u_i - sum_- u_i) / (4 h_j).
-template <class Rows>
-[[gnu::always_inline]] inline void CellPlasticity::mean_gradient(std::size_t cell, const Rows& rows,
-                                                                 Lane (&gradient)[3][3]) const {
-  for (int i = 0; i < 3; ++i) {
-    Lane u[8];
-    for (int corner = 0; corner < 8; ++corner) {
-      u[corner] = rows(3 * static_cast<std::size_t>(lattice_.cell[cell][corner]) + i);
-    }
-    const Lane d01 = u[1] - u[0], d23 = u[3] - u[2], d45 = u[5] - u[4], d67 = u[7] - u[6];
-    const Lane s01 = u[1] + u[0], s23 = u[3] + u[2], s45 = u[5] + u[4], s67 = u[7] + u[6];
-    gradient[i][0] = Lane(gradient_[0]) * ((d01 + d23) + (d45 + d67));
-    gradient[i][1] = Lane(gradient_[1]) * ((s23 - s01) + (s67 - s45));
-    gradient[i][2] = Lane(gradient_[2]) * ((s45 + s67) - (s01 + s23));
-  }
+[[gnu::always_inline]] inline void CellPlasticity::mean_gradient(const Lane (&u)[8], Lane (&gradient)[3]) const {
+  const Lane d01 = u[1] - u[0], d23 = u[3] - u[2], d45 = u[5] - u[4], d67 = u[7] - u[6];
+  const Lane s01 = u[1] + u[0], s23 = u[3] + u[2], s45 = u[5] + u[4], s67 = u[7] + u[6];
+  gradient[0] = Lane(gradient_[0]) * ((d01 + d23) + (d45 + d67));
+  gradient[1] = Lane(gradient_[1]) * ((s23 - s01) + (s67 - s45));
+  gradient[2] = Lane(gradient_[2]) * ((s45 + s67) - (s01 + s23));
 }
 
 /// Its symmetric part.
@@ -191,9 +183,18 @@ template <class Rows>
 }
 
 void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Largest& largest) {
-  Lane gradient[3][3], e[6];
-  mean_gradient(
-      cell, [&](std::size_t row) { return u_theta.get(row); }, gradient);
+  Lane gradient[3][3], left[3][3], e[6];
+  const bool relaxes = relaxation_.has_value() && may_yield_;
+  for (int i = 0; i < 3; ++i) {
+    Lane u[8];
+    for (int corner = 0; corner < 8; ++corner) u[corner] = u_theta.get(row_of(cell, corner) + i);
+    mean_gradient(u, gradient[i]);
+    if (!relaxes) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      u[corner] = Lane(share_) * u[corner] + relaxation_->remembered().get(row_of(cell, corner) + i);
+    }
+    mean_gradient(u, left[i]);
+  }
   mean_strain(gradient, e);
   if (measures_rotation_) largest.rotation2 = max(largest.rotation2, mean_rotation2(gradient));
   const Lane shear2 = e[3] * e[3] + e[4] * e[4] + e[5] * e[5];
@@ -201,10 +202,7 @@ void CellPlasticity::map_cell(std::size_t cell, const LaneArray& u_theta, const 
   if (relaxation_) {
     if (!may_yield_) return;
     // The strain whose instantaneous stress is the one that is left.
-    const LaneArray& past = relaxation_->remembered();
-    mean_gradient(
-        cell, [&](std::size_t row) { return Lane(share_) * u_theta.get(row) + past.get(row); }, gradient);
-    mean_strain(gradient, e);
+    mean_strain(left, e);
   }
   const Lane mean = (e[0] + e[1] + e[2]) * Lane(1.0 / 3.0);
   for (int i = 0; i < 3; ++i) e[i] -= mean;

@@ -56,9 +56,11 @@ class CellPlasticity final : public Material {
   struct Largest {
     Lane flow{0.0}, strain2{0.0}, rotation2{0.0};  ///< change of plastic strain; squares
   };
-  /// @param u gives a row of displacements
-  template <class Rows>
-  void mean_gradient(std::size_t cell, const Rows& u, Lane (&gradient)[3][3]) const;
+  /// First row of a corner.
+  [[nodiscard]] std::size_t row_of(std::size_t cell, int corner) const {
+    return 3 * static_cast<std::size_t>(lattice_.cell[cell][static_cast<std::size_t>(corner)]);
+  }
+  void mean_gradient(const Lane (&u)[8], Lane (&gradient)[3]) const;
   void map_cell(std::size_t cell, const LaneArray& u_theta, const Mask& active, Largest& largest);
   void add_load(std::size_t cell, const Lane (&stress)[6], LaneArray& load) const;
   void remember(std::size_t cell);

@@ -26,11 +26,9 @@ void mass_given_once(const Scenario& s, Violations& out) {
 
 void plasticity_complete(const Scenario& s, Violations& out) {
   const auto* p = lattice_of(s);
-  if (p == nullptr || p->yield_stress_Pa.has_value() == p->tangent_modulus_Pa.has_value()) return;
-  out.push_back(p->yield_stress_Pa
-                    ? Violation{"product.tangent_modulus_Pa", "", "missing; yield_stress_Pa needs it"}
-                    : Violation{"product.tangent_modulus_Pa", spelled(*p->tangent_modulus_Pa),
-                                "not used without yield_stress_Pa"});
+  if (p == nullptr) return;
+  add_unpaired(out, "product.", "tangent_modulus_Pa", p->tangent_modulus_Pa, "yield_stress_Pa",
+               p->yield_stress_Pa);
 }
 
 void damping_given_once(const Scenario& s, Violations& out) {
@@ -42,10 +40,8 @@ void damping_given_once(const Scenario& s, Violations& out) {
 
 void loss_complete(const Scenario& s, Violations& out) {
   const auto* p = lattice_of(s);
-  if (p == nullptr || p->loss_ratio.has_value() == p->at_frequency_Hz.has_value()) return;
-  out.push_back(p->loss_ratio ? Violation{"product.at_frequency_Hz", "", "missing; loss_ratio needs it"}
-                              : Violation{"product.at_frequency_Hz", spelled(*p->at_frequency_Hz),
-                                          "not used without loss_ratio"});
+  if (p == nullptr) return;
+  add_unpaired(out, "product.", "at_frequency_Hz", p->at_frequency_Hz, "loss_ratio", p->loss_ratio);
 }
 
 double smallest_extent_m(const LatticeParameters& p) {

@@ -84,11 +84,8 @@ void regions_lie_within(const Scenario& s, Violations& out) {
 
 void layers_yield_completely(const Scenario& s, Violations& out) {
   each_layer(s, [&](const ProductLayer& layer, const std::string& path, std::size_t) {
-    if (layer.yield_stress_Pa.has_value() == layer.tangent_modulus_Pa.has_value()) return;
-    out.push_back(layer.yield_stress_Pa
-                      ? Violation{path + "tangent_modulus_Pa", "", "missing; yield_stress_Pa needs it"}
-                      : Violation{path + "tangent_modulus_Pa", spelled(*layer.tangent_modulus_Pa),
-                                  "not used without yield_stress_Pa"});
+    add_unpaired(out, path, "tangent_modulus_Pa", layer.tangent_modulus_Pa, "yield_stress_Pa",
+                 layer.yield_stress_Pa);
   });
 }
 
@@ -102,11 +99,8 @@ void layers_harden_less(const Scenario& s, Violations& out) {
 
 void skin_complete(const Scenario& s, Violations& out) {
   const auto* p = std::get_if<LatticeParameters>(&s.product);
-  if (p == nullptr || p->skin_thickness_m.has_value() == p->skin_modulus_Pa.has_value()) return;
-  out.push_back(p->skin_thickness_m
-                    ? Violation{"product.skin_modulus_Pa", "", "missing; skin_thickness_m needs it"}
-                    : Violation{"product.skin_modulus_Pa", spelled(*p->skin_modulus_Pa),
-                                "not used without skin_thickness_m"});
+  if (p == nullptr) return;
+  add_unpaired(out, "product.", "skin_modulus_Pa", p->skin_modulus_Pa, "skin_thickness_m", p->skin_thickness_m);
 }
 
 void skin_has_a_ratio(const Scenario& s, Violations& out) {

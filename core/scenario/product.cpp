@@ -43,8 +43,7 @@ std::optional<YieldLaw> law_of(const LatticeParameters& p, std::size_t material)
   const ProductLayer part = material == 0 ? own_material(p) : p.layer[material - 1];
   if (!part.yield_stress_Pa || !part.tangent_modulus_Pa) return std::nullopt;
   const double E = part.youngs_modulus_Pa, E_t = *part.tangent_modulus_Pa;
-  const double instantaneous_Pa =
-      material == 0 ? instantaneous_modulus_Pa(p) : E * (instantaneous_modulus_Pa(p) / p.youngs_modulus_Pa);
+  const double instantaneous_Pa = material == 0 ? instantaneous_modulus_Pa(p) : instantaneous_modulus_Pa(p, E);
   return YieldLaw{*part.yield_stress_Pa, E * E_t / (E - E_t),
                   0.5 * instantaneous_Pa / (1.0 + part.poisson_ratio.value_or(p.poisson_ratio))};
 }

@@ -65,6 +65,10 @@ double long_term_share(std::span<const RelaxationBranch> branches) {
 double instantaneous_modulus_Pa(const LatticeParameters& product) {
   return instantaneous_factor(product) * product.youngs_modulus_Pa;
 }
+
+double instantaneous_modulus_Pa(const LatticeParameters& product, double youngs_modulus_Pa) {
+  return youngs_modulus_Pa * (instantaneous_modulus_Pa(product) / product.youngs_modulus_Pa);
+}
 double instantaneous_stiffness_N_m(const NetworkSpring& spring) {
   return instantaneous_factor(spring) * spring.stiffness_N_m;
 }

@@ -32,6 +32,9 @@ double long_term_share(std::span<const RelaxationBranch> branches);
 
 /// E_0, with which the product answers at once.
 double instantaneous_modulus_Pa(const LatticeParameters& product);
+/// The same of a part of it, a layer or a skin, whose modulus is written as that of the product is: all fade
+/// alike.
+double instantaneous_modulus_Pa(const LatticeParameters& product, double youngs_modulus_Pa);
 double instantaneous_stiffness_N_m(const NetworkSpring& spring);
 
 /// Does any part of it flow under a force for as long as that lasts, and keep it?

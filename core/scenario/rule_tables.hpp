@@ -3,6 +3,11 @@
 /// @file
 /// The parts of the table of rules; inside core/scenario.
 
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "core/scenario/rules.hpp"
 
 namespace unbruised {
@@ -35,6 +40,11 @@ enum class Strictness { at_most, below };
 /// @param sentence "<= gripper.max_force_N"
 Rule bounded(std::string_view lower, std::string_view sentence, std::string_view upper,
              Strictness strictness = Strictness::at_most);
+
+/// Appends what is wrong where only one of two optional numbers of a table is there: "missing; `with` needs it",
+/// or "not used without `with`". @param path of the table, "product."
+void add_unpaired(Violations& out, const std::string& path, const char* field, const std::optional<double>& value,
+                  const char* with, const std::optional<double>& other);
 
 /// Appends "must be <= other = bound".
 void add_bound(Violations& out, std::string_view field, double value, std::string_view other, double bound,

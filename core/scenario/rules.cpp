@@ -26,6 +26,13 @@ Rule bounded(std::string_view lower, std::string_view sentence, std::string_view
           }};
 }
 
+void add_unpaired(Violations& out, const std::string& path, const char* field, const std::optional<double>& value,
+                  const char* with, const std::optional<double>& other) {
+  if (value.has_value() == other.has_value()) return;
+  out.push_back(value ? Violation{path + field, spelled(*value), std::string("not used without ") + with}
+                      : Violation{path + field, "", std::string("missing; ") + with + " needs it"});
+}
+
 const std::vector<Rule>& scenario_rules() {
   static const std::vector<Rule> table = [] {
     std::vector<Rule> all;

@@ -4,24 +4,23 @@
 #include <variant>
 
 #include "core/body/layers.hpp"
+#include "studies/estimate/some_scenarios.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
 
 namespace unbruised::studies {
 namespace {
 
-/// Looked at more scenarios this would take longer than everything else that is checked.
-constexpr std::size_t kLookedAt = 8;
+/// Cutting more products into cells would take longer than everything else that is checked.
+constexpr std::size_t kMostProducts = 8;
 
-/// The first layered products of those scenarios that are looked at.
-std::vector<LatticeParameters> layered_products(const Study& study, std::size_t most) {
+/// The layered products of some scenarios.
+std::vector<LatticeParameters> layered_products(const Study& study) {
   std::vector<LatticeParameters> products;
-  const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
-  for (std::size_t id = 0; id < study.scenario_count() && products.size() < most; id += stride) {
-    const Scenario scenario = study.scenario(id);
+  look_at_some(study, kMostProducts, [&](const Scenario& scenario) {
     const auto* product = std::get_if<LatticeParameters>(&scenario.product);
     if (product != nullptr && !product->layer.empty()) products.push_back(*product);
-  }
+  });
   return products;
 }
 
@@ -37,20 +36,19 @@ std::string place_text(const ProductLayer& layer) {
 }  // namespace
 
 std::vector<std::string> layer_lines(const Study& study) {
-  std::vector<std::string> lines;
-  for (const LatticeParameters& product : layered_products(study, 1)) {
-    const std::vector<std::size_t> cells = cells_of_materials(product);
-    std::string line = joined({"materials: ", with_thousands(cells[0]), " cells of its own"});
-    for (std::size_t i = 0; i < product.layer.size(); ++i) {
-      line += joined({", ", with_thousands(cells[i + 1]), place_text(product.layer[i])});
-    }
-    lines.push_back(line);
+  const std::vector<LatticeParameters> products = layered_products(study);
+  if (products.empty()) return {};
+  const LatticeParameters& first = products.front();
+  const std::vector<std::size_t> cells = cells_of_materials(first);
+  std::string line = joined({"materials: ", with_thousands(cells[0]), " cells of its own"});
+  for (std::size_t i = 0; i < first.layer.size(); ++i) {
+    line += joined({", ", with_thousands(cells[i + 1]), place_text(first.layer[i])});
   }
-  return lines;
+  return {line};
 }
 
 std::vector<std::string> layer_warnings(const Study& study) {
-  for (const LatticeParameters& product : layered_products(study, kLookedAt)) {
+  for (const LatticeParameters& product : layered_products(study)) {
     const std::vector<std::size_t> cells = cells_of_materials(product);
     for (std::size_t i = 0; i <= product.layer.size(); ++i) {
       if (cells[i] > 0) continue;

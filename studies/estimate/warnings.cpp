@@ -13,6 +13,7 @@
 #include "studies/estimate/grip_force_warnings.hpp"
 #include "studies/estimate/guard_warnings.hpp"
 #include "studies/estimate/layer_lines.hpp"
+#include "studies/estimate/some_scenarios.hpp"
 #include "studies/findings/shown_probability.hpp"
 #include "studies/text/joined.hpp"
 #include "studies/text/number_text.hpp"
@@ -54,18 +55,9 @@ void warn_about_contact(const Study& study, std::vector<std::string>& warnings) 
               short_number(kStepsPerContact / fewest.steps), " times as long a run)"}));
 }
 
-/// The scenarios that are looked at: at most this many, evenly spread over the study.
-constexpr std::size_t kLookedAt = 64;
-
-template <class Look>
-void look_at_some(const Study& study, Look&& look) {
-  const std::size_t stride = 1 + (study.scenario_count() - 1) / kLookedAt;
-  for (std::size_t id = 0; id < study.scenario_count(); id += stride) look(study.scenario(id));
-}
-
 void warn_about_light_products(const Study& study, std::vector<std::string>& warnings) {
   double largest = 0.0, step_s = 0.0;
-  look_at_some(study, [&](const Scenario& scenario) {
+  look_at_some(study, kLookedAt, [&](const Scenario& scenario) {
     const double coupling = contact_coupling(scenario);
     if (coupling <= largest) return;
     largest = coupling;
@@ -106,7 +98,7 @@ void warn_about_damping(const Study& study, std::vector<std::string>& warnings) 
 void warn_about_modes(const Study& study, std::vector<std::string>& warnings) {
   std::string_view why;
   bool all = true;
-  look_at_some(study, [&](const Scenario& scenario) {
+  look_at_some(study, kLookedAt, [&](const Scenario& scenario) {
     if (scenario.simulation.body != ProductBody::modes) return;
     const std::string_view because = needs_full_body_because(scenario);
     all = all && !because.empty();
@@ -123,7 +115,7 @@ constexpr double kProportionsMost = 1.2;
 void warn_about_stretched_meshes(const Study& study, std::vector<std::string>& warnings) {
   std::array<double, 3> worst{};
   double largest = kProportionsMost;
-  look_at_some(study, [&](const Scenario& scenario) {
+  look_at_some(study, kLookedAt, [&](const Scenario& scenario) {
     const auto* product = std::get_if<LatticeParameters>(&scenario.product);
     if (product == nullptr || !product->mesh) return;
     std::array<double, 3> stretch{};

@@ -848,6 +848,11 @@ std::vector<Breach> layer_breaches() {
          lattice_in(s).skin_thickness_m = 0.02;
          lattice_in(s).skin_modulus_Pa = 1e6;
        }},
+  };
+}
+
+std::vector<Breach> repeat_breaches() {
+  return {
       {"strategy.repeat", "must be 1 of a product that relaxes", usual_grip,
        [](S s) {
          s.strategy.repeat = 2;
@@ -864,9 +869,9 @@ std::vector<Breach> layer_breaches() {
 
 std::vector<Breach> breaches() {
   std::vector<Breach> all;
-  for (const auto& part : {lattice_breaches(), layer_breaches(), pad_breaches(), lattice_pad_breaches(),
-                           finger_breaches(), surface_breaches(), sensor_breaches(), network_breaches(),
-                           handling_breaches(), guard_breaches(), robot_breaches()}) {
+  for (const auto& part : {lattice_breaches(), layer_breaches(), repeat_breaches(), pad_breaches(),
+                           lattice_pad_breaches(), finger_breaches(), surface_breaches(), sensor_breaches(),
+                           network_breaches(), handling_breaches(), guard_breaches(), robot_breaches()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -1,5 +1,7 @@
 #include "core/algebra/lane_matrix.hpp"
 
+#include <algorithm>
+
 #include "core/door/require.hpp"
 
 namespace unbruised {
@@ -15,6 +17,43 @@ template <class P>
     acc[i] += P(block[3 * i]) * x0;
     acc[i] += P(block[3 * i + 1]) * x1;
     acc[i] += P(block[3 * i + 2]) * x2;
+  }
+}
+
+/// How many rows of blocks have their sums in registers at once, beside one x and one entry of a block.
+template <class P>
+constexpr std::size_t rows_at_once() {
+  constexpr int kRegisters = sizeof(typename P::Native) == 64 ? 32 : 16;
+  return (3 * 4 + 1) * P::kParts + 1 <= kRegisters ? 4 : 2;
+}
+
+/// sums += the blocks of `Rows` rows over the listed columns times x, a pack of lanes. Each x is loaded once.
+template <std::size_t Rows, class P>
+void add_rows(const double* const* rows, std::span<const int> columns, const LaneArray& x, int lane,
+              std::array<Lane, 3>* sums) {
+  P acc[Rows][3];
+#pragma GCC unroll 4  // so that they stay in registers
+  for (std::size_t r = 0; r < Rows; ++r) {
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) acc[r][i] = pack_of<P>(sums[r][i], lane);
+  }
+  for (const int j : columns) {
+    const auto at = static_cast<std::size_t>(j);
+#pragma GCC unroll 3
+    for (std::size_t k = 0; k < 3; ++k) {
+      const P xk = P::load(x.row(3 * at + k) + lane);
+#pragma GCC unroll 4
+      for (std::size_t r = 0; r < Rows; ++r) {
+        const double* block = rows[r] + 9 * at + k;
+#pragma GCC unroll 3
+        for (std::size_t i = 0; i < 3; ++i) acc[r][i] += P(block[3 * i]) * xk;
+      }
+    }
+  }
+#pragma GCC unroll 4
+  for (std::size_t r = 0; r < Rows; ++r) {
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) put_pack_of(sums[r][i], acc[r][i], lane);
   }
 }
 
@@ -43,22 +82,26 @@ bool fits(const BlockMatrix& A, const LaneArray& x) {
 
 }  // namespace
 
-void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, const BusyPacks& lanes,
-                std::array<Lane, 3>& sum) {
-  alignas(kLaneAlignment) double sums[3 * kLanes];
-  for (std::size_t i = 0; i < 3; ++i) sum[i].store(sums + i * kLanes);
+void add_blocks(std::span<const double* const> rows, std::span<const int> columns, const LaneArray& x,
+                const BusyPacks& lanes, std::span<std::array<Lane, 3>> sums) {
+  require(rows.size() == sums.size(), "add_blocks: a sum for each row");
   lanes.with([&]<class P>(const Packs<P, kLanes>& packs) {
-    packs.each([&](int lane) {
-      P acc[3];
-      for (int i = 0; i < 3; ++i) acc[i] = P::load(sums + i * kLanes + lane);
-      for (int j : columns) {
-        const auto at = static_cast<std::size_t>(j);
-        add_block(row + 9 * at, x.row(3 * at) + lane, acc);
-      }
-      for (int i = 0; i < 3; ++i) acc[i].store(sums + i * kLanes + lane);
-    });
+    constexpr std::size_t kAtOnce = rows_at_once<P>();
+    for (std::size_t done = 0; done < rows.size();) {
+      const std::size_t left = rows.size() - done;
+      packs.each([&](int lane) {
+        const double* const* from = rows.data() + done;
+        std::array<Lane, 3>* to = sums.data() + done;
+        if (left >= kAtOnce) return add_rows<kAtOnce, P>(from, columns, x, lane, to);
+        if constexpr (kAtOnce == 4) {
+          if (left == 3) return add_rows<3, P>(from, columns, x, lane, to);
+          if (left == 2) return add_rows<2, P>(from, columns, x, lane, to);
+        }
+        add_rows<1, P>(from, columns, x, lane, to);
+      });
+      done += std::min<std::size_t>(left, kAtOnce);
+    }
   });
-  for (std::size_t i = 0; i < 3; ++i) sum[i] = Lane::load(sums + i * kLanes);
 }
 
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {

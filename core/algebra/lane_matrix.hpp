@@ -19,9 +19,10 @@ void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y);
 void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y1, LaneArray& y2,
                   const Mask& lanes = Mask(true));
 
-/// sum += sum_j block_j x_j over the 3x3 blocks `row + 9 j` of one row and rows 3 j.. of x, for the listed j.
+/// sums[r] += sum_j block_j x_j over the 3x3 blocks `rows[r] + 9 j` of some rows and rows 3 j.. of x, for the
+/// listed j. The bits of a sum do not depend on the rows beside it.
 /// @param lanes that are asked for; what becomes of the others' sums is not said
-void add_blocks(const double* row, std::span<const int> columns, const LaneArray& x, const BusyPacks& lanes,
-                std::array<Lane, 3>& sum);
+void add_blocks(std::span<const double* const> rows, std::span<const int> columns, const LaneArray& x,
+                const BusyPacks& lanes, std::span<std::array<Lane, 3>> sums);
 
 }  // namespace unbruised

@@ -7,9 +7,26 @@
 
 namespace unbruised {
 
+/// Each force is the contact's own.
+struct ContactSweep::OwnForces {
+  OwnForces(ContactSweep& of, const GripperLanes&) : sweep(of) {}
+
+  ContactSweep& sweep;
+
+  [[nodiscard]] const PadForces& pad_forces() const { return sweep.pad_force_; }
+  /// What of a change of a force is the contact's own.
+  [[nodiscard]] const Lane& own_normal(std::size_t, const Lane& change) const { return change; }
+  [[nodiscard]] const Lane& own_tangent(std::size_t, std::size_t, const Lane& change) const { return change; }
+  void begin_tangents(std::size_t) const {}
+  /// 1 / (1 + shear x compliance). @param alone where nothing else answers @param compliance along the tangents
+  [[nodiscard]] Lane relaxed(std::size_t, const Lane& alone, const std::array<Lane, 2>& /*compliance*/) const {
+    return alone;
+  }
+};
+
 /// Where no surface is on a mount nothing asks for one.
-struct ContactSweep::FixedSurfaces {
-  FixedSurfaces(ContactSweep&, const GripperLanes&) {}
+struct ContactSweep::FixedSurfaces : OwnForces {
+  using OwnForces::OwnForces;
 
   void begin(std::size_t) const {}
   void give_way(std::size_t, std::size_t, const Lane&, const Lane&) const {}
@@ -21,8 +38,8 @@ struct ContactSweep::FixedSurfaces {
 };
 
 /// How the mounts of surfaces answer while a candidate is updated.
-struct ContactSweep::MountedSurfaces {
-  MountedSurfaces(ContactSweep& sweep, const GripperLanes&) : mounted(sweep.mounted_) {}
+struct ContactSweep::MountedSurfaces : OwnForces {
+  MountedSurfaces(ContactSweep& of, const GripperLanes& with) : OwnForces(of, with), mounted(of.mounted_) {}
 
   MountedContacts* mounted;
   LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
@@ -50,10 +67,9 @@ struct ContactSweep::MountedSurfaces {
 };
 
 /// How pads that are bodies, and mounts beside them, answer. Their faces are planes.
-struct ContactSweep::PaddedSurfaces {
-  PaddedSurfaces(ContactSweep& of, const GripperLanes& with) : sweep(of), gripper(with) {}
+struct ContactSweep::PaddedSurfaces : OwnForces {
+  PaddedSurfaces(ContactSweep& of, const GripperLanes& with) : OwnForces(of, with), gripper(with) {}
 
-  ContactSweep& sweep;
   const GripperLanes& gripper;
   LaneVector moved{};   ///< the surface at the candidate, under the forces before its update
   LaneVector change{};  ///< of the force on the product so far

@@ -12,8 +12,8 @@ namespace unbruised {
 /// 0 where nothing is held.
 double contact_coupling(const Scenario& scenario);
 
-/// Couplings above this may end without contact forces: with 140 a step needs more sweeps than there are, with 60
-/// it needs 150 on average.
+/// Couplings above this may end without contact forces: without modes of patches (patch_modes.hpp) a step needs
+/// more sweeps than there are at 140, 150 on average at 60.
 inline constexpr double kLargestCoupling = 60.0;
 
 /// The time step at which a scenario has this coupling [s].

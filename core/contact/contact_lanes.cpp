@@ -62,6 +62,7 @@ void ContactLanes::load(int lane, const Scenario& scenario) {
     value->set(lane, 0.0);
   }
   events_.stop(lane);
+  sweep_.forget_effort(lane);
   const auto at = static_cast<std::size_t>(lane);
   pad_layer_[at] = layer_at_pad(scenario);
   support_layer_[at] = layer_at_support(scenario);
@@ -87,6 +88,7 @@ void ContactLanes::archive(LaneArchive& lane) {
   for (PadSlip& slip : slip_) lane.members(slip);
   for (LaneArray& rows : place_theta_) lane(rows);
   events_.archive(lane);
+  sweep_.archive(lane);
 }
 
 Lane ContactLanes::stored_energy() const {

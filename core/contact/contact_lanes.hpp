@@ -109,7 +109,10 @@ class ContactLanes {
   void forget_slip(int lane);
 
   /// The coming step of a lane has another length than its last.
-  void forget_trend(int lane) { register_.forget_trend(lane); }
+  void forget_trend(int lane) {
+    register_.forget_trend(lane);
+    sweep_.forget_effort(lane);
+  }
 
   /// Finds what is near a surface and starts the solve from the forces of the last step.
   void begin_step(const ContactStart& start, const Mask& running);

@@ -1,10 +1,12 @@
 #include "core/contact/contact_sweep.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/contact/answering_surfaces.hpp"
 #include "core/contact/contact_sweep_nodes.hpp"
+#include "core/contact/deflated_surfaces.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/surface_tally.hpp"
 #include "core/door/require.hpp"
@@ -15,9 +17,18 @@ namespace {
 /// Relative change of the forces in a sweep below which a lane is solved.
 constexpr double kTolerance = 1e-8;
 /// Twenty suffice at steps that resolve the contact; long steps with light fingers need some hundred.
-constexpr int kMaxSweeps = 1000;
+constexpr double kMaxSweeps = 1000.0;
 /// After this many sweeps a lane that is still moving is solved carefully.
 constexpr int kNewtonSweeps = 40;
+/// How often a node that meets several surfaces is looked at again in a sweep. Where one presses along the axis
+/// that another shears, each of them undoes three quarters of what the other did; twice makes sweeps of a block
+/// that is gripped on its support half as many, four times no fewer (docs/performance.md).
+constexpr int kAgain = 2;
+/// A step of more sweeps is a hard one. After so many of them in a row the patches of a lane answer as wholes, in
+/// which a sweep takes two to three times as long (docs/contact.md, "Long steps"), for two steps; then it tries
+/// without them, and goes on with them where that would be a hard step again. Each time it waits four times as
+/// many steps with the next trial, at most so many.
+constexpr double kHardSweeps = 30.0, kHardSteps = 2.0, kMostDeflatedSteps = 64.0;
 /// Relative change in the last sweep above which forces must not be used.
 constexpr double kUnsolved = 1e-4;
 /// Changes are measured against at least this force [N].
@@ -85,6 +96,8 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
   first_near_.clear();
   near_node_.clear();
   has_near_ = Mask(false);
+  is_first_solve_ = true;
+  effort_.deflated_steps = select(running, max0(effort_.deflated_steps - Lane(1.0)), effort_.deflated_steps);
   for (const int c : awake) {
     const auto at = static_cast<std::size_t>(c);
     const Mask near = contacts_.near.get(at);
@@ -160,6 +173,7 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   const Lane from = select(below, Lane(0.0), old_normal);
   const Lane at = select(below, penetration + compliance * old_normal, penetration);
   const LayerLaw law = layer_law(candidate, at, rate_slope * at - viscous_.get(c), rate_slope, contacts_.cover(c));
+  if (deflating_) note_law(c, at, law, active);
   const Lane down = slope == Slope::steepest ? max(Lane(2.0), Lane(1.0) + rate_slope) : law.slope;
   Lane wanted = from + (layer * law.force - from) / (Lane(1.0) + layer * down * compliance);
   // There a step along the steepest slope would be a part of the force only, whatever the contact carries already,
@@ -209,15 +223,16 @@ template <class Mounting, class AnyNode>
   Lane compliance = node.compliance(axis), way(0.0);
   if (is_pad(surface)) {
     compliance += gripper.compliance();
-    way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
+    way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), mounting.pad_forces());
   }
   Lane place = surfaces_.place(surface, *theta_, way);
   mounting.give_way(c, axis, compliance, place);
   const Lane change =
       press(c, sign * (Lane(candidate.surface_m) + node.d[axis] - place), compliance, active, slope);
-  if (is_pad(surface)) pad_force_[finger_of(surface)] += change;
-  node.push(axis, sign, change);
-  mounting.push(axis, sign * change);
+  const Lane own = mounting.own_normal(c, change);
+  if (is_pad(surface)) pad_force_[finger_of(surface)] += own;
+  node.push(axis, sign, own);
+  mounting.push(axis, sign * own);
   return change;
 }
 
@@ -230,12 +245,15 @@ template <class Mounting, class AnyNode>
   const auto t1 = static_cast<std::size_t>(tangents[0]);
   const auto t2 = static_cast<std::size_t>(tangents[1]);
   const auto& carrier = carrier_of(surface, *theta_);
+  mounting.begin_tangents(c);
   const Lane r1 = node.d[t1] - mounting.place(t1, carrier[t1].place_m);
   const Lane r2 = node.d[t2] - mounting.place(t2, carrier[t2].place_m);
-  const auto [change1, change2] = drag(c, {r1, r2}, shear_relaxed_.get(c), active);
-  node.push({t1, t2}, {change1, change2});
-  mounting.push(t1, change1);
-  mounting.push(t2, change2);
+  const Lane relaxed = mounting.relaxed(c, shear_relaxed_.get(c), {node.compliance(t1), node.compliance(t2)});
+  const auto [change1, change2] = drag(c, {r1, r2}, relaxed, active);
+  const Lane own1 = mounting.own_tangent(c, 0, change1), own2 = mounting.own_tangent(c, 1, change2);
+  node.push({t1, t2}, {own1, own2});
+  mounting.push(t1, own1);
+  mounting.push(t2, own2);
   return max(abs(change1), abs(change2));
 }
 
@@ -333,9 +351,21 @@ template <class Mounting>
 }
 
 Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
-  const Lane sweeps = pads_ != nullptr      ? solve_with<PaddedSurfaces>(gripper, lanes)
-                      : mounted_ == nullptr ? solve_with<FixedSurfaces>(gripper, lanes)
-                                            : solve_with<MountedSurfaces>(gripper, lanes);
+  const Lane most(kMaxSweeps);
+  Lane sweeps(0.0);
+  if (pads_ != nullptr) {
+    sweeps = solve_with<PaddedSurfaces>(gripper, lanes, most);
+  } else if (!may_deflate()) {
+    sweeps = mounted_ != nullptr ? solve_with<MountedSurfaces>(gripper, lanes, most)
+                                 : solve_with<FixedSurfaces>(gripper, lanes, most);
+  } else if (const Mask on_mount = mounted_ != nullptr ? lanes & mounted_->lanes() : Mask(false); any(on_mount)) {
+    sweeps = solve_with<MountedSurfaces>(gripper, on_mount, most);
+    const Mask unsolved = unsolved_;
+    sweeps += solve_upright(gripper, lanes & !on_mount);
+    unsolved_ = unsolved_ | unsolved;
+  } else {
+    sweeps = solve_upright(gripper, lanes);
+  }
   for (int pad = 0; pad < kJawFingers && shaped_ != nullptr; ++pad) {
     pad_place_[static_cast<std::size_t>(pad)] =
         surfaces_.place(pad, *theta_, gripper.way_at_theta(pad, pad_force_));
@@ -343,33 +373,122 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
   return sweeps;
 }
 
+std::size_t ContactSweep::end_of_group(std::size_t first) const {
+  const int group = active_node_[first] / kGroup;
+  std::size_t end = first + 1;
+  while (end < active_node_.size() && active_node_[end] / kGroup == group) ++end;
+  return end;
+}
+
 template <class Mounting>
-Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes) {
+void ContactSweep::update_node(std::span<const int> near, const GripperLanes& gripper, Pass& pass, Node& node) {
+  for (const int c : near) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
+  if (near.size() < 2) return;
+  // Layers of several surfaces share what the node gives way: again, until they have come to terms.
+  const Mask solving = pass.solving;
+  Mask one(false), several(false);
+  for (const int c : near) {
+    const Mask& is_near = contacts_.near.get(static_cast<std::size_t>(c));
+    several = several | (one & is_near);
+    one = one | is_near;
+  }
+  pass.solving = solving & several;
+  for (int again = 0; again < kAgain; ++again) {
+    for (const int c : near) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
+  }
+  pass.solving = solving;
+}
+
+/// Updates the candidates of active nodes of one group.
+template <class Mounting>
+void ContactSweep::update_group(std::size_t first, std::size_t end, const GripperLanes& gripper, Pass& pass) {
+  Mask here(false);
+  for (std::size_t a = first; a < end; ++a) here = here | near_node_[a];
+  here = here & pass.solving;
+  if (none(here)) return;
+  const BusyPacks busy(here);
+  const std::size_t m = model_.node_count(), count = end - first;
+  // All under the forces before the group's updates, so that one pass over the forces serves all of them.
+  std::array<const double*, kGroup> row;
+  std::array<std::array<Lane, 3>, kGroup> d, change;
+  for (std::size_t g = 0; g < count; ++g) {
+    const auto i = static_cast<std::size_t>(active_node_[first + g]);
+    row[g] = model_.compliance.data() + 9 * i * m;
+    d[g] = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
+  }
+  add_blocks({row.data(), count}, active_node_, node_force_, busy, {d.data(), count});
+  for (std::size_t g = 0; g < count; ++g) {
+    const auto i = static_cast<std::size_t>(active_node_[first + g]);
+    const std::array<Lane, 3> before = {node_force_.get(3 * i), node_force_.get(3 * i + 1),
+                                        node_force_.get(3 * i + 2)};
+    Node node{node_force_, 3 * i, row[g] + 9 * i, d[g]};
+    for (std::size_t h = 0; h < g; ++h) {
+      const double* block = row[g] + 9 * static_cast<std::size_t>(active_node_[first + h]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += Lane(block[3 * axis + k]) * change[h][k];
+      }
+    }
+    if (eyes_.places != nullptr) {
+      const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
+      for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
+    }
+    update_node<Mounting>(near_of(first + g), gripper, pass, node);
+    for (std::size_t axis = 0; axis < 3; ++axis) change[g][axis] = node_force_.get(3 * i + axis) - before[axis];
+  }
+}
+
+/// Where patches may answer as wholes.
+Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes) {
+  const Mask plain = lanes & !(effort_.deflated_steps > Lane(0.0)), tries = plain & (effort_.span > Lane(0.0));
   Lane sweeps(0.0);
-  unsolved_ = Mask(false);
+  Mask left = lanes & !plain, unsolved(false);
+  if (any(plain)) {
+    sweeps = solve_with<FixedSurfaces>(gripper, plain, select(tries, Lane(kHardSweeps), Lane(kMaxSweeps)));
+    unsolved = unsolved_ & !swept_out_;
+    left = left | swept_out_;
+    // Lanes with nothing near are not asked where the whole batch has nothing near, so they never count.
+    if (is_first_solve_) effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
+  }
+  is_first_solve_ = false;
+  if (none(left)) return sweeps;
+  deflating_ = true;
+  sweeps += solve_with<DeflatedSurfaces>(gripper, left, Lane(kMaxSweeps));
+  deflating_ = false;
+  unsolved_ = unsolved_ | unsolved;
+  return sweeps;
+}
+
+/// @param lanes that swept without modes in this step @param hard of them
+void ContactSweep::Effort::take_in(const Mask& lanes, const Mask& hard) {
+  hard_steps = select(lanes, select(hard, hard_steps + Lane(1.0), Lane(0.0)), hard_steps);
+  const Mask begins = lanes & (hard_steps >= Lane(kHardSteps));
+  span = select(lanes, select(begins, max(Lane(2.0), min(Lane(kMostDeflatedSteps), Lane(4.0) * span)), Lane(0.0)),
+                span);
+  deflated_steps = select(begins, span, deflated_steps);
+}
+
+template <class Mounting>
+Lane ContactSweep::solve_with(const GripperLanes& gripper, const Mask& lanes, const Lane& most) {
+  Lane sweeps(0.0);
+  unsolved_ = swept_out_ = Mask(false);
   // A lane with nothing near takes no sweep, whatever its neighbours do.
   Mask solving = lanes & has_near_;
-  const std::size_t m = model_.node_count();
-  for (int sweep = 0; sweep < kMaxSweeps && any(solving) && !active_node_.empty(); ++sweep) {
+  for (int sweep = 0; any(solving) && !active_node_.empty(); ++sweep) {
+    if constexpr (std::is_same_v<Mounting, DeflatedSurfaces>) before_deflated(sweep, gripper, solving);
     Pass pass{solving, sweep >= kNewtonSweeps ? Slope::steepest : Slope::tangent};
-    for (std::size_t a = 0; a < active_node_.size(); ++a) {
-      const Mask here = solving & near_node_[a];
-      if (none(here)) continue;
-      const BusyPacks busy(here);
-      const auto i = static_cast<std::size_t>(active_node_[a]);
-      const double* row = model_.compliance.data() + 9 * i * m;
-      Node node{node_force_, 3 * i, row + 9 * i, {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)}};
-      add_blocks(row, active_node_, node_force_, busy, node.d);
-      if (eyes_.places != nullptr) {
-        const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
-        for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
-      }
-      for (const int c : near_of(a)) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
+    for (std::size_t first = 0; first < active_node_.size();) {
+      const std::size_t end = end_of_group(first);
+      update_group<Mounting>(first, end, gripper, pass);
+      first = end;
     }
+    if constexpr (std::is_same_v<Mounting, DeflatedSurfaces>) fold_modes();
     sweeps += select(solving, Lane(1.0), Lane(0.0));
     const Lane force = max(pass.largest_force, Lane(kLeastForce));
     unsolved_ = solving & (pass.largest_change > Lane(kUnsolved) * force);
     solving = solving & (pass.largest_change > Lane(kTolerance) * force);
+    const Mask out = solving & (sweeps >= most);
+    swept_out_ = swept_out_ | out;
+    solving = solving & !out;
   }
   return sweeps;
 }

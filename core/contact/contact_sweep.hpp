@@ -5,17 +5,21 @@
 /// (docs/theory.md, "Contact").
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/contact/contact_register.hpp"
+#include "core/contact/layer_law.hpp"
 #include "core/contact/lever_sums.hpp"
 #include "core/contact/mounted_contacts.hpp"
 #include "core/contact/pad_contacts.hpp"
+#include "core/contact/patch_modes.hpp"
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
 #include "core/contact/shaped_pads.hpp"
 #include "core/gripper/gripper_lanes.hpp"
+#include "core/lanes/lane_archive.hpp"
 
 namespace unbruised {
 
@@ -39,6 +43,10 @@ class ContactSweep {
   ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts,
                const ShapedPads* shaped = nullptr);
 
+  /// A lane begins anew, or takes steps of another length from now on.
+  void forget_effort(int lane) { effort_.clear_lane(lane); }
+  /// All that a lane keeps from step to step.
+  void archive(LaneArchive& lane) { effort_.archive(lane); }
   /// Starts a step: the layers of this step, without forces.
   /// @param theta where the carriers are at t + theta dt @param mounted null: no surface is on a mount
   /// @param pads null: they are layers; all have to outlive the step
@@ -93,15 +101,28 @@ class ContactSweep {
   };
   struct Node;
   struct TurnedNode;
+  struct OwnForces;
   struct FixedSurfaces;
+  struct DeflatedSurfaces;
   struct MountedSurfaces;
   struct PaddedSurfaces;
   /// The near candidates of an active node.
   [[nodiscard]] std::span<const int> near_of(std::size_t active) const {
     return std::span(near_candidate_).subspan(first_near_[active], first_near_[active + 1] - first_near_[active]);
   }
+  /// Nodes whose displacements are summed up in one pass over the forces: neighbours by number, so that a lane's
+  /// arithmetic does not depend on what is active in others.
+  static constexpr int kGroup = 4;
+  /// Past the last active node of the group of `first`.
+  [[nodiscard]] std::size_t end_of_group(std::size_t first) const;
   template <class Mounting>
-  Lane solve_with(const GripperLanes& gripper, const Mask& solving);
+  void update_node(std::span<const int> near, const GripperLanes& gripper, Pass& pass, Node& node);
+  template <class Mounting>
+  void update_group(std::size_t first, std::size_t end, const GripperLanes& gripper, Pass& pass);
+  /// Until no more than `most` sweeps are taken; those who would need more are `swept_out_` then.
+  template <class Mounting>
+  Lane solve_with(const GripperLanes& gripper, const Mask& solving, const Lane& most);
+  Lane solve_upright(const GripperLanes& gripper, const Mask& solving);
   template <class Mounting>
   void update_candidate(std::size_t candidate, const GripperLanes& gripper, Pass& pass, Node& node);
   template <class Mounting, class AnyNode>
@@ -124,6 +145,22 @@ class ContactSweep {
   template <class Mounting, class AnyNode>
   Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node, Mounting& mounting);
   void prepare_turned(std::size_t candidate);
+  // Of lanes whose patches answer as wholes: deflated_sweep.cpp.
+  [[nodiscard]] bool may_deflate() const;
+  void before_deflated(int sweep, const GripperLanes& gripper, const Mask& solving);
+  void begin_modes(const GripperLanes& gripper, const Mask& lanes);
+  void prepare_modes(const GripperLanes& gripper, const Mask& lanes);
+  void change_members(const Mask& solving, bool may_join, const GripperLanes& gripper);
+  void set_member(std::size_t candidate, const Mask& member);
+  [[nodiscard]] Mask is_pressed(std::size_t candidate) const;
+  void note_law(std::size_t candidate, const Lane& at_m, const LayerLaw& law, const Mask& lanes);
+  void step_modes(const GripperLanes& gripper, const Mask& lanes);
+  void fold_modes();
+  /// With what the modes add.
+  [[nodiscard, gnu::always_inline]] Lane whole_force(std::size_t candidate, std::size_t of) const {
+    return own_force_.get(PatchModes::kForces * candidate + of) + modes_->force(candidate, of);
+  }
+  [[nodiscard]] PadForces whole_pad_force() const;
   /// What of a candidate's force acts against the closing of its pad.
   [[nodiscard]] Lane closing_force(std::size_t candidate) const;
   /// Force of a candidate on the product at t + theta dt along the axes of its surface's carrier.
@@ -165,6 +202,27 @@ class ContactSweep {
   Mask unsolved_{false};
   PadForces pad_force_ = without_force();
   PadForces pad_place_ = without_force();  ///< of shaped pads
+  /// Which steps have been hard lately, per lane.
+  struct Effort {
+    Lane hard_steps{0.0};      ///< in a row
+    Lane deflated_steps{0.0};  ///< to come, in which patches answer as wholes
+    Lane span{0.0};            ///< so many were they when they began; 0: not of late
+
+    void take_in(const Mask& lanes, const Mask& hard);
+    void clear_lane(int lane) {
+      for (Lane* value : {&hard_steps, &deflated_steps, &span}) value->set(lane, 0.0);
+    }
+    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span); }
+  };
+  Effort effort_;
+  Mask swept_out_{false};       ///< lanes that the last solve_with left as they were
+  bool deflating_ = false;      ///< in the present solve
+  bool is_first_solve_ = true;  ///< of a step, which may take several
+  std::optional<PatchModes> modes_;
+  // Per candidate, while deflating; the first two kForces rows each.
+  LaneArray own_force_, give_;  ///< without the modes; compliance of the layers where they stand
+  LaneArray unpressed_;         ///< penetration at which the layer that stands so would press with no force
+  MaskArray member_, sticks_;   ///< of the modes
 };
 
 }  // namespace unbruised

@@ -45,6 +45,13 @@ class MountedContacts {
   /// Is any candidate of this surface mounted, in any lane?
   [[nodiscard]] bool carries(int surface) const { return any(carried(surface) > Lane(0.0)); }
 
+  /// Lanes in which a mount carries anything.
+  [[nodiscard]] Mask lanes() const {
+    Mask any_of(false);
+    for (const Lane& on : carried_) any_of = any_of | (on > Lane(0.0));
+    return any_of;
+  }
+
   /// Forgets all forces in `lanes`.
   void restart(const Mask& lanes);
   /// Adds a force on the product, along the carrier's axes, to what acts on the mount.

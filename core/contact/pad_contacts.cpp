@@ -72,8 +72,8 @@ LaneVector PadContacts::motion(std::size_t c, const Lane& way) const {
   const Place at = place(c);
   const PadFaces::Face& of = face(at);
   LaneVector moved = get_vector(free_, c);
-  add_blocks(of.compliance.data() + 9 * at.number * of.candidate.size(), near_[at.pad], push_[at.pad], solving_,
-             moved.at);
+  const double* row = of.compliance.data() + 9 * at.number * of.candidate.size();
+  add_blocks({&row, 1}, near_[at.pad], push_[at.pad], solving_, {&moved.at, 1});
   for (std::size_t i = 0; i < 3; ++i) moved[i] -= Lane(of.lag[3 * at.number + i]) * way;
   return moved;
 }

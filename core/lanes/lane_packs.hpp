@@ -22,6 +22,18 @@ using PackMask = MaskPack<NarrowPack::size>;
 /// Which pack starts at a lane.
 constexpr std::size_t pack_at(int first_lane) { return static_cast<std::size_t>(first_lane / NarrowPack::size); }
 
+/// Any pack of a lane value that starts at a lane, and back.
+template <class P>
+[[gnu::always_inline]] inline P pack_of(const Lane& value, int first_lane) {
+  P pack;
+  for (int i = 0; i < P::kParts; ++i) pack.part[i] = value.part[pack_at(first_lane) + static_cast<std::size_t>(i)];
+  return pack;
+}
+template <class P>
+[[gnu::always_inline]] inline void put_pack_of(Lane& value, const P& pack, int first_lane) {
+  for (int i = 0; i < P::kParts; ++i) value.part[pack_at(first_lane) + static_cast<std::size_t>(i)] = pack.part[i];
+}
+
 /// The pack of a lane value that starts at a lane.
 [[gnu::always_inline]] inline NarrowPack narrow(const Lane& value, int first_lane) {
   NarrowPack pack;

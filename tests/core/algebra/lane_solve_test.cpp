@@ -209,35 +209,47 @@ TEST(LaneMatrix, ProductsEqualTheScalarOnesInEveryLane) {
   }
 }
 
-TEST(LaneMatrix, BlocksOfARowAreSummedOverTheListedColumns) {
+TEST(LaneMatrix, BlocksOfRowsAreSummedOverTheListedColumns) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  std::vector<double> row(9 * 6);
-  for (double& value : row) value = normal(random);
-  const LaneArray x = random_lanes(18, 6);
+  constexpr std::size_t kColumns = 6, kRows = 7;
+  std::vector<double> blocks(9 * kColumns * kRows);
+  for (double& value : blocks) value = normal(random);
+  const LaneArray x = random_lanes(3 * kColumns, 6);
   const std::vector<int> columns = {0, 2, 5};
-  std::array<Lane, 3> sum = {Lane(1.0), Lane(2.0), Lane(3.0)};
-  add_blocks(row.data(), columns, x, BusyPacks(Mask(true)), sum);
-  for (int lane = 0; lane < kLanes; ++lane) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      double expected = 1.0 + static_cast<double>(i);
-      for (int j : columns) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto at = static_cast<std::size_t>(j);
-          expected += row[9 * at + 3 * i + k] * x.at(3 * at + k, lane);
+  using Sum = std::array<Lane, 3>;
+  const Sum start = {Lane(1.0), Lane(2.0), Lane(3.0)};
+  std::vector<const double*> rows;
+  for (std::size_t r = 0; r < kRows; ++r) rows.push_back(blocks.data() + 9 * kColumns * r);
+  std::vector<Sum> alone(kRows, start);
+  for (std::size_t r = 0; r < kRows; ++r) {
+    add_blocks({&rows[r], 1}, columns, x, BusyPacks(Mask(true)), {&alone[r], 1});
+    for (int lane = 0; lane < kLanes; ++lane) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        double expected = 1.0 + static_cast<double>(i);
+        for (int j : columns) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = static_cast<std::size_t>(j);
+            expected += rows[r][9 * at + 3 * i + k] * x.at(3 * at + k, lane);
+          }
         }
+        EXPECT_NEAR(alone[r][i][lane], expected, 1e-13);
       }
-      EXPECT_NEAR(sum[i][lane], expected, 1e-13);
     }
   }
-  // Lanes that are asked for by themselves, or beside some, have the same bits.
+  // Beside others, a row has the same bits; lanes that are asked for by themselves, or beside some, as well.
   for (const std::vector<int>& asked : {std::vector{3}, {0, 6}, {5, 9}, {1, 15}}) {
     Mask busy(false);
     for (const int lane : asked) busy.set(lane, true);
-    std::array<Lane, 3> some = {Lane(1.0), Lane(2.0), Lane(3.0)};
-    add_blocks(row.data(), columns, x, BusyPacks(busy), some);
-    for (const int lane : asked) {
-      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(some[i][lane], sum[i][lane]) << lane;
+    for (std::size_t count = 1; count <= kRows; ++count) {
+      std::vector<Sum> some(count, start);
+      add_blocks({rows.data(), count}, columns, x, BusyPacks(busy), some);
+      for (std::size_t r = 0; r < count; ++r) {
+        for (const int lane : asked) {
+          for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(some[r][i][lane], alone[r][i][lane]) << count << " " << lane;
+        }
+      }
     }
   }
 }

@@ -28,7 +28,7 @@ constexpr int kAgain = 2;
 /// which a sweep takes two to three times as long (docs/contact.md, "Long steps"), for two steps; then it tries
 /// without them, and goes on with them where that would be a hard step again. Each time it waits four times as
 /// many steps with the next trial, at most so many.
-constexpr double kHardSweeps = 30.0, kHardSteps = 2.0, kMostDeflatedSteps = 64.0;
+constexpr double kHardSweeps = 80.0, kHardSteps = 2.0, kMostDeflatedSteps = 64.0;
 /// Relative change in the last sweep above which forces must not be used.
 constexpr double kUnsolved = 1e-4;
 /// Changes are measured against at least this force [N].

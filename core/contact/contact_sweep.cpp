@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "core/algebra/lane_matrix.hpp"
 #include "core/contact/answering_surfaces.hpp"
@@ -95,6 +96,7 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
   near_candidate_.clear();
   first_near_.clear();
   near_node_.clear();
+  shared_node_.clear();
   has_near_ = Mask(false);
   is_first_solve_ = true;
   effort_.deflated_steps = select(running, max0(effort_.deflated_steps - Lane(1.0)), effort_.deflated_steps);
@@ -109,8 +111,10 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
     if (active_node_.empty() || active_node_.back() != node) {
       active_node_.push_back(node);
       first_near_.push_back(near_candidate_.size());
-      near_node_.push_back(near);
+      near_node_.push_back(Mask(false));
+      shared_node_.push_back(Mask(false));
     }
+    shared_node_.back() = shared_node_.back() | (near_node_.back() & near);
     near_node_.back() = near_node_.back() | near;
     near_candidate_.push_back(c);
   }
@@ -381,19 +385,12 @@ std::size_t ContactSweep::end_of_group(std::size_t first) const {
 }
 
 template <class Mounting>
-void ContactSweep::update_node(std::span<const int> near, const GripperLanes& gripper, Pass& pass, Node& node) {
+void ContactSweep::update_node(std::size_t active, const GripperLanes& gripper, Pass& pass, Node& node) {
+  const std::span<const int> near = near_of(active);
   for (const int c : near) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
-  if (near.size() < 2) return;
   // Layers of several surfaces share what the node gives way: again, until they have come to terms.
-  const Mask solving = pass.solving;
-  Mask one(false), several(false);
-  for (const int c : near) {
-    const Mask& is_near = contacts_.near.get(static_cast<std::size_t>(c));
-    several = several | (one & is_near);
-    one = one | is_near;
-  }
-  pass.solving = solving & several;
-  for (int again = 0; again < kAgain; ++again) {
+  const Mask solving = std::exchange(pass.solving, pass.solving & shared_node_[active]);
+  for (int again = 0; again < kAgain && any(pass.solving); ++again) {
     for (const int c : near) update_candidate<Mounting>(static_cast<std::size_t>(c), gripper, pass, node);
   }
   pass.solving = solving;
@@ -432,7 +429,7 @@ void ContactSweep::update_group(std::size_t first, std::size_t end, const Grippe
       const LaneVector by_arms = cross(levers_.turn_by_arms(), rest_place_m(i));
       for (std::size_t axis = 0; axis < 3; ++axis) node.d[axis] += by_arms[axis];
     }
-    update_node<Mounting>(near_of(first + g), gripper, pass, node);
+    update_node<Mounting>(first + g, gripper, pass, node);
     for (std::size_t axis = 0; axis < 3; ++axis) change[g][axis] = node_force_.get(3 * i + axis) - before[axis];
   }
 }

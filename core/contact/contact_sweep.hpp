@@ -116,7 +116,7 @@ class ContactSweep {
   /// Past the last active node of the group of `first`.
   [[nodiscard]] std::size_t end_of_group(std::size_t first) const;
   template <class Mounting>
-  void update_node(std::span<const int> near, const GripperLanes& gripper, Pass& pass, Node& node);
+  void update_node(std::size_t active, const GripperLanes& gripper, Pass& pass, Node& node);
   template <class Mounting>
   void update_group(std::size_t first, std::size_t end, const GripperLanes& gripper, Pass& pass);
   /// Until no more than `most` sweeps are taken; those who would need more are `swept_out_` then.
@@ -198,6 +198,7 @@ class ContactSweep {
   std::vector<int> near_candidate_;      ///< those near in any lane, by node
   std::vector<std::size_t> first_near_;  ///< active node -> its first one; one more than active nodes
   std::vector<Mask> near_node_;          ///< of active nodes: lanes in which some candidate of it is near
+  std::vector<Mask> shared_node_;        ///< and in which several are
   Mask has_near_{false};                 ///< some candidate is near
   Mask unsolved_{false};
   PadForces pad_force_ = without_force();
@@ -222,7 +223,6 @@ class ContactSweep {
   // Per candidate, while deflating; the first two kForces rows each.
   LaneArray own_force_, give_;  ///< without the modes; compliance of the layers where they stand
   LaneArray unpressed_;         ///< penetration at which the layer that stands so would press with no force
-  MaskArray member_, sticks_;   ///< of the modes
 };
 
 }  // namespace unbruised

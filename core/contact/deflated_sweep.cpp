@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layer_law.hpp"
@@ -42,7 +43,6 @@ void ContactSweep::begin_modes(const GripperLanes& gripper, const Mask& lanes) {
     modes_.emplace(model_);
     own_force_ = give_ = LaneArray(PatchModes::kForces * model_.candidate.size());
     unpressed_ = LaneArray(model_.candidate.size());
-    member_ = sticks_ = MaskArray(model_.candidate.size());
   }
   modes_->list(active_node_, near_candidate_);
   for (const int near : near_candidate_) {
@@ -77,21 +77,19 @@ Mask ContactSweep::is_pressed(std::size_t c) const {
 }
 
 void ContactSweep::set_member(std::size_t c, const Mask& member) {
-  member_.put(c, member);
-  sticks_.put(c, member & !contacts_.sliding.get(c));
-  modes_->set_member(c, member_.get(c), sticks_.get(c));
+  modes_->set_member(c, member, member & !contacts_.sliding.get(c));
 }
 
 /// Members that came off their layer leave, some that came onto it join, and tangents that slide do not count.
 void ContactSweep::change_members(const Mask& solving, bool may_join, const GripperLanes& gripper) {
   const Mask free = may_join ? solving : Mask(false);
+  const auto differ = [](const Mask& a, const Mask& b) { return (a & !b) | (b & !a); };
   Mask changed(false);
   for (const int near : near_candidate_) {
     const auto c = static_cast<std::size_t>(near);
-    const Mask was = member_.get(c), stuck = sticks_.get(c);
+    const Mask was = modes_->is_member(c, 0), stuck = modes_->is_member(c, 1);
     set_member(c, (was | free) & ((!solving) | is_pressed(c)));
-    const Mask left = (was & !member_.get(c)) | (stuck & !sticks_.get(c));
-    changed = changed | left | (member_.get(c) & !was) | (sticks_.get(c) & !stuck);
+    changed = changed | differ(modes_->is_member(c, 0), was) | differ(modes_->is_member(c, 1), stuck);
   }
   if (any(changed & solving)) prepare_modes(gripper, changed & solving);
 }
@@ -114,6 +112,12 @@ void ContactSweep::prepare_modes(const GripperLanes& gripper, const Mask& lanes)
 /// Takes out of the modes what the layers still lack in them.
 void ContactSweep::step_modes(const GripperLanes& gripper, const Mask& lanes) {
   modes_->start_residual(node_force_);
+  std::array<Lane, kFirstCellSurface> place;
+  for (const int surface : model_.surface) {
+    Lane way(0.0);
+    if (is_pad(surface)) way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
+    place[static_cast<std::size_t>(surface)] = surfaces_.place(surface, *theta_, way);
+  }
   for (const int near : near_candidate_) {
     const auto c = static_cast<std::size_t>(near);
     const ContactCandidate& candidate = model_.candidate[c];
@@ -121,9 +125,7 @@ void ContactSweep::step_modes(const GripperLanes& gripper, const Mask& lanes) {
     const std::size_t row = PatchModes::kForces * c, node = 3 * static_cast<std::size_t>(candidate.contact_node);
     const auto axis = static_cast<std::size_t>(normal_axis(surface));
     const auto tangents = tangent_axes(surface);
-    Lane way(0.0);
-    if (is_pad(surface)) way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
-    const Lane depth = Lane(normal_sign(surface)) * (surfaces_.place(surface, *theta_, way) -
+    const Lane depth = Lane(normal_sign(surface)) * (place[static_cast<std::size_t>(surface)] -
                                                      Lane(candidate.surface_m) - base_.get(node + axis));
     modes_->add_residual(c, 0, depth - unpressed_.get(c) - give_.get(row) * own_force_.get(row));
     for (std::size_t t = 0; t < 2; ++t) {

@@ -214,18 +214,18 @@ void PatchModes::find_matrix(const Mask& lanes) {
   for (std::size_t pad = 0; pad < kJawFingers; ++pad) {
     for (std::size_t f = 0; f < kShapes; ++f) net_[pad][f] = select(lanes, net[pad][f], net_[pad][f]);
   }
-  factor(lanes, work_, members);
+  factor(lanes, members);
 }
 
 /// Cholesky; modes that there are too few members for are left out.
-void PatchModes::factor(const Mask& lanes, LaneArray& matrix, const Members& members) {
+void PatchModes::factor(const Mask& lanes, const Members& members) {
   for (std::size_t j = first_; j < end_; ++j) {
     const std::size_t of = j % kPerSurface / kShapes;
     const bool is_net = j % kShapes == 0;
-    const Lane diagonal = matrix.get(kModes * j + j);
+    const Lane diagonal = work_.get(kModes * j + j);
     Lane pivot = diagonal;
     for (std::size_t k = first_; k < j; ++k) {
-      const Lane l = matrix.get(kModes * j + k);
+      const Lane l = work_.get(kModes * j + k);
       pivot -= l * l;
     }
     const Lane count = members[j / kPerSurface][of > 0 ? 1 : 0];
@@ -235,10 +235,10 @@ void PatchModes::factor(const Mask& lanes, LaneArray& matrix, const Members& mem
     inverse_pivot_[j] = select(lanes, inverse, inverse_pivot_[j]);
     for (std::size_t i = j + 1; i < end_; ++i) {
       const std::size_t at = kModes * i + j;
-      Lane l = matrix.get(at);
-      for (std::size_t k = first_; k < j; ++k) l -= matrix.get(kModes * i + k) * matrix.get(kModes * j + k);
-      matrix.put(at, l * inverse);
-      matrix_.put(at, select(lanes, matrix.get(at), matrix_.get(at)));
+      Lane l = work_.get(at);
+      for (std::size_t k = first_; k < j; ++k) l -= work_.get(kModes * i + k) * work_.get(kModes * j + k);
+      work_.put(at, l * inverse);
+      matrix_.put(at, select(lanes, work_.get(at), matrix_.get(at)));
     }
   }
 }

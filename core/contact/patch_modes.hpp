@@ -34,6 +34,10 @@ class PatchModes {
   void list(std::span<const int> active_node, std::span<const int> near_candidate);
   /// Whose normal force, and whose tangents, belong to the modes of its surface.
   void set_member(std::size_t candidate, const Mask& pressed, const Mask& sticks);
+  /// Lanes in which they do.
+  [[nodiscard]] Mask is_member(std::size_t candidate, std::size_t of) const {
+    return weight_.get(weight_row(candidate, of)) > Lane(0.0);
+  }
   /// By how much pad p goes back per force on pad q, at `[p][q]` [m/N].
   using Fingers = std::array<std::array<Lane, kJawFingers>, kJawFingers>;
   /// Takes in the members of `lanes`, their layers and the fingers.
@@ -98,7 +102,7 @@ class PatchModes {
   void note_changes(const LaneArray& give, const Fingers& fingers);
   void find_moves(std::size_t surface, const Mask& lanes);
   void find_matrix(const Mask& lanes);
-  void factor(const Mask& lanes, LaneArray& matrix, const Members& members);
+  void factor(const Mask& lanes, const Members& members);
   void find_answers(const Mask& lanes);
   void solve(Amplitudes& x) const;
 

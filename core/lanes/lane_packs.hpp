@@ -36,9 +36,7 @@ template <class P>
 
 /// The pack of a lane value that starts at a lane.
 [[gnu::always_inline]] inline NarrowPack narrow(const Lane& value, int first_lane) {
-  NarrowPack pack;
-  pack.part[0] = value.part[pack_at(first_lane)];
-  return pack;
+  return pack_of<NarrowPack>(value, first_lane);
 }
 [[gnu::always_inline]] inline PackMask narrow(const Mask& value, int first_lane) {
   PackMask pack;
@@ -56,7 +54,7 @@ template <class P>
 
 /// Puts a pack back where it stands in a lane value.
 [[gnu::always_inline]] inline void widen(Lane& value, const NarrowPack& pack, int first_lane) {
-  value.part[pack_at(first_lane)] = pack.part[0];
+  put_pack_of(value, pack, first_lane);
 }
 template <class Lanes, class Pack>
 [[gnu::always_inline]] inline void widen(Lanes& value, const Pack& pack, int first_lane) {

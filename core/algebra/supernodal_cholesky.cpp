@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/door/require.hpp"
 
@@ -210,14 +211,8 @@ int fill(const PermutedMatrix& A, SupernodalFactor& L) {
   return L.size;
 }
 
-}  // namespace
-
-std::optional<SupernodalFactor> factor_supernodes(const SymmetricMatrix& matrix, std::string& error) {
-  const std::vector<int> permutation = fill_reducing_order(matrix);
-  if (static_cast<int>(permutation.size()) != matrix.size) {
-    error = "the factorisation ran out of memory";
-    return std::nullopt;
-  }
+std::optional<SupernodalFactor> factor_in_order(const SymmetricMatrix& matrix, const std::vector<int>& permutation,
+                                                std::string& error) {
   const PermutedMatrix A = permuted(matrix, permutation);
   SupernodalFactor L = supernodes_of(pattern_of(A, matrix.size), permutation);
   const int column = fill(A, L);
@@ -227,6 +222,23 @@ std::optional<SupernodalFactor> factor_supernodes(const SymmetricMatrix& matrix,
     return std::nullopt;
   }
   return L;
+}
+
+}  // namespace
+
+std::optional<SupernodalFactor> factor_supernodes(const SymmetricMatrix& matrix, std::string& error) {
+  const std::vector<int> permutation = fill_reducing_order(matrix);
+  if (static_cast<int>(permutation.size()) != matrix.size) {
+    error = "the factorisation ran out of memory";
+    return std::nullopt;
+  }
+  return factor_in_order(matrix, permutation, error);
+}
+
+std::optional<SupernodalFactor> factor_as_it_stands(const SymmetricMatrix& matrix, std::string& error) {
+  std::vector<int> permutation(static_cast<std::size_t>(matrix.size));
+  std::iota(permutation.begin(), permutation.end(), 0);
+  return factor_in_order(matrix, permutation, error);
 }
 
 }  // namespace unbruised

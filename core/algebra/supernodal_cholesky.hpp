@@ -21,4 +21,7 @@ namespace unbruised {
 /// @throw std::logic_error when it is no such matrix
 std::optional<SupernodalFactor> factor_supernodes(const SymmetricMatrix& matrix, std::string& error);
 
+/// The same without ordering: of matrices that are full.
+std::optional<SupernodalFactor> factor_as_it_stands(const SymmetricMatrix& matrix, std::string& error);
+
 }  // namespace unbruised

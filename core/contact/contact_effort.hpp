@@ -19,8 +19,8 @@ inline constexpr double kLargestCoupling = 60.0;
 /// The time step at which a scenario has this coupling [s].
 double time_step_of_coupling_s(const Scenario& scenario, double coupling);
 
-/// Sweeps of an average step in which something is held: 5, and for each unit of the coupling 2, or fewer in steps
-/// below a millisecond (docs/contact.md, "Light products").
+/// Sweeps of an average step in which something is held: 5, and for each unit of the coupling 2, of flat sides
+/// 0.3, or fewer in steps below a millisecond (docs/contact.md, "Light products").
 double estimated_sweeps(const Scenario& scenario);
 
 /// Contact freedoms that are active while the product is held.

@@ -25,6 +25,10 @@ constexpr int kNewtonSweeps = 40;
 /// that another shears, each of them undoes three quarters of what the other did; twice makes sweeps of a block
 /// that is gripped on its support half as many, four times no fewer (docs/performance.md).
 constexpr int kAgain = 2;
+/// A step of more sweeps is a slow one. After it a lane in which all that is pressed sticks finds those forces at
+/// once (stuck_patches.hpp), which costs as much as four to five sweeps, as long as no more sweeps are left for it
+/// then.
+constexpr double kSlowSweeps = 7.0;
 /// A step of more sweeps is a hard one. After so many of them in a row the patches of a lane answer as wholes, in
 /// which a sweep takes two to three times as long (docs/contact.md, "Long steps"), for two steps; then it tries
 /// without them, and goes on with them where that would be a hard step again. Each time it waits four times as
@@ -32,8 +36,6 @@ constexpr int kAgain = 2;
 constexpr double kHardSweeps = 80.0, kHardSteps = 2.0, kMostDeflatedSteps = 64.0;
 /// Relative change in the last sweep above which forces must not be used.
 constexpr double kUnsolved = 1e-4;
-/// Changes are measured against at least this force [N].
-constexpr double kLeastForce = 1e-6;
 
 }  // namespace
 
@@ -437,16 +439,23 @@ void ContactSweep::update_group(std::size_t first, std::size_t end, const Grippe
 /// Where patches may answer as wholes.
 Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes) {
   const Mask plain = lanes & !(effort_.deflated_steps > Lane(0.0)), tries = plain & (effort_.span > Lane(0.0));
-  Lane sweeps(0.0);
+  Lane sweeps(0.0), found(0.0);
   Mask left = lanes & !plain, unsolved(false);
   if (any(plain)) {
+    const Mask stuck = plain & (effort_.slow > Lane(0.0)) & is_stuck(plain);
+    if (any(stuck)) found = answer_stuck(gripper, stuck);
     sweeps = solve_with<FixedSurfaces>(gripper, plain, select(tries, Lane(kHardSweeps), Lane(kMaxSweeps)));
+    const Mask many = sweeps > Lane(kSlowSweeps);
+    const Mask slow = (stuck & !many) | ((!stuck) & many);
+    if (is_first_solve_)
+      effort_.slow = select(plain & has_near_, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
     unsolved = unsolved_ & !swept_out_;
     left = left | swept_out_;
     // Lanes with nothing near are not asked where the whole batch has nothing near, so they never count.
     if (is_first_solve_) effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
   }
   is_first_solve_ = false;
+  sweeps += found;
   if (none(left)) return sweeps;
   deflating_ = true;
   sweeps += solve_with<DeflatedSurfaces>(gripper, left, Lane(kMaxSweeps));

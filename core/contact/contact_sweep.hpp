@@ -18,6 +18,7 @@
 #include "core/contact/seen_nodes.hpp"
 #include "core/contact/seen_places.hpp"
 #include "core/contact/shaped_pads.hpp"
+#include "core/contact/stuck_patches.hpp"
 #include "core/gripper/gripper_lanes.hpp"
 #include "core/lanes/lane_archive.hpp"
 
@@ -110,6 +111,8 @@ class ContactSweep {
   [[nodiscard]] std::span<const int> near_of(std::size_t active) const {
     return std::span(near_candidate_).subspan(first_near_[active], first_near_[active + 1] - first_near_[active]);
   }
+  /// Changes are measured against at least this force [N].
+  static constexpr double kLeastForce = 1e-6;
   /// Nodes whose displacements are summed up in one pass over the forces: neighbours by number, so that a lane's
   /// arithmetic does not depend on what is active in others.
   static constexpr int kGroup = 4;
@@ -145,10 +148,20 @@ class ContactSweep {
   template <class Mounting, class AnyNode>
   Lane update_tangent(std::size_t candidate, const Mask& active, AnyNode& node, Mounting& mounting);
   void prepare_turned(std::size_t candidate);
+  // Of lanes in which all sticks: stuck_sweep.cpp.
+  using SurfacePlaces = std::array<Lane, kFirstCellSurface>;  ///< along the normal axes [m]
+  [[nodiscard]] Mask is_stuck(const Mask& lanes) const;
+  Lane answer_stuck(const GripperLanes& gripper, const Mask& lanes);
+  Mask find_lacks(const GripperLanes& gripper, const Mask& lanes);
+  Mask find_lack(std::size_t candidate, const SurfacePlaces& place, const std::array<Lane, 3>& d);
+  void change_stuck(std::size_t candidate, const Mask& lanes);
   // Of lanes whose patches answer as wholes: deflated_sweep.cpp.
   [[nodiscard]] bool may_deflate() const;
   void before_deflated(int sweep, const GripperLanes& gripper, const Mask& solving);
   void begin_modes(const GripperLanes& gripper, const Mask& lanes);
+  void make_room_for_layers();
+  [[nodiscard]] SurfacePlaces places_under(const PadForces& pad_force, const GripperLanes& gripper) const;
+  [[nodiscard]] static PatchModes::Fingers finger_give(const GripperLanes& gripper, const PadForces& now);
   void prepare_modes(const GripperLanes& gripper, const Mask& lanes);
   void change_members(const Mask& solving, bool may_join, const GripperLanes& gripper);
   void set_member(std::size_t candidate, const Mask& member);
@@ -208,18 +221,21 @@ class ContactSweep {
     Lane hard_steps{0.0};      ///< in a row
     Lane deflated_steps{0.0};  ///< to come, in which patches answer as wholes
     Lane span{0.0};            ///< so many were they when they began; 0: not of late
+    Lane slow{0.0};            ///< 1: the last step took many sweeps, or few because what stuck was found at once
 
     void take_in(const Mask& lanes, const Mask& hard);
     void clear_lane(int lane) {
-      for (Lane* value : {&hard_steps, &deflated_steps, &span}) value->set(lane, 0.0);
+      for (Lane* value : {&hard_steps, &deflated_steps, &span, &slow}) value->set(lane, 0.0);
     }
-    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span); }
+    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span, slow); }
   };
   Effort effort_;
   Mask swept_out_{false};       ///< lanes that the last solve_with left as they were
   bool deflating_ = false;      ///< in the present solve
   bool is_first_solve_ = true;  ///< of a step, which may take several
   std::optional<PatchModes> modes_;
+  std::optional<StuckPatches> stuck_;
+  LaneArray lacks_;  ///< of layers where all sticks, kForces rows a candidate [m]; then changes of forces [N]
   // Per candidate, while deflating; the first two kForces rows each.
   LaneArray own_force_, give_;  ///< without the modes; compliance of the layers where they stand
   LaneArray unpressed_;         ///< penetration at which the layer that stands so would press with no force

@@ -38,11 +38,16 @@ PadForces ContactSweep::whole_pad_force() const {
   return force;
 }
 
+void ContactSweep::make_room_for_layers() {
+  if (give_.rows() == 0) give_ = LaneArray(PatchModes::kForces * model_.candidate.size());
+}
+
 void ContactSweep::begin_modes(const GripperLanes& gripper, const Mask& lanes) {
   if (!modes_) {
     modes_.emplace(model_);
-    own_force_ = give_ = LaneArray(PatchModes::kForces * model_.candidate.size());
+    own_force_ = LaneArray(PatchModes::kForces * model_.candidate.size());
     unpressed_ = LaneArray(model_.candidate.size());
+    make_room_for_layers();
   }
   modes_->list(active_node_, near_candidate_);
   for (const int near : near_candidate_) {
@@ -94,8 +99,8 @@ void ContactSweep::change_members(const Mask& solving, bool may_join, const Grip
   if (any(changed & solving)) prepare_modes(gripper, changed & solving);
 }
 
-void ContactSweep::prepare_modes(const GripperLanes& gripper, const Mask& lanes) {
-  const PadForces now = whole_pad_force();
+/// By how much the pads go back per force on each of them.
+PatchModes::Fingers ContactSweep::finger_give(const GripperLanes& gripper, const PadForces& now) {
   PatchModes::Fingers fingers;
   for (std::size_t q = 0; q < kJawFingers; ++q) {
     PadForces more = now;
@@ -106,18 +111,28 @@ void ContactSweep::prepare_modes(const GripperLanes& gripper, const Mask& lanes)
       fingers[p][q] = to_nine_bits(max0(gripper.way_at_theta(pad, now) - gripper.way_at_theta(pad, more)) / by);
     }
   }
-  modes_->prepare(lanes, give_, fingers);
+  return fingers;
+}
+
+void ContactSweep::prepare_modes(const GripperLanes& gripper, const Mask& lanes) {
+  modes_->prepare(lanes, give_, finger_give(gripper, whole_pad_force()));
+}
+
+ContactSweep::SurfacePlaces ContactSweep::places_under(const PadForces& pad_force,
+                                                       const GripperLanes& gripper) const {
+  SurfacePlaces place;
+  for (const int surface : model_.surface) {
+    Lane way(0.0);
+    if (is_pad(surface)) way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force);
+    place[static_cast<std::size_t>(surface)] = surfaces_.place(surface, *theta_, way);
+  }
+  return place;
 }
 
 /// Takes out of the modes what the layers still lack in them.
 void ContactSweep::step_modes(const GripperLanes& gripper, const Mask& lanes) {
   modes_->start_residual(node_force_);
-  std::array<Lane, kFirstCellSurface> place;
-  for (const int surface : model_.surface) {
-    Lane way(0.0);
-    if (is_pad(surface)) way = gripper.way_at_theta(static_cast<int>(finger_of(surface)), pad_force_);
-    place[static_cast<std::size_t>(surface)] = surfaces_.place(surface, *theta_, way);
-  }
+  const SurfacePlaces place = places_under(pad_force_, gripper);
   for (const int near : near_candidate_) {
     const auto c = static_cast<std::size_t>(near);
     const ContactCandidate& candidate = model_.candidate[c];

@@ -81,6 +81,8 @@ class MotionPlan {
   /// Does the acceleration of the palm jump between two times?
   [[nodiscard]] bool jumps_between(double from_s, double to_s) const;
 
+  /// The force limit rises no more.
+  [[nodiscard]] double ramp_end_s() const { return ramp_start_s_ + strategy_.grip_ramp_s; }
   [[nodiscard]] double lift_start_s() const { return lift_start_s_; }
   [[nodiscard]] double lift_end_s() const { return lift_end_s_; }
   /// The lift and the tilt or the waypoints are over.

@@ -2,9 +2,13 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
+#include <semaphore>
+#include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,7 +20,8 @@
 namespace unbruised {
 namespace {
 
-/// With as many in flight one of the batches is full: there are four at most, of 1, 2, 4 and 8 ticks.
+/// With as many in flight one of the batches is full, and some wait for it: scenarios of a model have three step
+/// lengths at most (step_levels.hpp).
 constexpr int kPlaces = 4 * kLanes;
 
 /// Who waits for a lane: not begun, or between two steps.
@@ -63,6 +68,51 @@ struct Batch {
   }
 };
 
+/// A second thread, which sleeps between two calls.
+class Helper {
+ public:
+  Helper() : thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+  ~Helper() {
+    thread_.request_stop();
+    begin_.release();
+  }
+  Helper(const Helper&) = delete;
+  Helper& operator=(const Helper&) = delete;
+
+  /// Calls both at the same time, the second one here. @throws what the first one threw, else what the second did
+  template <class Second>
+  void run(std::function<void()> first, const Second& second) {
+    first_ = std::move(first);
+    begin_.release();
+    std::exception_ptr thrown;
+    try {
+      second();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    end_.acquire();
+    if (thrown_) thrown = std::exchange(thrown_, nullptr);
+    if (thrown) std::rethrow_exception(thrown);
+  }
+
+ private:
+  void serve(const std::stop_token& stop) {
+    for (begin_.acquire(); !stop.stop_requested(); begin_.acquire()) {
+      try {
+        first_();
+      } catch (...) {
+        thrown_ = std::current_exception();
+      }
+      end_.release();
+    }
+  }
+
+  std::function<void()> first_;
+  std::exception_ptr thrown_;
+  std::binary_semaphore begin_{0}, end_{0};
+  std::jthread thread_;  // the last one: it uses the others
+};
+
 }  // namespace
 
 struct LevelSimulation::Impl {
@@ -92,6 +142,29 @@ struct LevelSimulation::Impl {
       to.waiting.push_back(std::move(moved));
     }
   }
+  /// Which batch steps next. Full ones cost least a scenario; where there are too few for that, those behind catch
+  /// up with the others. One that stays full goes on: what it reads is in the caches.
+  Batch& next_batch() {
+    if (last != nullptr && last->is_full()) return *last;
+    last = most_urgent_beside(nullptr);
+    return *last;
+  }
+  /// nullptr: no other one has anything to do.
+  Batch* most_urgent_beside(const Batch* one) {
+    const auto urgency = [&](const auto& each) {
+      const Batch& of = *each.second;
+      return std::tuple(&of != one && of.ready() > 0, of.is_full(), of.left_s());
+    };
+    Batch& most = *std::ranges::max_element(batch, {}, urgency)->second;
+    return one != nullptr && (&most == one || most.ready() == 0) ? nullptr : &most;
+  }
+  void take_results(Batch& of) {
+    for (const LaneSimulation::Finished& done : of.lanes.finished()) {
+      const int at = std::exchange(of.place[static_cast<std::size_t>(done.lane)], Batch::kFree);
+      busy[static_cast<std::size_t>(at)] = false;
+      finished.push_back({at, done.result});
+    }
+  }
   /// Acts on the lane of a place that was just loaded, now or when it has one.
   void once_loaded(int place, std::function<void(LaneSimulation&, int lane)> act) {
     const auto lane = std::ranges::find(first().place, place);
@@ -104,10 +177,12 @@ struct LevelSimulation::Impl {
   std::shared_ptr<const Model> model;
   Longer longer;
   std::map<int, std::unique_ptr<Batch>> batch;  ///< by ticks
+  Batch* last = nullptr;                        ///< that took a step
   std::array<bool, kPlaces> busy{};
   std::vector<Finished> finished;
-  int stepped = 0;
+  int stepped = 0, stepped_batches = 0;
   bool timing = false;
+  std::optional<Helper> helper;
 };
 
 LevelSimulation::LevelSimulation(std::shared_ptr<const Model> model, Longer longer)
@@ -132,24 +207,31 @@ void LevelSimulation::record(int place, const Recording& kept) {
   impl_->once_loaded(place, [kept](LaneSimulation& lanes, int lane) { lanes.record(lane, kept); });
 }
 
-void LevelSimulation::step() {
+void LevelSimulation::step(bool on_two_threads) {
   impl_->finished.clear();
-  // Full batches cost least a scenario; where there are too few for that, those behind catch up with the others.
-  const auto next = std::ranges::max_element(
-      impl_->batch, {}, [](const auto& each) { return std::pair(each.second->is_full(), each.second->left_s()); });
-  Batch& batch = *next->second;
+  Batch& batch = impl_->next_batch();
+  Batch* const other = on_two_threads ? impl_->most_urgent_beside(&batch) : nullptr;
   batch.fill();
   impl_->stepped = batch.busy();
-  batch.lanes.step();
-  for (const LaneSimulation::Finished& done : batch.lanes.finished()) {
-    const int place = std::exchange(batch.place[static_cast<std::size_t>(done.lane)], Batch::kFree);
-    impl_->busy[static_cast<std::size_t>(place)] = false;
-    impl_->finished.push_back({place, done.result});
+  impl_->stepped_batches = other != nullptr ? 2 : 1;
+  if (other != nullptr) {
+    other->fill();
+    impl_->stepped += other->busy();
+    if (!impl_->helper) impl_->helper.emplace();
+    impl_->helper->run([other] { other->lanes.step(); }, [&batch] { batch.lanes.step(); });
+  } else {
+    batch.lanes.step();
   }
-  impl_->send_on(batch);
+  for (Batch* const each : {&batch, other}) {
+    if (each != nullptr) impl_->take_results(*each);
+  }
+  for (Batch* const each : {&batch, other}) {
+    if (each != nullptr) impl_->send_on(*each);
+  }
 }
 
 int LevelSimulation::stepped() const { return impl_->stepped; }
+int LevelSimulation::stepped_batches() const { return impl_->stepped_batches; }
 const std::vector<LevelSimulation::Finished>& LevelSimulation::finished() const { return impl_->finished; }
 
 void LevelSimulation::enable_timing() {

@@ -167,11 +167,13 @@ class LevelSimulation {
   /// As that of LaneSimulation, right after load.
   void record(int place, const Recording& kept);
 
-  /// Advances the scenarios of one batch by one of its steps: of the full batches, or where none is full of all,
-  /// the one with the scenario that has most time before it.
-  void step();
-  /// How many scenarios the last step advanced.
+  /// Advances the scenarios of one batch by one of its steps: the last one while it is full; of the full batches,
+  /// or where none is full of all, the one with the scenario that has most time before it.
+  /// @param on_two_threads a second batch takes its step at the same time, on a thread of its own
+  void step(bool on_two_threads = false);
+  /// How many scenarios the last step advanced, and in how many batches.
   [[nodiscard]] int stepped() const;
+  [[nodiscard]] int stepped_batches() const;
   struct Finished {
     int place;
     ScenarioResult result;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
 
 namespace unbruised {
 namespace {
@@ -10,14 +10,18 @@ namespace {
 /// A finger that touches or leaves, a support that lets go, a jump of the palm's acceleration or a pad that slides
 /// rings on for so long; 10 ms would do for a kiwi.
 constexpr double kRinging_s = 0.03;
-/// The drive presses into the swing of an impact.
+/// The drive presses into the swing of an impact, which may throw the finger back.
 constexpr double kImpact_s = 0.06;
+/// Fingers that go no farther within a long step rest.
+constexpr double kRests_m = 1e-6;
 /// A surface that is this near is about to touch.
 constexpr double kNearPad_m = 1e-4, kNearSupport_m = 1e-3;
 /// The support still carries the product, as a share of its weight.
 constexpr double kCarries = 0.7;
 /// A pad with more than this share of its contacts sliding slides.
 constexpr double kSliding = 0.3;
+/// Contacts that need more sweeps in a step are solved sooner in short ones, and surely.
+constexpr double kManySweeps = 100.0;
 /// A product flows that has absorbed this much more of the energy it had.
 constexpr double kFlows = 0.01;
 
@@ -41,11 +45,11 @@ double way_m(const PalmState& from, const PalmState& to) {
 void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
   note(signs);
   // From here until the end of the next long step, as it is looked at, and half as far again.
-  const double longest_s = static_cast<double>(levels_.ticks.back()) * clock.tick_s;
+  const double longest_s = levels_.longest * clock.tick_s;
   ticks_ = ticks_for(need(2.0 * clock.theta * longest_s, signs));
   const double left_s = signs.cycle.plan().end_s() - signs.time_s;
   while (ticks_ > 1 && ticks_ * clock.tick_s > left_s) --ticks_;
-  ticks_ = *std::prev(std::ranges::upper_bound(levels_.ticks, ticks_));
+  ticks_ = levels_.not_beyond(ticks_);
 }
 
 void LevelChoice::note(const LevelSigns& signs) {
@@ -53,13 +57,16 @@ void LevelChoice::note(const LevelSigns& signs) {
   const MotionPlan& plan = signs.cycle.plan();
   for (std::size_t f = 0; f < kJawFingers; ++f) {
     const bool touches = signs.seen.finger[f].closed_contacts > 0.0;
-    if (std::exchange(touches_[f], touches) != touches) ring(signs.time_s + kImpact_s);
+    if (std::exchange(touches_[f], touches) == touches) continue;
+    const bool lets_go = !touches && signs.time_s > plan.release_start_s();
+    ring(lets_go ? signs.time_s : signs.time_s + kImpact_s);
   }
   if (signs.seen.absorbed_energy_J > (1.0 + kFlows) * absorbed_J_) {
     absorbed_J_ = signs.seen.absorbed_energy_J;
     ring(signs.time_s);
   }
   if (touches(signs.seen) && slides(signs.seen)) ring(signs.time_s);
+  if (ticks_ > 1 && signs.contact_sweeps > kManySweeps) ring(signs.time_s);
   if (signs.time_s >= plan.lift_start_s() && !hung_ && !(signs.seen.support_N > 0.0)) {
     hung_ = true;
     ring(signs.time_s);
@@ -68,8 +75,8 @@ void LevelChoice::note(const LevelSigns& signs) {
 }
 
 int LevelChoice::ticks_for(Need need) const {
-  if (need == Need::shortest) return levels_.ticks.front();
-  return need == Need::medium ? levels_.ticks[1] : levels_.ticks.back();
+  if (need == Need::shortest) return 1;
+  return need == Need::medium ? levels_.medium : levels_.longest;
 }
 
 LevelChoice::Need LevelChoice::need(double reach_s, const LevelSigns& signs) const {
@@ -79,8 +86,16 @@ LevelChoice::Need LevelChoice::need(double reach_s, const LevelSigns& signs) con
   }
   if (signs.time_s < short_until_s_) return Need::shortest;
   if (plan.jumps_between(signs.time_s - kRinging_s, signs.time_s + reach_s)) return Need::shortest;
-  if (signs.time_s < plan.lift_start_s() && !plan.is_stopped(signs.time_s)) return Need::medium;
-  return need_of_carried(reach_s, signs);
+  const bool pressed = signs.time_s < plan.lift_start_s() && !plan.is_stopped(signs.time_s);
+  return pressed ? need_of_pressed(reach_s, signs) : need_of_carried(reach_s, signs);
+}
+
+/// Until nothing moves any more.
+LevelChoice::Need LevelChoice::need_of_pressed(double reach_s, const LevelSigns& signs) const {
+  const MotionPlan& plan = signs.cycle.plan();
+  const bool rests = signs.time_s > plan.ramp_end_s() && std::ranges::all_of(touches_, std::identity()) &&
+                     signs.closing_m_s * reach_s < kRests_m;
+  return rests && signs.time_s + reach_s < plan.lift_start_s() ? Need::longest : Need::medium;
 }
 
 LevelChoice::Need LevelChoice::need_of_carried(double reach_s, const LevelSigns& signs) const {

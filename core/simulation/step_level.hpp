@@ -21,20 +21,21 @@ struct LevelSigns {
   double time_s = 0.0;
   const HandlingCycle& cycle;
   const StepObservation& seen;
-  double pad_gap_m = 0.0;      ///< least gap of a pad; asked for before the first contact
-  double closing_m_s = 0.0;    ///< of the fastest finger
-  double support_gap_m = 0.0;  ///< of the product over its support; asked for after it
-  double weight_N = 0.0;       ///< of the product
+  double pad_gap_m = 0.0;       ///< least gap of a pad; asked for before the first contact
+  double closing_m_s = 0.0;     ///< speed of the fastest finger
+  double support_gap_m = 0.0;   ///< of the product over its support; asked for after it
+  double weight_N = 0.0;        ///< of the product
+  double contact_sweeps = 0.0;  ///< that the step took
 };
 
 /// How long the coming step of a scenario is, and what that remembers of former ones.
 class LevelChoice {
  public:
   LevelChoice() = default;
-  explicit LevelChoice(StepLevels levels) : levels_(std::move(levels)) {}
+  explicit LevelChoice(const StepLevels& levels) : levels_(levels) {}
 
   /// Is there anything to choose?
-  [[nodiscard]] bool chooses() const { return levels_.ticks.size() > 1; }
+  [[nodiscard]] bool chooses() const { return levels_.any(); }
   /// Takes in the end of a step. @param clock of any level
   void decide(const StepClock& clock, const LevelSigns& signs);
   /// Of the coming step.
@@ -44,6 +45,7 @@ class LevelChoice {
   enum class Need { shortest, medium, longest };
   void note(const LevelSigns& signs);
   [[nodiscard]] Need need(double reach_s, const LevelSigns& signs) const;
+  [[nodiscard]] Need need_of_pressed(double reach_s, const LevelSigns& signs) const;
   [[nodiscard]] Need need_of_carried(double reach_s, const LevelSigns& signs) const;
   [[nodiscard]] int ticks_for(Need need) const;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/contact/contact_effort.hpp"
 #include "core/scenario/conveyor.hpp"
 #include "core/scenario/gripper.hpp"
 #include "core/scenario/pad_face.hpp"
@@ -19,9 +18,11 @@ namespace {
 constexpr int kMedium = 2, kLongest = 8;
 constexpr double kMostMedium_s = 1.5e-3, kMostLongest_s = 6e-3;
 
-/// Of the contacts at the longest step (contact_effort.hpp): far from where they may have no solution, and sweeps
-/// do not eat what longer steps save.
-constexpr double kMostCoupling = 0.5 * kLargestCoupling;
+/// As many steps of this length as fit into a span, `most` at most and 1 at least.
+int ticks_within(double step_s, double span_s, int most) {
+  constexpr double kRounding = 1e-9;
+  return std::clamp(static_cast<int>(span_s / step_s + kRounding), 1, most);
+}
 
 /// Is everything that can happen to the product foreseen by the rule?
 bool is_foreseen(const Scenario& scenario) {
@@ -36,16 +37,9 @@ bool is_foreseen(const Scenario& scenario) {
 }  // namespace
 
 StepLevels step_levels(const Scenario& scenario) {
-  StepLevels levels;
-  if (scenario.simulation.levels == LevelUse::off || !is_foreseen(scenario)) return levels;
+  if (scenario.simulation.levels == LevelUse::off || !is_foreseen(scenario)) return {};
   const double step_s = scenario.simulation.time_step_s;
-  const double most_s = time_step_of_coupling_s(scenario, kMostCoupling);
-  int medium = kMedium, longest = kLongest;
-  while (medium > 1 && medium * step_s > std::min(kMostMedium_s, most_s)) medium /= 2;
-  while (longest > 1 && longest * step_s > std::min(kMostLongest_s, most_s)) longest /= 2;
-  if (medium > 1) levels.ticks.push_back(medium);
-  if (longest > levels.ticks.back()) levels.ticks.push_back(longest);
-  return levels;
+  return {ticks_within(step_s, kMostMedium_s, kMedium), ticks_within(step_s, kMostLongest_s, kLongest)};
 }
 
 }  // namespace unbruised

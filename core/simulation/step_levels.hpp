@@ -3,21 +3,24 @@
 /// @file
 /// The step lengths that a scenario may use.
 
-#include <cstddef>
-#include <vector>
-
 #include "core/scenario/scenario.hpp"
 
 namespace unbruised {
 
-/// Multiples of `simulation.time_step_s`, ascending from 1.
+/// Multiples of `simulation.time_step_s`: 1 <= medium <= longest.
 struct StepLevels {
-  std::vector<int> ticks = {1};
+  int medium = 1;
+  int longest = 1;
+
+  /// Is there anything to choose?
+  [[nodiscard]] bool any() const { return longest > 1; }
+  /// The longest of them that is no longer than `most`; 1 or more.
+  [[nodiscard]] int not_beyond(int most) const { return longest <= most ? longest : medium <= most ? medium : 1; }
 };
 
 /// Of a scenario with `simulation.levels = "auto"` whose events are all foreseen by its own plan and gaps: a
 /// product that stays upright between the flat pads of a jaw, its support at rest. All others take one step
-/// length. Light products between hard pads take shorter ones, so that the contact solves do not get harder.
+/// length.
 StepLevels step_levels(const Scenario& scenario);
 
 }  // namespace unbruised

@@ -70,7 +70,7 @@ LaneStepRate measured_lane_step_rate() {
 }
 
 double estimated_steps(const Scenario& scenario) {
-  if (step_levels(scenario).ticks.size() > 1) return planned_steps(scenario, planned_approach(scenario).time_s);
+  if (step_levels(scenario).any()) return planned_steps(scenario, planned_approach(scenario).time_s);
   return std::ceil(planned_end_s(scenario) / scenario.simulation.time_step_s);
 }
 

@@ -13,11 +13,12 @@ class CountedLanes final : public LaneEngine {
 
   void load(int place, const Scenario& scenario) override { lanes_->load(place, scenario); }
   void record(int place, const Recording& kept) override { lanes_->record(place, kept); }
-  void step() override {
-    lanes_->step();
+  void step(bool on_two_threads) override {
+    lanes_->step(on_two_threads);
     progress_.count_steps(static_cast<std::uint64_t>(lanes_->stepped()));
   }
   [[nodiscard]] int stepped() const override { return lanes_->stepped(); }
+  [[nodiscard]] int stepped_batches() const override { return lanes_->stepped_batches(); }
   [[nodiscard]] const std::vector<Finished>& finished() const override { return lanes_->finished(); }
 
  private:

@@ -30,9 +30,9 @@ bool GroupWorker::advance() {
   try {
     load_taken();
     if (busy_ == 0) return false;
-    lanes_->step();
+    lanes_->step(seat_.has_help);
     use_.busy_lane_steps += static_cast<std::uint64_t>(lanes_->stepped());
-    use_.lane_steps += static_cast<std::uint64_t>(scheduler_.simulator_.lane_count());
+    use_.lane_steps += static_cast<std::uint64_t>(lanes_->stepped_batches() * scheduler_.simulator_.lane_count());
     collect_finished();
   } catch (...) {
     run_each_alone();

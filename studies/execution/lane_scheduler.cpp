@@ -129,6 +129,7 @@ LaneScheduler::Group* LaneScheduler::join(Seat& seat) {
       seat.free_lanes = simulator_.lane_count();
       group->seats.push_back(&seat);
       --unassigned_workers_;
+      ++seated_workers_;
       std::erase(idle_, group->index);
       return group->stage == Group::Stage::waiting ? build(*group, lock) : group;
     }
@@ -189,6 +190,8 @@ void LaneScheduler::leave(Group& group, Seat& seat, LaneUse use) {
   {
     const std::lock_guard lock(mutex_);
     ++unassigned_workers_;
+    --seated_workers_;
+    helping_threads_ -= std::exchange(seat.has_help, false) ? 1 : 0;
     use_.busy_lane_steps += use.busy_lane_steps;
     use_.lane_steps += use.lane_steps;
     std::erase(group.seats, &seat);
@@ -216,6 +219,7 @@ void LaneScheduler::take(Group& group, Seat& seat, int busy, std::vector<std::ui
   taken.clear();
   const std::lock_guard lock(mutex_);
   if (stopping()) return;
+  lend_help(seat);
   const bool leaves_some = grows() && unassigned_workers_ > 0;
   const int places = leaves_some ? simulator_.lane_count() : simulator_.place_count();
   const auto free = static_cast<std::size_t>(std::max(0, places - busy));
@@ -268,6 +272,13 @@ std::size_t LaneScheduler::uncovered(const Group& group) {
   std::size_t covered = 0;
   for (const Seat* seat : group.seats) covered += static_cast<std::size_t>(seat->free_lanes);
   return group.waiting.size() - std::min(group.waiting.size(), covered);
+}
+
+/// Helpers and workers together are no more than the threads.
+void LaneScheduler::lend_help(Seat& seat) {
+  const int others = helping_threads_ - (seat.has_help ? 1 : 0);
+  seat.has_help = seated_workers_ + others < threads_;
+  helping_threads_ = others + (seat.has_help ? 1 : 0);
 }
 
 void LaneScheduler::has_no_free_lanes(Seat& seat) {

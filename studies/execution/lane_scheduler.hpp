@@ -29,7 +29,7 @@ namespace unbruised::studies {
 /// Inside a factor key, of scenarios that were added together the longest is handed out first: what starts last is
 /// what others wait for. In work that grows, lanes of one thread
 /// are filled before those of the next are used, and models stay for the questions that follow; otherwise the
-/// threads share what there is.
+/// threads share what there is. A thread that nobody has work for helps one that has.
 class LaneScheduler final : public Work {
  public:
   /// @param simulator must outlive it. @param threads > 0
@@ -46,6 +46,7 @@ class LaneScheduler final : public Work {
   /// A worker's place in a group.
   struct Seat {
     int free_lanes = 0;
+    bool has_help = false;  ///< a thread that nobody else needs
   };
   /// The scenarios of one factor key. Guarded by the mutex but for `model` and `error`, which do not change while
   /// somebody works in the group.
@@ -72,6 +73,7 @@ class LaneScheduler final : public Work {
   void deliver(std::uint64_t id, const ScenarioResult& result);
   void abort_with_current_exception();
   void has_no_free_lanes(Seat& seat);
+  void lend_help(Seat& seat);
   [[nodiscard]] bool only_worker_in(const Group& group);
 
   Group* pick_group();
@@ -95,6 +97,7 @@ class LaneScheduler final : public Work {
   std::set<std::size_t> open_;    ///< groups with scenarios to hand out, and those being built
   std::deque<std::size_t> idle_;  ///< groups with a model that nobody works with, the longest idle first
   int unassigned_workers_;
+  int seated_workers_ = 0, helping_threads_ = 0;
   bool closed_ = false;
   LaneUse use_;
 

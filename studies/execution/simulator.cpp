@@ -24,12 +24,13 @@ class CoreLanes final : public LaneEngine {
     lanes_.record(place, kept);
     if (const auto carried = arms_.find(place); carried != arms_.end()) carried->second.trace = kept.trace;
   }
-  void step() override {
-    lanes_.step();
+  void step(bool on_two_threads) override {
+    lanes_.step(on_two_threads);
     judged_.clear();
     if (!arms_.empty()) judge_finished();
   }
   int stepped() const override { return lanes_.stepped(); }
+  int stepped_batches() const override { return lanes_.stepped_batches(); }
   const std::vector<Finished>& finished() const override { return judged_.empty() ? lanes_.finished() : judged_; }
 
  private:

@@ -24,9 +24,11 @@ class LaneEngine {
   virtual void load(int place, const Scenario& scenario) = 0;
   /// Of the scenario that was just loaded.
   virtual void record(int place, const Recording& kept) = 0;
-  virtual void step() = 0;
-  /// How many scenarios the last step advanced.
+  /// @param on_two_threads half of the work may go to a second thread
+  virtual void step(bool on_two_threads = false) = 0;
+  /// How many scenarios the last step advanced, and in how many batches of lanes.
   [[nodiscard]] virtual int stepped() const = 0;
+  [[nodiscard]] virtual int stepped_batches() const { return 1; }
   /// Results of the places that became free in the last step.
   [[nodiscard]] virtual const std::vector<Finished>& finished() const = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -61,19 +62,21 @@ class HeldSweeps : public LaneObserver {
   std::vector<double>& sweeps_;
 };
 
-TEST(LongSteps, TakeAsFewSweepsAsShortOnesOncePatchesAnswerAsWholes) {
-  const Scenario scene = benchmarks::cube512_scene(10e-3);
+/// Of an average one.
+double held_sweeps(const Scenario& scene) {
   std::string error;
   LaneSimulation simulation(Model::build(scene, error));
   std::vector<double> sweeps;
   simulation.load(0, scene);
   simulation.watch(0, std::make_unique<HeldSweeps>(sweeps));
   while (simulation.busy_count() > 0) simulation.step();
-  ASSERT_GT(sweeps.size(), 30U);
-  double sum = 0.0;
-  for (const double each : sweeps) sum += each;
-  // 61.6 before, 10.6 seen.
-  EXPECT_LT(sum / static_cast<double>(sweeps.size()), 12.0);
+  EXPECT_GT(sweeps.size(), 30U);
+  return std::accumulate(sweeps.begin(), sweeps.end(), 0.0) / static_cast<double>(sweeps.size());
+}
+
+TEST(LongSteps, FindTheForcesOfWhatSticksAtOnce) {
+  // 61.6 sweeps by themselves, 10.6 with patches that answer as wholes, 4.5 seen.
+  EXPECT_LT(held_sweeps(benchmarks::cube512_scene(10e-3)), 6.0);
 }
 
 TEST(LongSteps, HaveTheSameBitsAloneAndInCompany) {
@@ -84,7 +87,9 @@ TEST(LongSteps, HaveTheSameBitsAloneAndInCompany) {
       scenes.push_back(benchmarks::cube512_scene(10e-3, force_N));
       scenes.back().strategy.approach_speed_m_s = step_speed;
       scenes.back().simulation.duration_s = 0.4;
-      // The law of a viscous layer has kinks: what was noted of it, and when, makes a difference.
+      // The law of a viscous layer has kinks: what was noted of it, and when, makes a difference. On elastic ones
+      // forces of what sticks are found at once.
+      if (force_N == 5.0) continue;
       jaw_of(scenes.back()).pad_relaxation_time_s = scenes.back().cell.support_relaxation_time_s = 2e-3;
     }
   }

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/cube512_scene.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/simulation/parked_scenario.hpp"
+#include "core/simulation/step_levels.hpp"
 #include "tests/core/frame/held_scenes.hpp"
 #include "tests/core/frame/rolling_scenes.hpp"
 #include "tests/core/simulation/scenes.hpp"
@@ -196,6 +198,28 @@ TEST(StepLevels, GiveTheSameBitsAloneAndInCompany) {
   }
 }
 
+TEST(StepLevels, GiveTheSameBitsOnTwoThreads) {
+  const std::vector<Scenario> scenarios = many_boxes();
+  const auto model = build(scenarios.front());
+  LevelSimulation simulation(model);
+  constexpr std::size_t kCount = 12;  // too few to fill a batch
+  for (std::size_t i = 0; i < kCount; ++i) simulation.load(static_cast<int>(i), scenarios[4 * i]);
+  std::vector<ScenarioResult> results(kCount);
+  int steps = 0, batches = 0;
+  for (std::size_t left = kCount; left > 0; left -= simulation.finished().size()) {
+    simulation.step(true);
+    ++steps;
+    batches += simulation.stepped_batches();
+    for (const auto& finished : simulation.finished()) {
+      results[static_cast<std::size_t>(finished.place)] = finished.result;
+    }
+  }
+  EXPECT_GT(batches, steps * 5 / 4);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    expect_same_bits(simulate(model, scenarios[4 * i], nullptr), results[i], "box " + std::to_string(4 * i));
+  }
+}
+
 // A batch costs nearly the same however few of its lanes are busy.
 TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
   std::vector<Scenario> scenarios = many_boxes();
@@ -214,6 +238,46 @@ TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
   }
   EXPECT_GT(busy / lanes, 0.8);
   std::cout << "[ measured ] lanes " << 100.0 * busy / lanes << " % busy\n";
+}
+
+TEST(StepLevels, AreAsLongAsTheirPhasesAllow) {
+  struct Row {
+    double step_s;
+    int medium, longest;
+  };
+  // At most 1.5 ms while the product is pressed, 6 ms while it is carried.
+  for (const auto& [step_s, medium, longest] :
+       {Row{5e-4, 2, 8}, Row{7e-4, 2, 8}, Row{1e-3, 1, 6}, Row{2e-3, 1, 3}, Row{7e-3, 1, 1}}) {
+    Scenario scenario = small_box();
+    scenario.simulation.levels = LevelUse::automatic;
+    scenario.simulation.time_step_s = step_s;
+    const StepLevels levels = step_levels(scenario);
+    EXPECT_EQ(levels.medium, medium) << step_s;
+    EXPECT_EQ(levels.longest, longest) << step_s;
+    EXPECT_EQ(levels.any(), longest > 1) << step_s;
+  }
+}
+
+// Its contacts are far too hard for sweeps at 6 ms (coupling 18): what sticks is found at once.
+TEST(StepLevels, ShowWhatTheShortestStepShowsOfAFlatProductToo) {
+  Scenario scenario = benchmarks::cube512_scene(1e-3);
+  scenario.simulation.levels = LevelUse::automatic;
+  const ScenarioResult levels = run_side_by_side({scenario}).front();
+  scenario.simulation.levels = LevelUse::off;
+  const ScenarioResult uniform = run_side_by_side({scenario}).front();
+  const Metrics &a = levels.metrics, &b = uniform.metrics;
+  EXPECT_EQ(levels.outcome, uniform.outcome);
+  const auto near = [&](Metric metric, double share, double absolute = 0.0) {
+    EXPECT_NEAR(a[metric], b[metric], share * std::abs(b[metric]) + absolute) << static_cast<int>(metric);
+  };
+  near(Metric::peak_finger_force_N, 0.005);
+  near(Metric::compression_max_m, 0.005);
+  near(Metric::slip_max_m, 0.01, 1e-6);
+  EXPECT_LT(std::abs(a[Metric::energy_balance_error]), 2.0 * std::abs(b[Metric::energy_balance_error]));
+  EXPECT_LT(a[Metric::step_count], 0.4 * b[Metric::step_count]);
+  EXPECT_LT(a[Metric::contact_iterations], 0.6 * b[Metric::contact_iterations]);
+  std::cout << "[ measured ] steps " << a[Metric::step_count] / b[Metric::step_count] << ", sweeps "
+            << a[Metric::contact_iterations] / b[Metric::contact_iterations] << " of the uniform ones\n";
 }
 
 // The margins of the issue that asked for levels: force 0.5 %, slip 1 um + 1 %, yield ratio 0.5 %, set 1 %, times

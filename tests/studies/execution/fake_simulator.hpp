@@ -32,7 +32,7 @@ struct FakeRecord {
   std::atomic<int> models_alive = 0;
   std::atomic<int> most_models_alive = 0;
   std::atomic<int> lane_simulations = 0;
-  std::atomic<long> steps = 0;
+  std::atomic<long> steps = 0, steps_on_two_threads = 0;
   std::atomic<int> most_lanes_busy = 0;
 };
 
@@ -79,8 +79,9 @@ class FakeLanes final : public LaneEngine {
     if (kept.trace != nullptr) kept.trace->time_s = {0.0};
   }
 
-  void step() override {
+  void step(bool on_two_threads) override {
     ++record_.steps;
+    if (on_two_threads) ++record_.steps_on_two_threads;
     finished_.clear();
     stepped_ = 0;
     for (int lane = 0; lane < kFakeLanes; ++lane) {

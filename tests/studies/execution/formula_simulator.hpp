@@ -33,7 +33,7 @@ class FormulaLanes final : public LaneEngine {
     slot.steps_left = 1 + static_cast<int>(static_cast<std::uint64_t>(force_N * 1e9) % 7U);
   }
   void record(int, const Recording&) override {}
-  void step() override {
+  void step(bool /*on_two_threads*/) override {
     finished_.clear();
     stepped_ = 0;
     for (int lane = 0; lane < kFormulaLanes; ++lane) {

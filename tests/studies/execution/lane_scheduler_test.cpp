@@ -85,6 +85,17 @@ TEST(LaneScheduler, FillsTheLanesOfOneThreadBeforeItUsesAnother) {
   EXPECT_EQ(simulator.record.lane_simulations, 1);
 }
 
+TEST(LaneScheduler, LendsAThreadThatNobodyHasWorkForToOneThatHas) {
+  for (const int threads : {1, 2, 5}) {
+    const FakeSimulator simulator;
+    LaneScheduler scheduler(simulator, growing([](std::uint64_t, const ScenarioResult&) {}), threads);
+    scheduler.add(std::vector<std::uint64_t>{0});
+    scheduler.close();
+    scheduler.run();
+    EXPECT_EQ(simulator.record.steps_on_two_threads, threads > 1 ? simulator.record.steps.load() : 0) << threads;
+  }
+}
+
 TEST(LaneScheduler, IsNotEndedByAnEmptyQueueButByClosing) {
   const FakeSimulator simulator;
   std::latch first_done(1);

@@ -72,11 +72,14 @@ double contact_freedoms(const LatticeParameters& product, const Scenario& scenar
 }
 double contact_freedoms(const NetworkParameters&, const Scenario&) { return 0.0; }
 
+bool has_flat_sides(const LatticeParameters& product) { return product.shape == Shape::box; }
+bool has_flat_sides(const NetworkParameters&) { return false; }
+
 /// Are the sides of the product and what they meet flat, for good?
 bool touches_flat(const Scenario& scenario) {
-  const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
-  return lattice != nullptr && lattice->shape == Shape::box && product_frame(scenario) == ProductFrame::upright &&
-         !has_shaped_pads(scenario) && !has_lattice_pads(scenario);
+  const bool is_flat = std::visit([](const auto& kind) { return has_flat_sides(kind); }, scenario.product);
+  return is_flat && product_frame(scenario) == ProductFrame::upright && !has_shaped_pads(scenario) &&
+         !has_lattice_pads(scenario);
 }
 
 }  // namespace

@@ -2,12 +2,9 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <exception>
 #include <functional>
 #include <map>
 #include <optional>
-#include <semaphore>
-#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -66,51 +63,6 @@ struct Batch {
       place[static_cast<std::size_t>(lane)] = next.place;
     }
   }
-};
-
-/// A second thread, which sleeps between two calls.
-class Helper {
- public:
-  Helper() : thread_([this](const std::stop_token& stop) { serve(stop); }) {}
-  ~Helper() {
-    thread_.request_stop();
-    begin_.release();
-  }
-  Helper(const Helper&) = delete;
-  Helper& operator=(const Helper&) = delete;
-
-  /// Calls both at the same time, the second one here. @throws what the first one threw, else what the second did
-  template <class Second>
-  void run(std::function<void()> first, const Second& second) {
-    first_ = std::move(first);
-    begin_.release();
-    std::exception_ptr thrown;
-    try {
-      second();
-    } catch (...) {
-      thrown = std::current_exception();
-    }
-    end_.acquire();
-    if (thrown_) thrown = std::exchange(thrown_, nullptr);
-    if (thrown) std::rethrow_exception(thrown);
-  }
-
- private:
-  void serve(const std::stop_token& stop) {
-    for (begin_.acquire(); !stop.stop_requested(); begin_.acquire()) {
-      try {
-        first_();
-      } catch (...) {
-        thrown_ = std::current_exception();
-      }
-      end_.release();
-    }
-  }
-
-  std::function<void()> first_;
-  std::exception_ptr thrown_;
-  std::binary_semaphore begin_{0}, end_{0};
-  std::jthread thread_;  // the last one: it uses the others
 };
 
 }  // namespace
@@ -182,7 +134,6 @@ struct LevelSimulation::Impl {
   std::vector<Finished> finished;
   int stepped = 0, stepped_batches = 0;
   bool timing = false;
-  std::optional<Helper> helper;
 };
 
 LevelSimulation::LevelSimulation(std::shared_ptr<const Model> model, Longer longer)
@@ -207,18 +158,17 @@ void LevelSimulation::record(int place, const Recording& kept) {
   impl_->once_loaded(place, [kept](LaneSimulation& lanes, int lane) { lanes.record(lane, kept); });
 }
 
-void LevelSimulation::step(bool on_two_threads) {
+void LevelSimulation::step(const BothAtOnce& both) {
   impl_->finished.clear();
   Batch& batch = impl_->next_batch();
-  Batch* const other = on_two_threads ? impl_->most_urgent_beside(&batch) : nullptr;
+  Batch* const other = both ? impl_->most_urgent_beside(&batch) : nullptr;
   batch.fill();
   impl_->stepped = batch.busy();
   impl_->stepped_batches = other != nullptr ? 2 : 1;
   if (other != nullptr) {
     other->fill();
     impl_->stepped += other->busy();
-    if (!impl_->helper) impl_->helper.emplace();
-    impl_->helper->run([other] { other->lanes.step(); }, [&batch] { batch.lanes.step(); });
+    both([other] { other->lanes.step(); }, [&batch] { batch.lanes.step(); });
   } else {
     batch.lanes.step();
   }

@@ -169,8 +169,10 @@ class LevelSimulation {
 
   /// Advances the scenarios of one batch by one of its steps: the last one while it is full; of the full batches,
   /// or where none is full of all, the one with the scenario that has most time before it.
-  /// @param on_two_threads a second batch takes its step at the same time, on a thread of its own
-  void step(bool on_two_threads = false);
+  /// @param both where it is not empty a second batch takes a step too: calls both functions, whose work touches
+  /// nothing in common, at the same time, and returns when both have ended
+  using BothAtOnce = std::function<void(std::function<void()>, const std::function<void()>&)>;
+  void step(const BothAtOnce& both = {});
   /// How many scenarios the last step advanced, and in how many batches.
   [[nodiscard]] int stepped() const;
   [[nodiscard]] int stepped_batches() const;

@@ -7,8 +7,8 @@
 namespace unbruised {
 namespace {
 
-/// A finger that touches or leaves, a support that lets go, a jump of the palm's acceleration or a pad that slides
-/// rings on for so long; 10 ms would do for a kiwi.
+/// A finger that touches or leaves, a support that lets go or is touched, a jump of the palm's acceleration or a
+/// pad that slides rings on for so long; 10 ms would do for a kiwi.
 constexpr double kRinging_s = 0.03;
 /// The drive presses into the swing of an impact, which may throw the finger back.
 constexpr double kImpact_s = 0.06;
@@ -67,7 +67,9 @@ void LevelChoice::note(const LevelSigns& signs) {
   }
   if (touches(signs.seen) && slides(signs.seen)) ring(signs.time_s);
   if (ticks_ > 1 && signs.contact_sweeps > kManySweeps) ring(signs.time_s);
-  if (signs.time_s >= plan.lift_start_s() && !hung_ && !(signs.seen.support_N > 0.0)) {
+  const bool stands = signs.seen.support_N > 0.0;
+  if (std::exchange(stands_, stands) != stands && hung_) ring(signs.time_s);
+  if (signs.time_s >= plan.lift_start_s() && !hung_ && !stands) {
     hung_ = true;
     ring(signs.time_s);
   }

@@ -55,6 +55,7 @@ class LevelChoice {
   std::array<bool, kJawFingers> touches_{};
   double absorbed_J_ = 0.0;  ///< by the cells
   double off_s_ = kNever;    ///< when the fingers had let go
+  bool stands_ = false;      ///< the support carries something
   bool hung_ = false;        ///< the support has let go of the product
 };
 

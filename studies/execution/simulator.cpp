@@ -3,10 +3,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "core/motion/motion_plan.hpp"
 #include "studies/execution/arm_run.hpp"
+#include "studies/execution/helper_thread.hpp"
 
 namespace unbruised::studies {
 namespace {
@@ -25,7 +27,11 @@ class CoreLanes final : public LaneEngine {
     if (const auto carried = arms_.find(place); carried != arms_.end()) carried->second.trace = kept.trace;
   }
   void step(bool on_two_threads) override {
-    lanes_.step(on_two_threads);
+    if (on_two_threads && !helper_) helper_.emplace();
+    const auto both = [this](std::function<void()> first, const std::function<void()>& second) {
+      helper_->run(std::move(first), second);
+    };
+    lanes_.step(on_two_threads ? LevelSimulation::BothAtOnce(both) : LevelSimulation::BothAtOnce());
     judged_.clear();
     if (!arms_.empty()) judge_finished();
   }
@@ -51,6 +57,7 @@ class CoreLanes final : public LaneEngine {
   }
 
   LevelSimulation lanes_;
+  std::optional<HelperThread> helper_;
   std::map<int, Carried> arms_;   ///< by place
   std::vector<Finished> judged_;  ///< what finished in the last step, where one of them has an arm
 };

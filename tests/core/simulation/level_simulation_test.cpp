@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -198,7 +199,7 @@ TEST(StepLevels, GiveTheSameBitsAloneAndInCompany) {
   }
 }
 
-TEST(StepLevels, GiveTheSameBitsOnTwoThreads) {
+TEST(StepLevels, GiveTheSameBitsWhereTwoBatchesStepAtOnce) {
   const std::vector<Scenario> scenarios = many_boxes();
   const auto model = build(scenarios.front());
   LevelSimulation simulation(model);
@@ -207,7 +208,10 @@ TEST(StepLevels, GiveTheSameBitsOnTwoThreads) {
   std::vector<ScenarioResult> results(kCount);
   int steps = 0, batches = 0;
   for (std::size_t left = kCount; left > 0; left -= simulation.finished().size()) {
-    simulation.step(true);
+    simulation.step([](const std::function<void()>& first, const std::function<void()>& second) {
+      const std::jthread other(first);
+      second();
+    });
     ++steps;
     batches += simulation.stepped_batches();
     for (const auto& finished : simulation.finished()) {

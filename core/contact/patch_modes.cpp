@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/candidate_forces.hpp"
 #include "core/door/require.hpp"
 #include "core/lanes/lane_packs.hpp"
-#include "core/surface/surfaces.hpp"
 
 namespace unbruised {
 namespace {
@@ -31,14 +31,6 @@ struct FaceStretch {
     return high_m > low_m ? 2.0 * (place_m - low_m) / (high_m - low_m) - 1.0 : 0.0;
   }
 };
-
-double sign_of(const ContactCandidate& candidate, std::size_t of) {
-  return of == 0 ? normal_sign(candidate.surface) : 1.0;
-}
-std::size_t axis_of(const ContactCandidate& candidate, std::size_t of) {
-  return static_cast<std::size_t>(of == 0 ? normal_axis(candidate.surface)
-                                          : tangent_axes(candidate.surface)[of - 1]);
-}
 
 }  // namespace
 

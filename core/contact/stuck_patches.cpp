@@ -7,7 +7,7 @@
 
 #include "core/algebra/lane_solve.hpp"
 #include "core/algebra/supernodal_cholesky.hpp"
-#include "core/surface/surfaces.hpp"
+#include "core/contact/candidate_forces.hpp"
 
 namespace unbruised {
 namespace {
@@ -98,13 +98,6 @@ StuckPatches::Patch StuckPatches::make(std::span<const int> near, int lane) cons
 
 void StuckPatches::factor(Patch& patch) const {
   const std::size_t size = patch.freedoms(), m = model_.node_count();
-  const auto axis_of = [&](const ContactCandidate& candidate, std::size_t of) {
-    return static_cast<std::size_t>(of == 0 ? normal_axis(candidate.surface)
-                                            : tangent_axes(candidate.surface)[of - 1]);
-  };
-  const auto sign_of = [](const ContactCandidate& candidate, std::size_t of) {
-    return of == 0 ? normal_sign(candidate.surface) : 1.0;
-  };
   SymmetricMatrix matrix;
   matrix.size = static_cast<int>(size);
   matrix.column_start.push_back(0);

@@ -442,7 +442,13 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
   Lane sweeps(0.0), found(0.0);
   Mask left = lanes & !plain, unsolved(false);
   if (any(plain)) {
-    const Mask stuck = plain & (effort_.slow > Lane(0.0)) & is_stuck(plain);
+    Lane pressed(0.0);
+    Mask stuck = is_stuck(plain, pressed) & (effort_.slow > Lane(0.0));
+    if (is_first_solve_) {
+      // Where contacts come and go every step would ask for a factor of its own.
+      stuck = stuck & (pressed == effort_.pressed);
+      effort_.pressed = select(plain, pressed, effort_.pressed);
+    }
     if (any(stuck)) found = answer_stuck(gripper, stuck);
     sweeps = solve_with<FixedSurfaces>(gripper, plain, select(tries, Lane(kHardSweeps), Lane(kMaxSweeps)));
     const Mask many = sweeps > Lane(kSlowSweeps);

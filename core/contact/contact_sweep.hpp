@@ -150,7 +150,7 @@ class ContactSweep {
   void prepare_turned(std::size_t candidate);
   // Of lanes in which all sticks: stuck_sweep.cpp.
   using SurfacePlaces = std::array<Lane, kFirstCellSurface>;  ///< along the normal axes [m]
-  [[nodiscard]] Mask is_stuck(const Mask& lanes) const;
+  [[nodiscard]] Mask is_stuck(const Mask& lanes, Lane& pressed) const;
   Lane answer_stuck(const GripperLanes& gripper, const Mask& lanes);
   Mask find_lacks(const GripperLanes& gripper, const Mask& lanes);
   Mask find_lack(std::size_t candidate, const SurfacePlaces& place, const std::array<Lane, 3>& d);
@@ -222,12 +222,13 @@ class ContactSweep {
     Lane deflated_steps{0.0};  ///< to come, in which patches answer as wholes
     Lane span{0.0};            ///< so many were they when they began; 0: not of late
     Lane slow{0.0};            ///< 1: the last step took many sweeps, or few because what stuck was found at once
+    Lane pressed{0.0};         ///< contacts at the start of the last step
 
     void take_in(const Mask& lanes, const Mask& hard);
     void clear_lane(int lane) {
-      for (Lane* value : {&hard_steps, &deflated_steps, &span, &slow}) value->set(lane, 0.0);
+      for (Lane* value : {&hard_steps, &deflated_steps, &span, &slow, &pressed}) value->set(lane, 0.0);
     }
-    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span, slow); }
+    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span, slow, pressed); }
   };
   Effort effort_;
   Mask swept_out_{false};       ///< lanes that the last solve_with left as they were

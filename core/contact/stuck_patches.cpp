@@ -12,8 +12,8 @@
 namespace unbruised {
 namespace {
 
-/// More than lanes, so that lanes that differ in all do not drive each other out.
-constexpr std::size_t kMostPatches = 2 * kLanes;
+/// One for each lane, so that lanes that differ in all do not drive each other out.
+constexpr std::size_t kMostPatches = kLanes;
 /// Each leaves less of what it takes than the layers are off.
 constexpr int kMostSolves = 6;
 /// Changes below that share of the largest force are left to sweeps, which make them good in one or two.

@@ -31,7 +31,7 @@ class StuckPatches {
   explicit StuckPatches(const ContactModel& model);
 
   /// More contacts than these are not factored: a factor takes too long, and too much memory.
-  static constexpr double kMostContacts = 500.0;
+  static constexpr double kMostContacts = 300.0;
 
   /// Finds the changes of forces that leave layers lacking nothing, in `lanes`.
   /// @param near candidates, ascending; all others carry nothing

@@ -18,9 +18,10 @@ constexpr double kFewContacts = 8.0;
 }  // namespace
 
 /// Lanes of `lanes` in which every contact that is pressed sticks and every layer is straight.
-Mask ContactSweep::is_stuck(const Mask& lanes) const {
+/// @param pressed how many are
+Mask ContactSweep::is_stuck(const Mask& lanes, Lane& pressed) const {
   Mask stuck = lanes & has_near_;
-  Lane pressed(0.0);
+  pressed = Lane(0.0);
   for (const int near : near_candidate_) {
     const auto c = static_cast<std::size_t>(near);
     const ContactCandidate& candidate = model_.candidate[c];

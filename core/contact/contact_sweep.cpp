@@ -441,13 +441,15 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
   const Mask plain = lanes & !(effort_.deflated_steps > Lane(0.0)), tries = plain & (effort_.span > Lane(0.0));
   Lane sweeps(0.0), found(0.0);
   Mask left = lanes & !plain, unsolved(false);
+  // What a lane remembers of its steps: of those with nothing near none, since nobody asks where the whole batch
+  // has nothing near.
   if (any(plain)) {
     Lane pressed(0.0);
     Mask stuck = is_stuck(plain, pressed) & (effort_.slow > Lane(0.0));
     if (is_first_solve_) {
       // Where contacts come and go every step would ask for a factor of its own.
       stuck = stuck & (pressed == effort_.pressed);
-      effort_.pressed = select(plain, pressed, effort_.pressed);
+      effort_.pressed = select(plain & has_near_, pressed, effort_.pressed);
     }
     if (any(stuck)) found = answer_stuck(gripper, stuck);
     sweeps = solve_with<FixedSurfaces>(gripper, plain, select(tries, Lane(kHardSweeps), Lane(kMaxSweeps)));
@@ -457,7 +459,6 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
       effort_.slow = select(plain & has_near_, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
     unsolved = unsolved_ & !swept_out_;
     left = left | swept_out_;
-    // Lanes with nothing near are not asked where the whole batch has nothing near, so they never count.
     if (is_first_solve_) effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
   }
   is_first_solve_ = false;

@@ -386,6 +386,18 @@ std::size_t ContactSweep::end_of_group(std::size_t first) const {
   return end;
 }
 
+/// One pass over the forces serves all of them.
+ContactSweep::Group ContactSweep::look_at_group(std::size_t first, std::size_t end, const BusyPacks& lanes) const {
+  Group group;
+  for (std::size_t g = 0; g < end - first; ++g) {
+    const auto i = static_cast<std::size_t>(active_node_[first + g]);
+    group.row[g] = model_.compliance.data() + 9 * i * model_.node_count();
+    group.d[g] = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
+  }
+  add_blocks({group.row.data(), end - first}, active_node_, node_force_, lanes, {group.d.data(), end - first});
+  return group;
+}
+
 template <class Mounting>
 void ContactSweep::update_node(std::size_t active, const GripperLanes& gripper, Pass& pass, Node& node) {
   const std::span<const int> near = near_of(active);
@@ -405,18 +417,10 @@ void ContactSweep::update_group(std::size_t first, std::size_t end, const Grippe
   for (std::size_t a = first; a < end; ++a) here = here | near_node_[a];
   here = here & pass.solving;
   if (none(here)) return;
-  const BusyPacks busy(here);
-  const std::size_t m = model_.node_count(), count = end - first;
-  // All under the forces before the group's updates, so that one pass over the forces serves all of them.
-  std::array<const double*, kGroup> row;
-  std::array<std::array<Lane, 3>, kGroup> d, change;
-  for (std::size_t g = 0; g < count; ++g) {
-    const auto i = static_cast<std::size_t>(active_node_[first + g]);
-    row[g] = model_.compliance.data() + 9 * i * m;
-    d[g] = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
-  }
-  add_blocks({row.data(), count}, active_node_, node_force_, busy, {d.data(), count});
-  for (std::size_t g = 0; g < count; ++g) {
+  // All under the forces before the group's updates.
+  const auto& [row, d] = look_at_group(first, end, BusyPacks(here));
+  std::array<std::array<Lane, 3>, kGroup> change;
+  for (std::size_t g = 0; g < end - first; ++g) {
     const auto i = static_cast<std::size_t>(active_node_[first + g]);
     const std::array<Lane, 3> before = {node_force_.get(3 * i), node_force_.get(3 * i + 1),
                                         node_force_.get(3 * i + 2)};
@@ -453,13 +457,13 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
     }
     if (any(stuck)) found = answer_stuck(gripper, stuck);
     sweeps = solve_with<FixedSurfaces>(gripper, plain, select(tries, Lane(kHardSweeps), Lane(kMaxSweeps)));
-    const Mask many = sweeps > Lane(kSlowSweeps);
-    const Mask slow = (stuck & !many) | ((!stuck) & many);
-    if (is_first_solve_)
-      effort_.slow = select(plain & has_near_, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
     unsolved = unsolved_ & !swept_out_;
     left = left | swept_out_;
-    if (is_first_solve_) effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
+    if (is_first_solve_) {
+      const Mask many = sweeps > Lane(kSlowSweeps), slow = (stuck & !many) | ((!stuck) & many);
+      effort_.slow = select(plain & has_near_, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
+      effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
+    }
   }
   is_first_solve_ = false;
   sweeps += found;

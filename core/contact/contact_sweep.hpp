@@ -118,6 +118,12 @@ class ContactSweep {
   static constexpr int kGroup = 4;
   /// Past the last active node of the group of `first`.
   [[nodiscard]] std::size_t end_of_group(std::size_t first) const;
+  /// Active nodes of one group: their rows of the compliance, and where the present forces bring them.
+  struct Group {
+    std::array<const double*, kGroup> row;
+    std::array<std::array<Lane, 3>, kGroup> d;
+  };
+  [[nodiscard]] Group look_at_group(std::size_t first, std::size_t end, const BusyPacks& lanes) const;
   template <class Mounting>
   void update_node(std::size_t active, const GripperLanes& gripper, Pass& pass, Node& node);
   template <class Mounting>

@@ -1,7 +1,7 @@
 #include "core/contact/stuck_patches.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -104,9 +104,9 @@ void StuckPatches::factor(Patch& patch) const {
   for (std::size_t column = 0; column < size; ++column) {
     const auto c = static_cast<std::size_t>(patch.candidate[column / kForces]);
     const std::size_t of = column % kForces;
-    const ContactCandidate& from = model_.candidate[c];
+    const ContactCandidate& from = member(patch, column / kForces);
     for (std::size_t row = column; row < size; ++row) {
-      const ContactCandidate& to = model_.candidate[static_cast<std::size_t>(patch.candidate[row / kForces])];
+      const ContactCandidate& to = member(patch, row / kForces);
       const std::size_t block =
           static_cast<std::size_t>(to.contact_node) * m + static_cast<std::size_t>(from.contact_node);
       const double compliance = model_.compliance[9 * block + 3 * axis_of(to, row % kForces) + axis_of(from, of)];
@@ -121,9 +121,7 @@ void StuckPatches::factor(Patch& patch) const {
   if (!factor) return;
   patch.factor = std::move(*factor);
   LaneArray x(size);
-  const auto surface = [&](std::size_t i) {
-    return model_.candidate[static_cast<std::size_t>(patch.candidate[i])].surface;
-  };
+  const auto surface = [&](std::size_t i) { return member(patch, i).surface; };
   for (std::size_t i = 0; i < patch.candidate.size(); ++i) {
     if (is_pad(surface(i))) x.at(kForces * i, static_cast<int>(finger_of(surface(i)))) = 1.0;
   }
@@ -185,7 +183,7 @@ void StuckPatches::solve_once(const Patch& patch, const PatchModes::Fingers& fin
   solve_backward(patch.factor, x_.data(), lanes);
   std::array<Lane, 2> sum = {Lane(0.0), Lane(0.0)};
   for (std::size_t i = 0; i < patch.candidate.size(); ++i) {
-    const int surface = model_.candidate[static_cast<std::size_t>(patch.candidate[i])].surface;
+    const int surface = member(patch, i).surface;
     if (is_pad(surface)) sum[finger_of(surface)] += x_.get(kForces * i);
   }
   std::array<std::array<Lane, 2>, 2> matrix;  // 1 + G E' (W + D)^-1 E

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <list>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +54,10 @@ class StuckPatches {
 
     [[nodiscard]] std::size_t freedoms() const { return kForces * candidate.size(); }
   };
+  /// Of the i-th member.
+  [[nodiscard]] const ContactCandidate& member(const Patch& patch, std::size_t i) const {
+    return model_.candidate[static_cast<std::size_t>(patch.candidate[i])];
+  }
   void list(std::span<const int> near, const LaneArray& give);
   [[nodiscard]] Mask fits(const Patch& patch, std::span<const int> near) const;
   [[nodiscard]] Patch make(std::span<const int> near, int lane) const;

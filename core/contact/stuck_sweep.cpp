@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <array>
 
-#include "core/algebra/lane_matrix.hpp"
 #include "core/contact/contact_sweep.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/surface_tally.hpp"
@@ -42,7 +40,8 @@ Lane ContactSweep::answer_stuck(const GripperLanes& gripper, const Mask& lanes) 
     make_room_for_layers();
   }
   const Mask straight = find_lacks(gripper, lanes);
-  if (none(straight)) return select(lanes, Lane(1.0), Lane(0.0));
+  const Lane looks = select(lanes, Lane(1.0), Lane(0.0));
+  if (none(straight)) return looks;
   Lane largest(kLeastForce);
   for (const int near : near_candidate_) {
     largest = max(largest, contacts_.normal_theta.get(static_cast<std::size_t>(near)));
@@ -51,7 +50,7 @@ Lane ContactSweep::answer_stuck(const GripperLanes& gripper, const Mask& lanes) 
       stuck_->solve(near_candidate_, give_, finger_give(gripper, pad_force_), straight, largest, lacks_);
   const Mask answered = solves > Lane(0.0);
   for (const int near : near_candidate_) change_stuck(static_cast<std::size_t>(near), answered);
-  return select(lanes, Lane(1.0), Lane(0.0)) + solves;
+  return looks + solves;
 }
 
 /// Looks at all layers under the present forces. @return lanes of `lanes` whose layers are in their straight part
@@ -59,19 +58,12 @@ Mask ContactSweep::find_lacks(const GripperLanes& gripper, const Mask& lanes) {
   const BusyPacks busy(lanes);
   const SurfacePlaces place = places_under(pad_force_, gripper);
   Mask straight = lanes;
-  std::array<const double*, kGroup> row;
-  std::array<std::array<Lane, 3>, kGroup> d;
   for (std::size_t first = 0; first < active_node_.size();) {
-    const std::size_t end = end_of_group(first), count = end - first;
-    for (std::size_t g = 0; g < count; ++g) {
-      const auto i = static_cast<std::size_t>(active_node_[first + g]);
-      row[g] = model_.compliance.data() + 9 * i * model_.node_count();
-      d[g] = {base_.get(3 * i), base_.get(3 * i + 1), base_.get(3 * i + 2)};
-    }
-    add_blocks({row.data(), count}, active_node_, node_force_, busy, {d.data(), count});
-    for (std::size_t g = 0; g < count; ++g) {
-      for (const int c : near_of(first + g)) {
-        straight = straight & find_lack(static_cast<std::size_t>(c), place, d[g]);
+    const std::size_t end = end_of_group(first);
+    const Group group = look_at_group(first, end, busy);
+    for (std::size_t a = first; a < end; ++a) {
+      for (const int c : near_of(a)) {
+        straight = straight & find_lack(static_cast<std::size_t>(c), place, group.d[a - first]);
       }
     }
     first = end;

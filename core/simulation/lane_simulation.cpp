@@ -234,8 +234,8 @@ void LaneSimulation::Impl::observe_lane(int lane) {
 
 void LaneSimulation::Impl::choose_level(const LaneStep& step) {
   LaneRun& r = run_of(step.lane);
-  LevelSigns signs{.time_s = step.time_s, .cycle = r.cycle, .seen = step.seen};
-  signs.contact_sweeps = step.contact_sweeps;
+  LevelSigns signs{
+      .time_s = step.time_s, .cycle = r.cycle, .seen = step.seen, .contact_sweeps = step.contact_sweeps};
   if (r.cycle.has_contact()) {
     signs.support_gap_m = contact.least_gap_m(kSupport, step.lane);
   } else {

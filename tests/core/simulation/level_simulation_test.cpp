@@ -262,7 +262,7 @@ TEST(StepLevels, AreAsLongAsTheirPhasesAllow) {
   }
 }
 
-// Its contacts are far too hard for sweeps at 6 ms (coupling 18): what sticks is found at once.
+// Its contacts would be too hard for sweeps at 6 ms: what sticks is found at once.
 TEST(StepLevels, ShowWhatTheShortestStepShowsOfAFlatProductToo) {
   Scenario scenario = benchmarks::cube512_scene(1e-3);
   scenario.simulation.levels = LevelUse::automatic;

@@ -19,6 +19,8 @@ namespace unbruised::benchmarks {
 /// A plain array whose loops are marked `omp simd`: no library at all.
 template <int Width>
 struct OpenMpPack {
+  using Number = double;
+  static constexpr bool kIsPaired = false;
   static constexpr int size = Width;
   alignas(64) double value[Width];
 
@@ -55,6 +57,8 @@ struct OpenMpPack {
 template <int Width>
 struct XsimdPack {
   using Batch = xsimd::batch<double>;
+  using Number = double;
+  static constexpr bool kIsPaired = false;
   static constexpr int size = Width;
   static constexpr int kPart = static_cast<int>(Batch::size);
   static constexpr int kParts = Width / kPart;

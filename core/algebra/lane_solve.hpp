@@ -23,4 +23,12 @@ void solve_forward(const SupernodalFactor& factor, std::span<const int> reach, d
 void solve_backward(const SupernodalFactor& factor, std::span<const int> reach, double* x,
                     const Mask& lanes = Mask(true));
 
+// In single precision, with a factor whose values are rounded.
+void solve_forward(const SupernodalFactor& factor, float* x, const Mask& lanes = Mask(true));
+void solve_backward(const SupernodalFactor& factor, float* x, const Mask& lanes = Mask(true));
+void solve_forward(const SupernodalFactor& factor, std::span<const int> reach, float* x,
+                   const Mask& lanes = Mask(true));
+void solve_backward(const SupernodalFactor& factor, std::span<const int> reach, float* x,
+                    const Mask& lanes = Mask(true));
+
 }  // namespace unbruised

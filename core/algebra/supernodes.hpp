@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace unbruised {
@@ -40,11 +41,24 @@ struct SupernodalFactor {
   std::vector<Supernode> supernode;
   std::vector<int> row;  ///< rows below the diagonal blocks, elimination order
   std::vector<double> value;
-  std::size_t entry_count = 0;  ///< of L itself, without the zeros that amalgamation stores
+  std::vector<float> single_value;  ///< the same rounded, where it is asked for
+  std::size_t entry_count = 0;      ///< of L itself, without the zeros that amalgamation stores
 
   /// Flops of one solve (forward and backward) per right-hand side: 4 per stored off-diagonal entry.
   [[nodiscard]] double solve_flops() const;
+  /// Asks for the rounded values.
+  void round_values() { single_value.assign(value.begin(), value.end()); }
 };
+
+/// The packed values in double or in single precision.
+template <class Number>
+const Number* values_of(const SupernodalFactor& factor) {
+  if constexpr (std::is_same_v<Number, float>) {
+    return factor.single_value.data();
+  } else {
+    return factor.value.data();
+  }
+}
 
 /// Neighbouring columns of L whose patterns nest.
 struct SupernodeRows {

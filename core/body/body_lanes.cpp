@@ -4,17 +4,22 @@
 #include <cmath>
 
 #include "core/algebra/lane_matrix.hpp"
-#include "core/algebra/lane_solve.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
 
-BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame)
-    : BodyMotion(3 * body.particle_count), body_(body), w_(wilson), reach_(body.factor) {
+BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame,
+                     std::span<const int> touchable)
+    : BodyMotion(3 * body.particle_count), body_(body), w_(wilson) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
   for (LaneArray* array : {&viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
-  for (LaneArray* array : {&rhs_, &x_, &x_reach_}) *array = LaneArray(static_cast<std::size_t>(body.factor.size));
+  rhs_ = LaneArray(static_cast<std::size_t>(body.factor.size));
+  if (body.factor.single_value.empty()) {
+    solve_.emplace(body);
+  } else {
+    correction_.emplace(body, wilson, touchable);
+  }
   if (frame == ProductFrame::upright) return;
   require(!body.is_anchored(), "BodyLanes: a body that is held has no floating frame");
   frame_.emplace(body.position_m, body.mass_kg, wilson);
@@ -44,11 +49,13 @@ void BodyLanes::load(int lane, const BodyState& state, const std::array<double, 
     mass_a_[i].set(lane, sum_a);
   }
   if (frame_) frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
+  if (correction_) correction_->load(lane);
   damped_.load(lane);
 }
 
 void BodyLanes::archive(LaneArchive& lane) {
   lane(u_, v_, a_, gravity_, mass_u_, mass_a_, turn_);
+  if (correction_) correction_->archive(lane);
   damped_.archive(lane);
   if (frame_) frame_->archive(lane);
 }
@@ -59,7 +66,8 @@ void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   const Lane factor(damping_factor());
   if (frame_) {
     frame_->predict(motion(), viscous_, rate_, running);
-    for (std::size_t i = 0; remembered != nullptr && i < viscous_.rows(); ++i) {
+    if (correction_) predict(remembered);
+    for (std::size_t i = 0; !correction_ && remembered != nullptr && i < viscous_.rows(); ++i) {
       viscous_.put(i, factor * viscous_.get(i) - remembered->get(i));
     }
     const LaneVector gravity = frame_->to_frame({gravity_}), turned = frame_->rigid_load_rad_s2();
@@ -68,7 +76,8 @@ void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
     };
     put_right_hand_side(rate_, remembered, outer_m_s2, running);
   } else {
-    for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    if (correction_) predict(remembered);
+    for (std::size_t i = 0; !correction_ && i < 3 * body_.particle_count; ++i) {
       const Lane viscous = w_.viscous(u_.get(i), v_.get(i), a_.get(i));
       viscous_.put(i, remembered != nullptr ? factor * viscous - remembered->get(i) : viscous);
     }
@@ -83,13 +92,34 @@ void BodyLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   }
 }
 
+void BodyLanes::predict(const LaneArray* remembered) {
+  const double h = w_.theta * w_.dt, factor = damping_factor(), share = body_.relaxation.stiffness_theta;
+  const NarrowPacks busy(running_);
+  for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
+    busy.each([&](int first) {
+      const auto get = [&](const LaneArray& rows) { return get_pack(rows, i, first); };
+      const NarrowPack v = get(v_), a = get(a_);
+      const NarrowPack predicted = get(u_) + NarrowPack(h) * v + NarrowPack(0.5 * h * h) * a;
+      put_pack(correction_->predicted(), i, predicted, first);
+      NarrowPack left;
+      if (frame_) {
+        left = NarrowPack(factor) * get(viscous_) - NarrowPack(share + factor * w_.a1) * predicted;
+      } else {
+        left = NarrowPack(-factor) * (v + NarrowPack(h) * a) - NarrowPack(share) * predicted;
+      }
+      put_pack(viscous_, i, remembered != nullptr ? left - get(*remembered) : left, first);
+    });
+  }
+}
+
 template <class Acceleration>
 [[gnu::always_inline]] inline void BodyLanes::put_right_hand_side(const LaneArray& rate,
                                                                   const LaneArray* remembered,
                                                                   const Acceleration& outer_m_s2,
                                                                   const Mask& running) {
   const double factor = damping_factor();
-  const double of_both = remembered != nullptr ? 1.0 : factor;
+  const bool is_predicted = correction_.has_value();
+  const double of_both = remembered != nullptr || is_predicted ? 1.0 : factor;
   multiply_two(is_damped_as_it_is_stiff() ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
   const NarrowPacks busy(running);
   const NarrowPack pack_factor = factor, pack_of_both = of_both;
@@ -105,9 +135,9 @@ template <class Acceleration>
         if (slot < 0) continue;
         const auto get = [&](const LaneArray& rows) { return get_pack(rows, i, first); };
         power_of[pack_at(first)] += pack_factor * get(rate) * get(c_v_);
+        const NarrowPack inertial = is_predicted ? -get(a_) : w_.inertial(get(u_), get(v_), get(a_));
         put_pack(rhs_, static_cast<std::size_t>(slot),
-                 mass * (w_.inertial(get(u_), get(v_), get(a_)) + outer[axis]) + pack_of_both * get(c_viscous_),
-                 first);
+                 mass * (inertial + outer[axis]) + pack_of_both * get(c_viscous_), first);
       }
     });
   }
@@ -127,27 +157,30 @@ void BodyLanes::add_forces(int lane, std::span<const double> force_N) {
 
 void BodyLanes::start_solve(const LaneArray* load, LaneVector* moment) {
   require(load == nullptr || load->rows() == body_.slot.size(), "BodyLanes::start_solve: a load on another body");
+  if (moment != nullptr) *moment = moment_of_load(load);
+  if (correction_) return correction_->start(rhs_, load, running_);
   for (std::size_t i = 0; i < 3 * body_.particle_count; ++i) {
-    const int slot = body_.slot[i];
-    if (slot < 0) continue;
-    const auto at = static_cast<std::size_t>(slot);
-    x_.put(at, load != nullptr ? rhs_.get(at) + load->get(i) : rhs_.get(at));
+    if (body_.slot[i] < 0) continue;
+    const auto at = static_cast<std::size_t>(body_.slot[i]);
+    solve_->rows().put(at, load != nullptr ? rhs_.get(at) + load->get(i) : rhs_.get(at));
   }
-  if (moment != nullptr) *moment = moment_of_load();
-  solve_forward(body_.factor, x_.data(), running_);
+  solve_->forward(running_);
 }
 
-/// Of x_ before it has gone through the factor.
-LaneVector BodyLanes::moment_of_load() const {
+/// Of the right-hand side: the stiffness of what is predicted turns nothing, its inertia does.
+LaneVector BodyLanes::moment_of_load(const LaneArray* load) const {
   require(frame_.has_value(), "BodyLanes: only a body in a floating frame is asked for moments");
   std::array<PackVector, kNarrowPacks> moment_of;
   const NarrowPacks busy(running_);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     const PackVector X = to_lanes<NarrowPack>(frame_->rest_place_m(p));
+    const NarrowPack inertia(w_.a0 * body_.mass_kg[p]);
     busy.each([&](int first) {
       PackVector force;
       for (std::size_t i = 0; i < 3; ++i) {
-        force[i] = get_pack(x_, static_cast<std::size_t>(body_.slot[3 * p + i]), first);
+        force[i] = get_pack(rhs_, static_cast<std::size_t>(body_.slot[3 * p + i]), first);
+        if (load != nullptr) force[i] += get_pack(*load, 3 * p + i, first);
+        if (correction_) force[i] += inertia * get_pack(correction_->predicted(), 3 * p + i, first);
       }
       moment_of[pack_at(first)] += cross(X, force);
     });
@@ -157,73 +190,35 @@ LaneVector BodyLanes::moment_of_load() const {
   return moment;
 }
 
-void BodyLanes::solve_without_contact(std::span<const int> reach, std::span<const int> particles,
-                                      LaneArray& base) {
-  require(base.rows() == 3 * particles.size(), "BodyLanes::solve_without_contact: a row for each freedom");
-  for (int s : reach) {
-    const Supernode& node = body_.factor.supernode[s];
-    std::copy_n(x_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes,
-                x_reach_.row(static_cast<std::size_t>(node.first_column)));
-  }
-  solve_backward(body_.factor, reach, x_reach_.data(), running_);
-  for (std::size_t i = 0; i < 3 * particles.size(); ++i) {
-    const int slot = body_.slot[3 * static_cast<std::size_t>(particles[i / 3]) + i % 3];
-    base.put(i, slot >= 0 ? x_reach_.get(static_cast<std::size_t>(slot)) : Lane(0.0));
+void BodyLanes::solve_without_contact(const Touchable& touchable, LaneArray& base) {
+  require(base.rows() == 3 * touchable.particle.size(),
+          "BodyLanes::solve_without_contact: a row for each freedom");
+  if (correction_) return correction_->look_without_contact(touchable, base);
+  const LaneArray& solution = solve_->look(touchable.reach, running_);
+  for (std::size_t i = 0; i < base.rows(); ++i) {
+    const int slot = body_.slot[3 * static_cast<std::size_t>(touchable.particle[i / 3]) + i % 3];
+    base.put(i, slot >= 0 ? solution.get(static_cast<std::size_t>(slot)) : Lane(0.0));
   }
 }
 
-void BodyLanes::add_contact(std::span<const int> particles, const std::vector<int>& active,
-                            const LaneArray& force) {
+void BodyLanes::add_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force) {
   require(force.rows() == 3 * particles.size(), "BodyLanes::add_contact: a force for each freedom");
-  const std::vector<int>& reach = reach_of_active(particles, active);
-  for (int s : reach) {
-    const Supernode& node = body_.factor.supernode[s];
-    std::fill_n(x_reach_.row(static_cast<std::size_t>(node.first_column)), node.column_count * kLanes, 0.0);
-  }
-  for (int index : active) {
-    const auto i = static_cast<std::size_t>(index);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int slot = body_.slot[3 * static_cast<std::size_t>(particles[i]) + axis];
-      if (slot >= 0) x_reach_.put(static_cast<std::size_t>(slot), force.get(3 * i + axis));
-    }
-  }
-  solve_forward(body_.factor, reach, x_reach_.data(), running_);
-  for (int s : reach) {
-    const Supernode& node = body_.factor.supernode[s];
-    const auto first = static_cast<std::size_t>(node.first_column);
-    for (std::size_t c = first; c < first + static_cast<std::size_t>(node.column_count); ++c) {
-      x_.put(c, x_.get(c) + x_reach_.get(c));
-    }
-  }
-}
-
-/// The same nodes are active for many steps.
-const std::vector<int>& BodyLanes::reach_of_active(std::span<const int> particles,
-                                                   const std::vector<int>& active) {
-  if (active == active_) return active_reach_;
-  std::vector<int> positions;
-  for (const int index : active) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto particle = static_cast<std::size_t>(particles[static_cast<std::size_t>(index)]);
-      const int slot = body_.slot[3 * particle + axis];
-      if (slot >= 0) positions.push_back(slot);
-    }
-  }
-  active_ = active;
-  active_reach_ = reach_.of(positions);
-  return active_reach_;
+  if (correction_) return correction_->take_contact(particles, active, force);
+  if (!active.empty()) solve_->join(particles, active, force, running_);
 }
 
 void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
-  solve_backward(body_.factor, x_.data(), running_);
+  correction_ ? correction_->finish() : solve_->backward(running_);
   const NarrowPacks busy(lanes);
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     busy.each([&](int first) {
       const PackVector before = get_vector(u_theta_, p, first);
       PackVector u = before;
       for (std::size_t i = 0; i < 3; ++i) {
-        const int slot = body_.slot[3 * p + i];
-        if (slot >= 0) u[i] = get_pack(x_, static_cast<std::size_t>(slot), first);
+        const std::size_t freedom = 3 * p + i;
+        if (body_.slot[freedom] < 0) continue;
+        u[i] = correction_ ? correction_->displacement_m(freedom, first)
+                           : get_pack(solve_->rows(), static_cast<std::size_t>(body_.slot[freedom]), first);
       }
       if (turn_rad != nullptr) {
         u += cross(narrow(*turn_rad, first), to_lanes<NarrowPack>(frame_->rest_place_m(p)));
@@ -234,7 +229,8 @@ void BodyLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
 }
 
 Lane BodyLanes::weighted_load(std::span<const double> shape) const {
-  require(shape.size() == body_.slot.size(), "BodyLanes::weighted_load: the shape of another body");
+  require(!correction_ && shape.size() == body_.slot.size(),
+          "BodyLanes::weighted_load: the shape of another body");
   Lane sum(0.0);
   for (std::size_t i = 0; i < shape.size(); ++i) {
     if (body_.slot[i] >= 0) sum += Lane(shape[i]) * rhs_.get(static_cast<std::size_t>(body_.slot[i]));

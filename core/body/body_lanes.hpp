@@ -11,6 +11,8 @@
 
 #include "core/body/body_model.hpp"
 #include "core/body/body_motion.hpp"
+#include "core/body/correction.hpp"
+#include "core/body/factor_solve.hpp"
 #include "core/scenario/product_frame.hpp"
 
 namespace unbruised {
@@ -19,7 +21,9 @@ class BodyLanes final : public BodyMotion {
  public:
   /// Both have to outlive this. In a floating frame u, v and a are along its axes; sums, momentum, `state` and
   /// gravity are along x, y, z whatever the frame.
-  BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright);
+  /// @param touchable particles that contact forces may act on
+  BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright,
+            std::span<const int> touchable = {});
 
   void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) override;
   void archive(LaneArchive& lane) override;
@@ -35,9 +39,8 @@ class BodyLanes final : public BodyMotion {
 
   /// Forward through the factor.
   void start_solve(const LaneArray* load, LaneVector* moment = nullptr) override;
-  void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base) override;
-  void add_contact(std::span<const int> particles, const std::vector<int>& active,
-                   const LaneArray& force) override;
+  void solve_without_contact(const Touchable& touchable, LaneArray& base) override;
+  void add_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force) override;
   /// Backward through the factor.
   void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr) override;
   /// Adds a motion, [3n], times a factor to the displacement at t + theta dt.
@@ -69,19 +72,20 @@ class BodyLanes final : public BodyMotion {
   template <class Acceleration>
   void put_right_hand_side(const LaneArray& rate, const LaneArray* remembered, const Acceleration& outer_m_s2,
                            const Mask& running);
-  [[nodiscard]] LaneVector moment_of_load() const;
+  [[nodiscard]] LaneVector moment_of_load(const LaneArray* load) const;
   void advance_upright(const Mask& running);
   void take_sums_of_frame();
 
-  /// The supernodes that forces on the active ones touch.
-  const std::vector<int>& reach_of_active(std::span<const int> particles, const std::vector<int>& active);
+  /// Puts what is to be corrected there, and into viscous_ what K multiplies in the right-hand side that is left.
+  void predict(const LaneArray* remembered);
 
   const BodyModel& body_;
   const WilsonTheta& w_;
-  Reach reach_;
-  std::vector<int> active_, active_reach_;  ///< of the last `add_contact`
-  LaneArray viscous_, c_viscous_, c_v_;     ///< a1 u + 2 v + a3 a; C times it; C v
-  LaneArray rhs_, x_, x_reach_;             ///< elimination order
+  // A free solid is solved as a correction, all others as they are.
+  std::optional<Correction> correction_;
+  std::optional<FactorSolve<LaneArray>> solve_;
+  LaneArray viscous_, c_viscous_, c_v_;  ///< a1 u + 2 v + a3 a; C times it; C v
+  LaneArray rhs_;                        ///< elimination order; of a correction what is left of it
   std::optional<FrameLanes> frame_;
   LaneArray rate_;  ///< velocity with which a body in a floating frame deforms, [3n]
   std::array<Lane, 3> turn_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m r x u

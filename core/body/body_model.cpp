@@ -129,6 +129,9 @@ BlockMatrix stiffness_at_rest(const BodyModel& body) {
                        [](const SpringGeometry& spring) { return spring.rest_share; });
 }
 
+/// A solid of no more is solved in double precision: half of so small a factor is no faster to go through.
+constexpr int kFewFreedoms = 700;
+
 /// K + a0 M + a1 C, factored and packed.
 /// @param count of the freedoms that are numbered
 bool factor_effective_stiffness(const WilsonTheta& w, int count, const std::vector<int>& freedom, BodyModel& body,
@@ -143,6 +146,7 @@ bool factor_effective_stiffness(const WilsonTheta& w, int count, const std::vect
   if (!factor) return false;
   body.factor = std::move(*factor);
   body.slot = elimination_positions(body.factor, freedom);
+  if (body.lattice && !body.is_anchored() && body.factor.size > kFewFreedoms) body.factor.round_values();
   return true;
 }
 

@@ -23,6 +23,13 @@ struct BodyEnergy {
   double elastic = 0.0;
 };
 
+/// Particles that contact forces may act on within a step, and how they answer.
+struct Touchable {
+  std::span<const int> particle;
+  std::span<const int> reach;          ///< supernodes they touch
+  std::span<const double> compliance;  ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
+};
+
 class BodyMotion {
  public:
   virtual ~BodyMotion() = default;
@@ -42,12 +49,11 @@ class BodyMotion {
   /// Begins the solve. @param load added to the right-hand side, rows 3 x particle + axis; may be null
   /// @param moment where not null, becomes the moment of that sum about the centre of mass at rest
   virtual void start_solve(const LaneArray* load, LaneVector* moment = nullptr) = 0;
-  /// The displacement that would come without contact, at the listed particles: rows 3 x index + axis of `base`.
-  /// @param reach supernodes these particles touch
-  virtual void solve_without_contact(std::span<const int> reach, std::span<const int> particles,
-                                     LaneArray& base) = 0;
-  /// Adds contact forces to the running solve. @param active indices into `particles` and blocks of `force`
-  virtual void add_contact(std::span<const int> particles, const std::vector<int>& active,
+  /// The displacement that would come without contact at these particles: rows 3 x index + axis of `base`.
+  virtual void solve_without_contact(const Touchable& touchable, LaneArray& base) = 0;
+  /// Gives the running solve its contact forces, in every step with touchable particles.
+  /// @param active indices into `particles` and blocks of `force`; forces on others are zero
+  virtual void add_contact(std::span<const int> particles, std::span<const int> active,
                            const LaneArray& force) = 0;
   /// The displacement at t + theta dt in `lanes`.
   /// @param turn_rad where not null, by which contact forces turn a body in a floating frame beside their action

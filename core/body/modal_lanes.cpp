@@ -158,8 +158,9 @@ void ModalLanes::start_solve(const LaneArray* load, LaneVector* moment) {
   require(load == nullptr && moment == nullptr, "ModalLanes: an elastic body that stays upright was expected");
 }
 
-void ModalLanes::solve_without_contact(std::span<const int>, std::span<const int> particles, LaneArray& base) {
-  require(std::ranges::equal(particles, basis_.node), "ModalLanes: other particles than those of the basis");
+void ModalLanes::solve_without_contact(const Touchable& touchable, LaneArray& base) {
+  require(std::ranges::equal(touchable.particle, basis_.node),
+          "ModalLanes: other particles than those of the basis");
   multiply(basis_.at_nodes, every_mode_, base_, BusyPacks(running_), by_modes_);
   const NarrowPacks busy(running_);
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
@@ -169,7 +170,7 @@ void ModalLanes::solve_without_contact(std::span<const int>, std::span<const int
   }
 }
 
-void ModalLanes::add_contact(std::span<const int>, const std::vector<int>& active, const LaneArray& force) {
+void ModalLanes::add_contact(std::span<const int>, std::span<const int> active, const LaneArray& force) {
   columns_.clear();
   for (const int index : active) {
     for (int axis = 0; axis < 3; ++axis) columns_.push_back(3 * index + axis);

@@ -22,9 +22,8 @@ class ModalLanes final : public BodyMotion {
   void begin_step(const Mask& running, const LaneArray* remembered = nullptr) override;
   void add_forces(int lane, std::span<const double> force_N) override;
   void start_solve(const LaneArray* load, LaneVector* moment = nullptr) override;
-  void solve_without_contact(std::span<const int> reach, std::span<const int> particles, LaneArray& base) override;
-  void add_contact(std::span<const int> particles, const std::vector<int>& active,
-                   const LaneArray& force) override;
+  void solve_without_contact(const Touchable& touchable, LaneArray& base) override;
+  void add_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force) override;
   void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr) override;
   void advance(const Mask& running, const OuterForces& outer = {}) override;
 

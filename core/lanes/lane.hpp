@@ -72,6 +72,8 @@ struct MaskPack {
 template <int Width>
 struct LanePack {
   using Native = stdx::native_simd<double>;
+  using Number = double;
+  static constexpr bool kIsPaired = false;  ///< solve kernels take one panel at a time
   static constexpr int size = Width;
   static constexpr int kParts = Width / static_cast<int>(Native::size());
   static_assert(Width % static_cast<int>(Native::size()) == 0);

@@ -22,7 +22,7 @@ constexpr int kMaxPlasticRounds = 60;
 
 std::unique_ptr<BodyMotion> make_motion(const Model::Parts& parts) {
   if (parts.modes) return std::make_unique<ModalLanes>(parts.body, *parts.modes, *parts.wilson);
-  return std::make_unique<BodyLanes>(parts.body, *parts.wilson, parts.frame);
+  return std::make_unique<BodyLanes>(parts.body, *parts.wilson, parts.frame, parts.contact.node);
 }
 
 std::unique_ptr<Material> make_material(const Model::Parts& parts, const BodyMotion& motion) {
@@ -155,7 +155,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
   LaneVector moment;
   body.start_solve(material->load_theta(), touch.place.empty() ? nullptr : &moment);
   if (touch.node_count() > 0) {
-    body.solve_without_contact(touch.reach, touch.node, base);
+    body.solve_without_contact({touch.node, touch.reach, touch.compliance}, base);
     timer.lap(times.solve_s);
     if (first_round) {
       contact.begin_step(
@@ -170,9 +170,9 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
                   "the contact forces did not converge within a step; use a smaller simulation.time_step_s");
     }
     timer.lap(times.contact_s);
-    if (!contact.idle()) {
-      body.add_contact(touch.node, contact.sweep().active_nodes(), contact.sweep().node_force());
-    }
+    std::span<const int> active;
+    if (!contact.idle()) active = contact.sweep().active_nodes();
+    body.add_contact(touch.node, active, contact.sweep().node_force());
   }
   body.finish_solve(lanes, contact.turn_by_arms());
   timer.lap(times.solve_s);

@@ -68,7 +68,8 @@ TEST_F(BodyLanesTest, RefusesStatesLanesAndForcesThatDoNotFit) {
   EXPECT_THROW(lanes.start_solve(&load), std::logic_error);
   LaneArray base(4);
   const std::vector<int> particles = {1};
-  EXPECT_THROW(lanes.solve_without_contact({}, particles, base), std::logic_error);
+  EXPECT_THROW(lanes.solve_without_contact({.particle = particles, .reach = {}, .compliance = {}}, base),
+               std::logic_error);
   EXPECT_THROW(lanes.add_contact(particles, {}, base), std::logic_error);
   state_.velocity_m_s.pop_back();
   EXPECT_THROW(lanes.load(kLane, state_, {}), std::logic_error);

@@ -1,0 +1,170 @@
+// The step of a solid, solved as a correction in single precision, beside the same one solved in double precision.
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/body/body_lanes.hpp"
+#include "core/body/node_compliance.hpp"
+#include "tests/core/scenario/scenarios.hpp"
+
+namespace unbruised {
+namespace {
+
+constexpr int kSteps = 60;
+constexpr int kLane = 3;
+
+/// A body with two particles that forces act on.
+struct Pushed {
+  BodyModel model;
+  std::vector<int> particle;
+  NodeCompliance compliance;
+
+  [[nodiscard]] Touchable touchable() const { return {particle, compliance.reach, compliance.block}; }
+  [[nodiscard]] BodyState at_rest() const {
+    const std::vector<double> nothing(3 * model.particle_count);
+    return {nothing, nothing, nothing, {}};
+  }
+};
+
+const WilsonTheta kWilson{1e-3, 1.4};
+
+Pushed pushed_block() {
+  std::string error;
+  Pushed block{
+      .model = *build_body(testing::usual_grip().product, kWilson, error), .particle = {}, .compliance = {}};
+  block.model.factor.round_values();
+  // Two of one line along x: equal and opposite forces along it turn nothing.
+  const auto& place = block.model.position_m;
+  int last = 0;
+  for (std::size_t p = 0; p < place.size(); ++p) {
+    if (std::abs(place[p][1] - place[0][1]) + std::abs(place[p][2] - place[0][2]) < 1e-9)
+      last = static_cast<int>(p);
+  }
+  block.particle = {0, last};
+  block.compliance = node_compliance(block.model.factor, block.model.slot, block.particle);
+  return block;
+}
+
+/// One step under forces on the two, opposite along x. @param base what it would come to without them
+void step(BodyLanes& lanes, const Pushed& block, double force_N, LaneArray& base) {
+  LaneArray force(6);
+  force.put(0, Lane(force_N));
+  force.put(3, Lane(-force_N));
+  lanes.begin_step(Mask(true));
+  lanes.start_solve(nullptr);
+  lanes.solve_without_contact(block.touchable(), base);
+  const std::vector<int> both = {0, 1};
+  lanes.add_contact(block.particle, force_N != 0.0 ? std::span<const int>(both) : std::span<const int>(), force);
+  lanes.finish_solve(Mask(true));
+  lanes.advance(Mask(true));
+}
+
+/// Pressed in 20 ms, held, and let go at once.
+double force_at(int k) { return k < 20 ? 0.02 * k : k < 40 ? 0.4 : 0.0; }
+
+TEST(Correction, FollowsTheSolutionInDoublePrecision) {
+  const Pushed block = pushed_block();
+  BodyModel in_double = block.model;
+  in_double.factor.single_value.clear();
+  BodyLanes corrected(block.model, kWilson, ProductFrame::upright, block.particle),
+      exact(in_double, kWilson, ProductFrame::upright, block.particle);
+  for (BodyLanes* lanes : {&corrected, &exact}) lanes->load(kLane, block.at_rest(), {0.0, 0.0, -9.81});
+  LaneArray base(6), exact_base(6);
+  for (int k = 0; k < kSteps; ++k) {
+    step(corrected, block, force_at(k), base);
+    step(exact, block, force_at(k), exact_base);
+    double largest = 0.0, worst = 0.0, worst_base = 0.0;
+    for (std::size_t i = 0; i < corrected.u().rows(); ++i) {
+      largest = std::max(largest, std::abs(exact.u().at(i, kLane)));
+      worst = std::max(worst, std::abs(corrected.u().at(i, kLane) - exact.u().at(i, kLane)));
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      worst_base = std::max(worst_base, std::abs(base.at(i, kLane) - exact_base.at(i, kLane)));
+    }
+    // Single precision knows 6e-8 of what a step changes; what steps add up to here is ten times as much.
+    EXPECT_LT(worst, 1e-6 * largest) << "step " << k;
+    EXPECT_LT(worst_base, 1e-6 * largest) << "step " << k;
+  }
+}
+
+TEST(Correction, BalancesMomentumInDoublePrecision) {
+  const Pushed block = pushed_block();
+  BodyLanes lanes(block.model, kWilson, ProductFrame::upright, block.particle);
+  lanes.load(kLane, block.at_rest(), {0.0, 0.0, -9.81});
+  LaneArray base(6);
+  for (int k = 0; k < kSteps; ++k) step(lanes, block, force_at(k), base);
+  // Equal and opposite forces, and gravity from the first step on.
+  const double weight_N = 9.81 * block.model.total_mass_kg;
+  const std::array<Lane, 3>& inertia = lanes.mass_a();
+  for (std::size_t axis = 0; axis < 2; ++axis) EXPECT_NEAR(inertia[axis][kLane], 0.0, 1e-11 * weight_N);
+  EXPECT_NEAR(inertia[2][kLane], -weight_N, 1e-11 * weight_N);
+}
+
+TEST(Correction, OfWhatRestsUnderItsForcesIsNothing) {
+  const Pushed block = pushed_block();
+  BodyLanes lanes(block.model, kWilson, ProductFrame::upright, block.particle);
+  // At rest under equal and opposite forces, as the static solver finds it.
+  std::vector<double> force(3 * block.model.particle_count);
+  force[0] = 0.4;
+  force[3 * static_cast<std::size_t>(block.particle[1])] = -0.4;
+  BodyState state = block.at_rest();
+  state.displacement_m = block.model.statics->free_shape(force);
+  lanes.load(kLane, state, {});
+  LaneArray base(6);
+  for (int k = 0; k < kSteps; ++k) step(lanes, block, 0.4, base);
+  double largest = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    largest = std::max(largest, std::abs(state.displacement_m[i]));
+    worst = std::max(worst, std::abs(lanes.u().at(i, kLane) - state.displacement_m[i]));
+  }
+  // The forces come in one step, of which single precision makes an error once; after that nothing changes.
+  EXPECT_LT(worst, 1e-6 * largest);
+  const double before = lanes.u().at(0, kLane);
+  step(lanes, block, 0.4, base);
+  EXPECT_NEAR(lanes.u().at(0, kLane), before, 1e-13 * largest);
+}
+
+TEST(Correction, IsOfLargeFreeSolids) {
+  std::string error;
+  Scenario scenario = testing::usual_grip();
+  LatticeParameters& product = testing::lattice_in(scenario);
+  product.shape = Shape::box;
+  product.size_m = {0.05, 0.05, 0.05};
+  for (const auto& [cells, rounds] : {std::pair(5, false), std::pair(6, true)}) {  // 648 and 1,029 freedoms
+    product.cell_size_m = 0.05 / cells;
+    const auto body = build_body(scenario.product, kWilson, error);
+    ASSERT_TRUE(body) << error;
+    EXPECT_EQ(!body->factor.single_value.empty(), rounds) << cells;
+    const auto held = build_held_body(product, kWilson, error);
+    ASSERT_TRUE(held) << error;
+    EXPECT_TRUE(held->factor.single_value.empty()) << cells;
+  }
+}
+
+TEST(Correction, KnowsWhatAnArrivingLaneIsHeldBy) {
+  const Pushed block = pushed_block();
+  BodyLanes first(block.model, kWilson, ProductFrame::upright, block.particle),
+      second(block.model, kWilson, ProductFrame::upright, block.particle);
+  for (BodyLanes* lanes : {&first, &second}) lanes->load(kLane, block.at_rest(), {0.0, 0.0, -9.81});
+  LaneArray base(6);
+  for (int k = 0; k < 30; ++k) step(first, block, force_at(k), base);
+  LaneContent content;
+  LaneArchive out = LaneArchive::out_of(kLane, content);
+  first.archive(out);
+  LaneArchive into = LaneArchive::into(kLane, content);
+  second.archive(into);
+  for (int k = 30; k < kSteps; ++k) {
+    for (BodyLanes* lanes : {&first, &second}) step(*lanes, block, force_at(k), base);
+    for (std::size_t i = 0; i < first.u().rows(); ++i) {
+      ASSERT_EQ(second.u().at(i, kLane), first.u().at(i, kLane)) << "step " << k << ", row " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace unbruised

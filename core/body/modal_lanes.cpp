@@ -172,6 +172,7 @@ void ModalLanes::solve_without_contact(const Touchable& touchable, LaneArray& ba
 
 void ModalLanes::add_contact(std::span<const int>, std::span<const int> active, const LaneArray& force) {
   columns_.clear();
+  if (active.empty()) return;
   for (const int index : active) {
     for (int axis = 0; axis < 3; ++axis) columns_.push_back(3 * index + axis);
   }

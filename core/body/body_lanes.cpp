@@ -255,28 +255,13 @@ void BodyLanes::add_motion(std::span<const double> shape, const Lane& factor, co
   }
 }
 
-OuterForces BodyLanes::outer_forces(std::span<const int> particles, std::span<const int> active,
-                                    const LaneArray& force) const {
-  OuterForces outer;
-  for (int index : active) {
-    const auto i = static_cast<std::size_t>(index), p = static_cast<std::size_t>(particles[i]);
-    outer.add(to_lanes(frame_->rest_place_m(p)) + get_vector(u_theta_, p), get_vector(force, i));
-  }
-  return outer;
-}
-
 void BodyLanes::advance(const Mask& running, const OuterForces& outer) {
   if (frame_) {
     frame_->advance(motion(), u_theta_, outer, running);
-    take_sums_of_frame();
+    take_sums_of(*frame_, body_.total_mass_kg);
   } else {
     advance_upright(running);
   }
-}
-
-void BodyLanes::take_sums_of_frame() {
-  mass_a_ = frame_->mass_acceleration_N().at;
-  mass_u_ = (Lane(body_.total_mass_kg) * frame_->center_motion_m()).at;
 }
 
 void BodyLanes::advance_upright(const Mask& running) {
@@ -324,11 +309,8 @@ void BodyLanes::advance_upright(const Mask& running) {
 }
 
 double BodyLanes::rotation_rad(int lane) const {
+  if (frame_) return frame_->angle_rad(lane);
   double square = 0.0;
-  if (frame_) {
-    for (const Lane& component : frame_->attitude().axis.at) square += component[lane] * component[lane];
-    return 2.0 * std::asin(std::min(1.0, std::sqrt(square)));
-  }
   for (std::size_t i = 0; i < 3; ++i) {
     double angle = 0.0;
     for (std::size_t j = 0; j < 3; ++j) angle += body_.inverse_inertia[3 * i + j] * turn_[j][lane];
@@ -345,15 +327,7 @@ BodyState BodyLanes::state(int lane) const {
     state.velocity_m_s[i] = v_.at(i, lane);
     state.acceleration_m_s2[i] = a_.at(i, lane);
   }
-  for (std::size_t p = 0; frame_ && p < body_.particle_count; ++p) {
-    const std::array<LaneVector, 3> along = {frame_->displacement_m(p, u_), frame_->to_world(get_vector(v_, p)),
-                                             frame_->to_world(get_vector(a_, p))};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      state.displacement_m[3 * p + axis] = along[0][axis][lane];
-      state.velocity_m_s[3 * p + axis] = along[1][axis][lane];
-      state.acceleration_m_s2[3 * p + axis] = along[2][axis][lane];
-    }
-  }
+  if (frame_) turn_to_world(*frame_, lane, state);
   return state;
 }
 

@@ -47,8 +47,6 @@ class BodyLanes final : public BodyMotion {
   void add_motion(std::span<const double> shape, const Lane& factor, const Mask& lanes);
 
   void advance(const Mask& running, const OuterForces& outer = {}) override;
-  [[nodiscard]] OuterForces outer_forces(std::span<const int> particles, std::span<const int> active,
-                                         const LaneArray& force) const override;
 
   [[nodiscard]] const LaneArray& rate() const override { return frame_ ? rate_ : v_; }
   [[nodiscard]] const LaneArray& stiffness_rate() const override { return c_v_; }
@@ -60,7 +58,6 @@ class BodyLanes final : public BodyMotion {
   [[nodiscard]] double damped_J(int lane) const override { return damped_.work_J(lane); }
 
  private:
-  [[nodiscard]] LaneMotion motion() { return {u_, v_, a_}; }
   /// C = tau K?
   [[nodiscard]] bool is_damped_as_it_is_stiff() const { return body_.C.value.empty(); }
   /// Of the matrix that stands for C.
@@ -74,7 +71,6 @@ class BodyLanes final : public BodyMotion {
                            const Mask& running);
   [[nodiscard]] LaneVector moment_of_load(const LaneArray* load) const;
   void advance_upright(const Mask& running);
-  void take_sums_of_frame();
 
   /// Puts what is to be corrected there, and into viscous_ what K multiplies in the right-hand side that is left.
   void predict(const LaneArray* remembered);

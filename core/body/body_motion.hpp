@@ -76,11 +76,8 @@ class BodyMotion {
   [[nodiscard]] virtual const LaneArray& stiffness_rate() const { return v_; }
   /// Sums of contact forces at t + theta dt on a body in a floating frame, for `advance`; particles, active and
   /// force as in `add_contact`.
-  [[nodiscard]] virtual OuterForces outer_forces(std::span<const int> /*particles*/,
-                                                 std::span<const int> /*active*/,
-                                                 const LaneArray& /*force*/) const {
-    return {};
-  }
+  [[nodiscard]] OuterForces outer_forces(std::span<const int> particles, std::span<const int> active,
+                                         const LaneArray& force) const;
   [[nodiscard]] const std::array<Lane, 3>& gravity() const { return gravity_; }
   /// sum m u and sum m a.
   [[nodiscard]] const std::array<Lane, 3>& mass_u() const { return mass_u_; }
@@ -103,11 +100,18 @@ class BodyMotion {
  protected:
   explicit BodyMotion(std::size_t freedoms) : u_(freedoms), v_(freedoms), a_(freedoms), u_theta_(freedoms) {}
 
+  [[nodiscard]] LaneMotion motion() { return {u_, v_, a_}; }
+  /// After a step in a floating frame.
+  void take_sums_of(const FrameLanes& frame, double total_mass_kg);
+
   LaneArray u_, v_, a_, u_theta_;  ///< [3n]
   std::array<Lane, 3> gravity_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_u_{Lane(0.0), Lane(0.0), Lane(0.0)};
   std::array<Lane, 3> mass_a_{Lane(0.0), Lane(0.0), Lane(0.0)};
   BookedWork damped_;  ///< v'Cv
 };
+
+/// A state of one lane along the axes of a floating frame becomes one along x, y, z.
+void turn_to_world(const FrameLanes& frame, int lane, BodyState& state);
 
 }  // namespace unbruised

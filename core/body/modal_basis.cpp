@@ -18,10 +18,11 @@ Shapes shapes_of(const ModeShapes& modes) {
           static_cast<Eigen::Index>(modes.count())};
 }
 
-/// Answers of the body without its modes to up to kLanes columns of forces: (1 - S S' M) K^-1 (1 - M S S').
-/// Statics know what of K is left at rest.
+/// Answers of the body without its modes to up to kLanes columns of forces: (1 - S S' M) K^-1 (1 - M S S'), less
+/// what stretches answer. Statics know what of K is left at rest.
 Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& force_N) {
-  const Shapes S = shapes_of(modes);
+  const Shapes all = shapes_of(modes);
+  const auto S = all.leftCols(static_cast<Eigen::Index>(modes.mode_count()));
   Eigen::VectorXd mass(S.rows());
   for (Eigen::Index i = 0; i < mass.size(); ++i) mass[i] = body.mass_kg[static_cast<std::size_t>(i) / 3];
   const Matrix taken = S * (S.transpose() * force_N).eval();
@@ -29,6 +30,10 @@ Matrix left_out(const BodyModel& body, const ModeShapes& modes, const Matrix& fo
   Matrix shape = body.relaxation.rest_share() * shifted_columns(*body.statics, load);
   const Matrix weighed = S.transpose() * (mass.asDiagonal() * shape).eval();
   shape -= S * weighed;
+  for (std::size_t k = modes.mode_count(); k < modes.count(); ++k) {
+    const auto stretch = all.col(static_cast<Eigen::Index>(k));
+    shape -= stretch * (stretch.transpose() * force_N).eval() / modes.square_1_s2[k];
+  }
   return shape;
 }
 
@@ -49,17 +54,26 @@ std::vector<std::size_t> cells_at(const Lattice& lattice, const std::vector<int>
   return cells;
 }
 
-/// Mean strains of some cells under shapes, one column each.
+/// Mean strains and rotations of some cells under shapes, kStrainRows each, one column a shape.
 Matrix strains_of(const BodyModel& body, const std::vector<std::size_t>& cells, const Matrix& shapes) {
   const auto& B = body.cell.front().B;
-  Matrix strain = Matrix::Zero(static_cast<Eigen::Index>(6 * cells.size()), shapes.cols());
+  // Of engineering shears and of the parts that are taken from each other: [u_zy, u_yz], [u_xz, u_zx], [u_yx,
+  // u_xy].
+  constexpr std::size_t kFirst[] = {2, 0, 1}, kSecond[] = {1, 2, 0};
+  Matrix strain = Matrix::Zero(static_cast<Eigen::Index>(kStrainRows * cells.size()), shapes.cols());
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      const double tensor = i < 3 ? 1.0 : 0.5;  // B gives engineering shears
-      for (std::size_t j = 0; j < 24; ++j) {
-        const Eigen::Index freedom =
-            3 * static_cast<Eigen::Index>(body.lattice->cell[cells[c]][j / 3]) + static_cast<Eigen::Index>(j % 3);
-        strain.row(static_cast<Eigen::Index>(6 * c + i)) += tensor * B[24 * i + j] * shapes.row(freedom);
+    for (std::size_t j = 0; j < 24; ++j) {
+      const std::size_t axis = j % 3;
+      const auto shape = shapes.row(3 * static_cast<Eigen::Index>(body.lattice->cell[cells[c]][j / 3]) +
+                                    static_cast<Eigen::Index>(axis));
+      const auto add = [&](std::size_t row, double factor) {
+        strain.row(static_cast<Eigen::Index>(kStrainRows * c + row)) += factor * shape;
+      };
+      for (std::size_t i = 0; i < 6; ++i) add(i, (i < 3 ? 1.0 : 0.5) * B[24 * i + j]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double half = 0.5 * B[24 * (3 + i) + j];
+        if (axis == kFirst[i]) add(6 + i, half);
+        if (axis == kSecond[i]) add(6 + i, -half);
       }
     }
   }
@@ -85,9 +99,10 @@ Matrix unpacked(const DenseMatrix& packed) {
 
 }  // namespace
 
-ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node) {
+ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector<int> node, ProductFrame frame) {
   ModalBasis basis;
   basis.modes = slowest_modes(body, deforming);
+  if (frame == ProductFrame::floating) add_stretches(body, basis.modes);
   basis.node = std::move(node);
   const Shapes S = shapes_of(basis.modes);
   const std::size_t rows = basis.node_freedoms();
@@ -100,7 +115,7 @@ ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector
   basis.from_nodes = packed(at_nodes.transpose());
   const std::vector<std::size_t> cells = cells_at(*body.lattice, basis.node);
   basis.strain_of_modes = packed(strains_of(body, cells, S));
-  Matrix rest(count, count), strain(static_cast<Eigen::Index>(6 * cells.size()), count);
+  Matrix rest(count, count), strain(static_cast<Eigen::Index>(kStrainRows * cells.size()), count);
   for (Eigen::Index first = 0; first < count; first += kLanes) {
     const Eigen::Index width = std::min<Eigen::Index>(kLanes, count - first);
     Matrix force = Matrix::Zero(S.rows(), width);
@@ -116,6 +131,7 @@ ModalBasis modal_basis(const BodyModel& body, std::size_t deforming, std::vector
   rest = 0.5 * (rest + rest.transpose()).eval();
   basis.rest = packed(rest);
   basis.strain_of_rest = packed(strain);
+  if (frame == ProductFrame::floating) basis.turning = turning_basis(body, basis.modes);
   return basis;
 }
 

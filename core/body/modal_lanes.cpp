@@ -37,6 +37,10 @@ ModalLanes::ModalLanes(const BodyModel& body, const ModalBasis& basis, const Wil
       strain_of_rest_(basis.strain_of_modes.rows()) {
   for (double& square : inverse_effective_) square = 1.0 / square;
   for (std::vector<int>* every : {&every_mode_, &every_row_}) std::iota(every->begin(), every->end(), 0);
+  if (!basis.turning) return;
+  frame_.emplace(body.position_m, body.mass_kg, wilson);
+  turning_.emplace(*basis.turning, wilson);
+  for (LaneArray* array : {&deforming_viscous_, &deforming_rate_}) *array = LaneArray(basis.modes.count());
 }
 
 void ModalLanes::load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
@@ -47,6 +51,56 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
           "ModalLanes::load: the state of another body");
   for (LaneArray* rows : {&u_, &v_, &a_, &u_theta_}) rows->clear_lane(lane);
   for (Motion* motion : {&mode_, &rest_, &force_}) motion->clear(lane);
+  if (frame_) {
+    const InFrame placed = place_in_frame(lane, state, gravity_m_s2);
+    load_modes(lane, placed.state, placed.gravity_m_s2);
+  } else {
+    load_modes(lane, state, gravity_m_s2);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    gravity_[axis].set(lane, gravity_m_s2[axis]);
+    mass_u_[axis].set(lane, root_mass_ * mode_.now.at(axis, lane));
+    mass_a_[axis].set(lane, root_mass_ * mode_.second.at(axis, lane));
+  }
+  if (frame_) {
+    Mask fresh(false);
+    fresh.set(lane, true);
+    turning_->give_momentum(frame_->to_frame(frame_->angular_momentum_kg_m2_s()), modal_motion(), fresh);
+    const LaneVector mass_u = Lane(body_.total_mass_kg) * frame_->center_motion_m();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      mass_u_[axis] = select(fresh, mass_u[axis], mass_u_[axis]);
+      mass_a_[axis] = select(fresh, frame_->mass_acceleration_N()[axis], mass_a_[axis]);
+    }
+  }
+  for (Lane* value : {&force_sum_, &strained_by_, &largest_strain_, &largest_cell_rotation_})
+    value->set(lane, 0.0);
+  damped_.load(lane);
+  deformed_.load(lane);
+  start_energy_J_[static_cast<std::size_t>(lane)] = elastic_J(lane);
+}
+
+/// Fits the frame of a lane. @return what is loaded in its axes
+ModalLanes::InFrame ModalLanes::place_in_frame(int lane, const BodyState& state,
+                                               const std::array<double, 3>& gravity_m_s2) {
+  const std::array<const std::vector<double>*, 3> from = {&state.displacement_m, &state.velocity_m_s,
+                                                          &state.acceleration_m_s2};
+  const std::array<LaneArray*, 3> rows = {&u_, &v_, &a_};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < from[k]->size(); ++i) rows[k]->at(i, lane) = (*from[k])[i];
+  }
+  frame_->load(lane, motion(), state.rotation_rad, gravity_m_s2);
+  InFrame placed{state, of_lane(frame_->to_frame(to_lanes(gravity_m_s2)), lane)};
+  const std::array<std::vector<double>*, 3> to = {&placed.state.displacement_m, &placed.state.velocity_m_s,
+                                                  &placed.state.acceleration_m_s2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < to[k]->size(); ++i) (*to[k])[i] = rows[k]->at(i, lane);
+    rows[k]->clear_lane(lane);
+  }
+  return placed;
+}
+
+void ModalLanes::load_modes(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) {
+  const std::size_t freedoms = 3 * body_.particle_count;
   const std::array<const std::vector<double>*, 3> from = {&state.displacement_m, &state.velocity_m_s,
                                                           &state.acceleration_m_s2};
   const std::array<LaneArray*, 3> to = {&mode_.now, &mode_.rate, &mode_.second};
@@ -78,15 +132,6 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
     }
     rest_.now.at(row, lane) = sum;
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    gravity_[axis].set(lane, gravity_m_s2[axis]);
-    mass_u_[axis].set(lane, root_mass_ * mode_.now.at(axis, lane));
-    mass_a_[axis].set(lane, root_mass_ * mode_.second.at(axis, lane));
-  }
-  for (Lane* value : {&force_sum_, &strained_by_, &largest_strain_}) value->set(lane, 0.0);
-  damped_.load(lane);
-  deformed_.load(lane);
-  start_energy_J_[static_cast<std::size_t>(lane)] = elastic_J(lane);
 }
 
 void ModalLanes::archive(LaneArchive& lane) {
@@ -98,7 +143,8 @@ void ModalLanes::archive(LaneArchive& lane) {
   damped_.archive(lane);
   deformed_.archive(lane);
   lane(start_energy_J_[static_cast<std::size_t>(lane.lane())]);
-  lane(gravity_, mass_u_, mass_a_, strained_by_, largest_strain_);
+  lane(gravity_, mass_u_, mass_a_, strained_by_, largest_strain_, largest_cell_rotation_);
+  if (frame_) frame_->archive(lane);
 }
 
 void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
@@ -109,6 +155,13 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   for (Motion* motion : {&mode_, &rest_, &force_}) {
     if (motion->memory) motion->memory->begin_step(motion->now);
   }
+  if (frame_) {
+    const FramePrediction prediction = frame_->predict(running);
+    turning_->predict(prediction, modal_motion(), deforming_viscous_, deforming_rate_, running);
+    frame_->turn_into(prediction, basis_.node, motion(), running);
+  }
+  const LaneVector gravity = frame_ ? frame_->to_frame({gravity_}) : LaneVector{gravity_};
+  const LaneVector turned = frame_ ? turning_->to_rotating(frame_->rigid_load_rad_s2()) : LaneVector{};
   const NarrowPacks busy(running);
   std::array<NarrowPack, kNarrowPacks> power_of;
   power_of.fill(NarrowPack(0.0));
@@ -117,11 +170,16 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
     const double square = basis_.modes.square_1_s2[mode];
     const NarrowPack inverse(inverse_effective_[mode]), stiff(square);
     busy.each([&](int first) {
-      const NarrowPack y = get_pack(mode_.now, mode, first), rate = get_pack(mode_.rate, mode, first),
+      const NarrowPack y = get_pack(mode_.now, mode, first), v = get_pack(mode_.rate, mode, first),
                        second = get_pack(mode_.second, mode, first);
-      NarrowPack load = w_.inertial(y, rate, second) + stiff * mode_.carried(w_, relaxation_s_, mode, first);
-      if (mode < 3) load += NarrowPack(root_mass_) * narrow(gravity_[mode], first);
+      const NarrowPack carried =
+          frame_ ? mode_.carried(get_pack(deforming_viscous_, mode, first), relaxation_s_, mode, first)
+                 : mode_.carried(w_, relaxation_s_, mode, first);
+      NarrowPack load = w_.inertial(y, v, second) + stiff * carried;
+      if (mode < 3) load += NarrowPack(root_mass_) * narrow(gravity[mode], first);
+      if (frame_ && mode >= 3 && mode < kRigidModes) load += narrow(turned[mode - 3], first);
       put_pack(base_, mode, inverse * load, first);
+      const NarrowPack rate = get_pack(deforming_rate(), mode, first);
       power_of[pack_at(first)] += stiff * rate * rate;
     });
   }
@@ -142,7 +200,8 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
 void ModalLanes::book_fading(const Mask& running) {
   Lane power(0.0);
   for (std::size_t mode = kRigidModes; mode < basis_.modes.count(); ++mode) {
-    power += Lane(basis_.modes.square_1_s2[mode]) * mode_.memory->stressed().get(mode) * mode_.rate.get(mode);
+    power +=
+        Lane(basis_.modes.square_1_s2[mode]) * mode_.memory->stressed().get(mode) * deforming_rate().get(mode);
   }
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     power += force_.memory->stressed().get(row) * rest_.rate.get(row);
@@ -155,7 +214,12 @@ void ModalLanes::add_forces(int, std::span<const double>) {
 }
 
 void ModalLanes::start_solve(const LaneArray* load, LaneVector* moment) {
-  require(load == nullptr && moment == nullptr, "ModalLanes: an elastic body that stays upright was expected");
+  require(load == nullptr, "ModalLanes: nothing flows within");
+  require(moment == nullptr || frame_, "ModalLanes: only a body in a floating frame is asked for moments");
+  if (moment == nullptr) return;
+  LaneVector on_rotating;
+  for (std::size_t k = 0; k < 3; ++k) on_rotating[k] = Lane(w_.a0) * base_.get(3 + k);
+  *moment = turning_->moment(on_rotating);
 }
 
 void ModalLanes::solve_without_contact(const Touchable& touchable, LaneArray& base) {
@@ -193,17 +257,19 @@ void ModalLanes::add_contact(std::span<const int>, std::span<const int> active, 
 }
 
 void ModalLanes::finish_solve(const Mask& lanes, const LaneVector* turn_rad) {
-  require(turn_rad == nullptr, "ModalLanes: a body that stays upright was expected");
+  require(turn_rad == nullptr || frame_, "ModalLanes: a body that stays upright was turned");
   const BusyPacks busy(running_);
   const bool touched = !columns_.empty();
+  const LaneVector turned = turn_rad != nullptr ? turning_->to_rotating(*turn_rad) : LaneVector{};
   for (std::size_t mode = 0; mode < basis_.modes.count(); ++mode) {
     busy.narrow.each([&](int first) {
       NarrowPack y = get_pack(base_, mode, first);
       if (touched) y += NarrowPack(inverse_effective_[mode]) * get_pack(pushed_, mode, first);
+      if (turn_rad != nullptr && mode >= 3 && mode < kRigidModes) y += narrow(turned[mode - 3], first);
       put_pack(mode_.theta, mode, y, first);
     });
   }
-  if (touched) multiply(basis_.at_nodes, every_mode_, mode_.theta, busy, by_modes_);
+  if (touched || turn_rad != nullptr) multiply(basis_.at_nodes, every_mode_, mode_.theta, busy, by_modes_);
   const double share = 1.0 / viscous_;
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     const std::size_t i = freedom_of(row);
@@ -224,20 +290,28 @@ void ModalLanes::measure_strain(const Mask& lanes) {
   const BusyPacks busy(due);
   multiply(basis_.strain_of_modes, every_mode_, mode_.theta, busy, strain_);
   multiply(basis_.strain_of_rest, every_row_, force_.theta, busy, strain_of_rest_);
-  Lane largest(0.0);
-  for (std::size_t row = 0; row < strain_.rows(); row += 6) {
-    Lane square(0.0);
-    for (std::size_t i = 0; i < 6; ++i) {
+  Lane strain(0.0), rotation(0.0);
+  for (std::size_t row = 0; row < strain_.rows(); row += kStrainRows) {
+    Lane strain2(0.0), rotation2(0.0);
+    for (std::size_t i = 0; i < kStrainRows; ++i) {
       const Lane e = strain_.get(row + i) + strain_of_rest_.get(row + i);
-      square += (i < 3 ? Lane(1.0) : Lane(2.0)) * e * e;
+      if (i < 6) {
+        strain2 += (i < 3 ? Lane(1.0) : Lane(2.0)) * e * e;
+      } else {
+        rotation2 += e * e;
+      }
     }
-    largest = max(largest, square);
+    strain = max(strain, strain2);
+    rotation = max(rotation, rotation2);
   }
-  largest_strain_ = select(due, sqrt(largest), largest_strain_);
+  largest_strain_ = select(due, sqrt(strain), largest_strain_);
+  if (frame_) largest_cell_rotation_ = select(due, sqrt(rotation), largest_cell_rotation_);
   strained_by_ = select(due, force_sum_, strained_by_);
 }
 
-void ModalLanes::advance(const Mask& running, const OuterForces&) {
+void ModalLanes::advance(const Mask& running, const OuterForces& outer) {
+  std::optional<BalanceSums> balance;
+  if (frame_) balance = turning_->balance(modal_motion(), mode_.theta, running);
   const NarrowPacks busy(running);
   const auto advance_row = [&](std::size_t row, const LaneArray& theta, LaneArray& u, LaneArray& v, LaneArray& a) {
     busy.each([&](int first) {
@@ -255,15 +329,26 @@ void ModalLanes::advance(const Mask& running, const OuterForces&) {
     for (std::size_t row = 0; row < motion->now.rows(); ++row) {
       advance_row(row, motion->theta, motion->now, motion->rate, motion->second);
     }
-    if (motion->memory) motion->memory->end_step(motion->now, running);
   }
   for (std::size_t row = 0; row < basis_.node_freedoms(); ++row) {
     advance_row(freedom_of(row), u_theta_, u_, v_, a_);
   }
+  if (frame_) fit_frame(*balance, outer, running);
+  for (Motion* motion : {&mode_, &rest_, &force_}) {
+    if (motion->memory) motion->memory->end_step(motion->now, running);
+  }
+  if (frame_) return take_sums_of(*frame_, body_.total_mass_kg);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     mass_u_[axis] = Lane(root_mass_) * mode_.now.get(axis);
     mass_a_[axis] = Lane(root_mass_) * mode_.second.get(axis);
   }
+}
+
+void ModalLanes::fit_frame(const BalanceSums& balance, const OuterForces& outer, const Mask& running) {
+  const StateSums sums = turning_->sums(modal_motion(), running);
+  const FrameCorrection correction = frame_->fit_step(sums, balance, outer, running);
+  turning_->apply(correction, modal_motion(), running);
+  frame_->apply(correction, basis_.node, motion(), running);
 }
 
 BodyState ModalLanes::state(int lane) const {
@@ -286,6 +371,7 @@ BodyState ModalLanes::state(int lane) const {
       for (std::size_t i = 0; i < freedoms; ++i) (*to[k])[i] += shape[i] * amount;
     }
   }
+  if (frame_) turn_to_world(*frame_, lane, state);
   return state;
 }
 
@@ -319,6 +405,7 @@ double ModalLanes::damped_J(int lane) const {
 }
 
 double ModalLanes::rotation_rad(int lane) const {
+  if (frame_) return frame_->angle_rad(lane);
   double square = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double angle = 0.0;
@@ -329,6 +416,7 @@ double ModalLanes::rotation_rad(int lane) const {
 }
 
 std::array<double, 3> ModalLanes::momentum(int lane) const {
+  if (frame_) return of_lane(frame_->momentum_kg_m_s(), lane);
   std::array<double, 3> sum{};
   for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] = root_mass_ * mode_.rate.at(axis, lane);
   return sum;

@@ -19,6 +19,8 @@ constexpr double kTolerance = 1e-8;
 constexpr std::size_t kMostVectors = 8;
 /// A vector that is this small once what is there already is taken out of it says nothing new.
 constexpr double kLeastNew = 1e-10;
+/// Of a stretch, beyond what modes carry: less is rounding.
+constexpr double kLeastLeft = 1e-8;
 constexpr std::uint64_t kSeed = 0x6d6f646573;  // any; the same for every body
 
 using Matrix = Eigen::MatrixXd;
@@ -231,6 +233,50 @@ ModeShapes slowest_modes(const BodyModel& body, std::size_t deforming) {
   shape << rigid, found.vectors;
   shape = scaled.root_mass().cwiseInverse().asDiagonal() * shape;
   return modes;
+}
+
+void add_stretches(const BodyModel& body, ModeShapes& modes) {
+  const ScaledBody scaled(body);
+  const Eigen::Index freedoms = ScaledBody::freedoms(body), count = static_cast<Eigen::Index>(modes.count());
+  const Matrix carried =
+      scaled.root_mass().asDiagonal() * Eigen::Map<const Matrix>(modes.shape.data(), freedoms, count);
+  Matrix stretch = Matrix::Zero(freedoms, 6);
+  for (std::size_t p = 0; p < body.particle_count; ++p) {
+    for (Eigen::Index a = 0, column = 0; a < 3; ++a) {
+      for (Eigen::Index b = a; b < 3; ++b, ++column) {
+        const auto row = static_cast<Eigen::Index>(3 * p);
+        const auto X = [&](Eigen::Index axis) {
+          return body.position_m[p][static_cast<std::size_t>(axis)] -
+                 body.center_of_mass_m[static_cast<std::size_t>(axis)];
+        };
+        stretch(row + a, column) += X(b) * scaled.root_mass()[row];
+        stretch(row + b, column) += X(a) * scaled.root_mass()[row];
+      }
+    }
+  }
+  Matrix known(freedoms, count + stretch.cols());
+  known.leftCols(count) = carried;
+  Eigen::Index size = count;
+  for (Eigen::Index column = 0; column < stretch.cols(); ++column) {
+    Vector left = stretch.col(column).normalized();
+    const auto clear = [&] { left -= known.leftCols(size) * (known.leftCols(size).transpose() * left).eval(); };
+    clear();
+    clear();
+    if (left.norm() < kLeastLeft) continue;
+    left.normalize();
+    clear();
+    known.col(size++) = left.normalized();
+  }
+  const Matrix left = known.middleCols(count, size - count);
+  if (left.cols() == 0) return;
+  Matrix force(freedoms, left.cols());
+  for (Eigen::Index j = 0; j < left.cols(); ++j) force.col(j) = scaled.stiffness(left.col(j));
+  const Matrix K = left.transpose() * force;
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(0.5 * (K + K.transpose()));
+  const Matrix shape = scaled.root_mass().cwiseInverse().asDiagonal() * (left * solver.eigenvectors());
+  modes.shape.insert(modes.shape.end(), shape.data(), shape.data() + shape.size());
+  modes.square_1_s2.insert(modes.square_1_s2.end(), solver.eigenvalues().begin(), solver.eigenvalues().end());
+  modes.stretches = static_cast<std::size_t>(left.cols());
 }
 
 }  // namespace unbruised

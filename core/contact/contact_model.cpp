@@ -306,12 +306,16 @@ ContactModel contact_candidates(const Scenario& scenario, const BodyModel& body)
   return contact;
 }
 
-ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson) {
-  ContactModel contact = contact_candidates(scenario, body);
-  NodeCompliance compliance = node_compliance(body.factor, body.slot, contact.node);
+void give_compliance(NodeCompliance compliance, const BodyModel& body, const WilsonTheta& wilson,
+                     ContactModel& contact) {
   contact.compliance = std::move(compliance.block);
   contact.reach = std::move(compliance.reach);
   if (!contact.place.empty()) give_arms(body, wilson, contact);
+}
+
+ContactModel product_contact(const Scenario& scenario, const BodyModel& body, const WilsonTheta& wilson) {
+  ContactModel contact = contact_candidates(scenario, body);
+  give_compliance(node_compliance(body.factor, body.slot, contact.node), body, wilson, contact);
   return contact;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/body/body_model.hpp"
+#include "core/body/node_compliance.hpp"
 #include "core/contact/pad_faces.hpp"
 #include "core/contact/patch_form.hpp"
 #include "core/contact/tributary.hpp"
@@ -148,6 +149,10 @@ ContactModel network_contact(const NetworkParameters& parameters);
 /// Its candidates, without their compliance.
 /// @throws std::invalid_argument where that would be larger than kMostComplianceBytes
 ContactModel contact_candidates(const Scenario& scenario, const BodyModel& body);
+
+/// Tells candidates how the body answers to forces on them.
+void give_compliance(NodeCompliance compliance, const BodyModel& body, const WilsonTheta& wilson,
+                     ContactModel& contact);
 
 /// The contact model of a factored body, with its compliance W and reach.
 /// @throws std::invalid_argument where W would be larger than kMostComplianceBytes

@@ -64,7 +64,7 @@ ContactLanes::ContactPoint ContactLanes::contact_point(std::size_t c, int lane, 
   const auto p = static_cast<std::size_t>(candidate.node);
   LaneVector moved = get_vector(body.u(), p), velocity = get_vector(body.v(), p);
   if (const FrameLanes* frame = body.frame()) {
-    moved = frame->displacement_m(p, body.u());
+    moved = frame->displacement_m(p, get_vector(body.u(), p));
     velocity = frame->to_world(velocity);
     if (candidate.place >= 0) {
       const LaneVector arm = to_lanes(model_.place[static_cast<std::size_t>(candidate.place)].arm_m);

@@ -1,13 +1,15 @@
 #include "core/frame/frame_lanes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "core/door/eigen.hpp"
 #include "core/door/require.hpp"
 
 namespace unbruised {
 namespace {
 
-/// Newton steps of the fit: from a turn of 0.1 rad three of them are right to rounding.
-constexpr int kFitSteps = 3;
 /// Of the moment that is left in a step beta takes this share in the next one; all of it rings where contacts are
 /// hard and steps long.
 constexpr double kRelaxation = 0.5;
@@ -21,6 +23,15 @@ constexpr double kMostLeverage = 0.3;
 struct Predicted {
   PackVector v_c, a_c, way, omega, alpha;
   PackMatrix back;
+
+  Predicted() = default;
+  Predicted(const FramePrediction& f, int first)
+      : v_c(narrow(f.v_c, first)),
+        a_c(narrow(f.a_c, first)),
+        way(narrow(f.way, first)),
+        omega(narrow(f.omega, first)),
+        alpha(narrow(f.alpha, first)),
+        back(narrow(f.back, first)) {}
 };
 
 /// What takes a particle into the frame that fits.
@@ -30,27 +41,16 @@ struct Fitted {
   PackMask lanes{false};
 };
 
-/// The rotation Q of A = Q P with a symmetric P, by Newton's method from Q = 1.
-LaneRotation polar_rotation(const LaneMatrix& A) {
-  LaneRotation Q;
-  for (int step = 0; step < kFitSteps; ++step) {
-    const LaneMatrix B = transposed(Q.matrix()) * A;
-    const LaneVector skew{{B(2, 1) - B(1, 2), B(0, 2) - B(2, 0), B(1, 0) - B(0, 1)}};
-    LaneMatrix symmetric = B;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) symmetric(i, j) = Lane(0.5) * (B(i, j) + B(j, i));
-    }
-    Q = Q * rotation_by(solve(trace_minus(symmetric), skew));
-  }
-  return Q;
-}
-
 }  // namespace
 
 FrameLanes::FrameLanes(std::span<const std::array<double, 3>> position_m, std::span<const double> mass_kg,
                        const WilsonTheta& wilson)
-    : w_(wilson), X_(position_m.begin(), position_m.end()), mass_kg_(mass_kg.begin(), mass_kg.end()) {
+    : w_(wilson),
+      X_(position_m.begin(), position_m.end()),
+      mass_kg_(mass_kg.begin(), mass_kg.end()),
+      every_particle_(position_m.size()) {
   require(X_.size() == mass_kg_.size() && X_.size() > 2, "FrameLanes: a mass for each of three places or more");
+  std::iota(every_particle_.begin(), every_particle_.end(), 0);
   std::array<double, 3> moment{};
   double total = 0.0;
   for (std::size_t p = 0; p < X_.size(); ++p) {
@@ -76,7 +76,8 @@ void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<doubl
   fresh.set(lane, true);
   attitude_ = select(fresh, rotation_by(to_lanes(rotation_rad)), attitude_);
   R_ = attitude_.matrix();
-  if (rotation_rad != std::array<double, 3>{}) apply({{}, R_, {}}, motion, fresh);
+  if (rotation_rad != std::array<double, 3>{})
+    apply({.shift = {}, .turn = R_, .spin = {}, .momentum = {}}, every_particle_, motion, fresh);
   for (LaneVector* vector : {&center_, &beta_, &angular_momentum_}) {
     *vector = select(fresh, LaneVector{}, *vector);
   }
@@ -91,7 +92,7 @@ void FrameLanes::load(int lane, const LaneMotion& motion, const std::array<doubl
   outer_force_ = select(fresh, to_world(sums.a) - total_mass_ * to_lanes(gravity_m_s2), outer_force_);
   outer_moment_ = select(fresh, to_world(about_center.y_a), outer_moment_);
   corrected_ = select(fresh, Lane(0.0), corrected_);
-  apply(fit(sums, fresh, fresh), motion, fresh);
+  apply(fit(sums, fresh, fresh), every_particle_, motion, fresh);
 }
 
 void FrameLanes::archive(LaneArchive& lane) {
@@ -110,7 +111,7 @@ void FrameLanes::turn_frame(const LaneRotation& by, const Mask& running) {
   R_ = attitude_.matrix();
 }
 
-void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray& rate, const Mask& running) {
+FramePrediction FrameLanes::predict(const Mask& running) {
   const Lane h(w_.theta * w_.dt), half_square(0.5 * w_.theta * w_.dt * w_.theta * w_.dt);
   const LaneVector v_c = Lane(1.0) / total_mass_ * mass_v_, a_c = Lane(1.0) / total_mass_ * mass_a_;
   const LaneVector phi = select(running, h * omega_ + half_square * alpha_, LaneVector{});
@@ -119,12 +120,14 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   back_ = transposed(turn.matrix());
   center_ += R_ * way;
   turn_frame(turn, running);
+  return {v_c, a_c, way, omega_, alpha_, back_};
+}
+
+void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray& rate, const Mask& running) {
+  const FramePrediction prediction = predict(running);
   std::array<Predicted, kNarrowPacks> packs;
   const NarrowPacks busy(running);
-  busy.each([&](int first) {
-    packs[pack_at(first)] = {narrow(v_c, first),    narrow(a_c, first),    narrow(way, first),
-                             narrow(omega_, first), narrow(alpha_, first), narrow(back_, first)};
-  });
+  busy.each([&](int first) { packs[pack_at(first)] = Predicted(prediction, first); });
   for (std::size_t p = 0; p < X_.size(); ++p) {
     const PackVector X = to_lanes<NarrowPack>(X_[p]);
     busy.each([&](int first) {
@@ -141,6 +144,26 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
       put_vector(motion.u, p, f.back * (y - f.way) - X, first);
       put_vector(motion.v, p, f.back * v, first);
       put_vector(motion.a, p, f.back * a, first);
+    });
+  }
+}
+
+void FrameLanes::turn_into(const FramePrediction& prediction, std::span<const int> particles,
+                           const LaneMotion& motion, const Mask& running) const {
+  std::array<Predicted, kNarrowPacks> packs;
+  const NarrowPacks busy(running);
+  busy.each([&](int first) { packs[pack_at(first)] = Predicted(prediction, first); });
+  for (const int particle : particles) {
+    const auto p = static_cast<std::size_t>(particle);
+    const PackVector X = to_lanes<NarrowPack>(X_[p]);
+    busy.each([&](int first) {
+      const Predicted& f = packs[pack_at(first)];
+      const PackMask turns = narrow(running, first);
+      const PackVector u = get_vector(motion.u, p, first), v = get_vector(motion.v, p, first),
+                       a = get_vector(motion.a, p, first);
+      put_vector(motion.u, p, select(turns, f.back * (X + u - f.way) - X, u), first);
+      put_vector(motion.v, p, select(turns, f.back * v, v), first);
+      put_vector(motion.a, p, select(turns, f.back * a, a), first);
     });
   }
 }
@@ -178,13 +201,18 @@ void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, con
     sums.widen(sums_of[pack_at(first)], first);
     balance.widen(balance_of[pack_at(first)], first);
   });
+  apply(fit_step(sums, balance, outer, running), every_particle_, motion, running);
+}
+
+FrameCorrection FrameLanes::fit_step(const StateSums& sums, const BalanceSums& balance, const OuterForces& outer,
+                                     const Mask& running) {
   const LaneVector y_c = Lane(1.0) / total_mass_ * balance.y;
   const LaneVector moment = outer.moment - cross(y_c, outer.force);
   balance_moments(balance, y_c, moment, running);
   book_outer(outer, moment, running);
   const Mask may_correct =
       running & (Lane(w_.dt * w_.dt) * outer.leverage <= Lane(kMostLeverage * least_inertia_));
-  apply(fit(sums, may_correct, running), motion, running);
+  return fit(sums, may_correct, running);
 }
 
 /// r = T - sum m (y - y_c) x a is the moment of the internal forces, which linear kinematics let act.
@@ -208,8 +236,8 @@ void FrameLanes::book_outer(const OuterForces& outer, const LaneVector& moment, 
 
 /// Moves centre and attitude to where sum m y = 0 and sum m X x u = 0, and finds the spin that is missing of the
 /// angular momentum; where it may not be given back, the body's own counts from here on.
-FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& may_correct, const Mask& running) {
-  Correction correction;
+FrameCorrection FrameLanes::fit(StateSums sums, const Mask& may_correct, const Mask& running) {
+  FrameCorrection correction;
   correction.shift = select(running, Lane(1.0) / total_mass_ * sums.y, LaneVector{});
   center_ += R_ * correction.shift;
   sums.center(total_mass_);
@@ -221,6 +249,8 @@ FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& may_correct, 
   const LaneMatrix J = trace_minus(sums.y_y);
   const LaneVector missing = momentum - sums.y_v;
   correction.spin = select(may_correct, solve(J, missing), LaneVector{});
+  correction.momentum = momentum;
+  correction.is_spun = may_correct;
   corrected_ += select(running, sqrt(dot(missing, missing)), Lane(0.0));
   const LaneVector kept = select(may_correct, momentum, sums.y_v);
   angular_momentum_ = select(running & !may_correct, to_world(sums.y_v), angular_momentum_);
@@ -232,7 +262,14 @@ FrameLanes::Correction FrameLanes::fit(StateSums sums, const Mask& may_correct, 
   return correction;
 }
 
-void FrameLanes::apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const {
+double FrameLanes::angle_rad(int lane) const {
+  double square = 0.0;
+  for (const Lane& component : attitude_.axis.at) square += component[lane] * component[lane];
+  return 2.0 * std::asin(std::min(1.0, std::sqrt(square)));
+}
+
+void FrameLanes::apply(const FrameCorrection& correction, std::span<const int> particles, const LaneMotion& motion,
+                       const Mask& lanes) const {
   const LaneMatrix back = transposed(correction.turn);
   std::array<Fitted, kNarrowPacks> packs;
   const NarrowPacks busy(lanes);
@@ -240,7 +277,8 @@ void FrameLanes::apply(const Correction& correction, const LaneMotion& motion, c
     packs[pack_at(first)] = {narrow(correction.shift, first), narrow(correction.spin, first), narrow(back, first),
                              narrow(lanes, first)};
   });
-  for (std::size_t p = 0; p < X_.size(); ++p) {
+  for (const int particle : particles) {
+    const auto p = static_cast<std::size_t>(particle);
     const PackVector X = to_lanes<NarrowPack>(X_[p]);
     busy.each([&](int first) {
       const Fitted& f = packs[pack_at(first)];

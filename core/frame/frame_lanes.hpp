@@ -25,6 +25,24 @@ struct LaneMotion {
   LaneArray& a;
 };
 
+/// From the frame that fitted at the start of a step to the one predicted for t + theta dt, in the axes of the
+/// former.
+struct FramePrediction {
+  LaneVector v_c, a_c;      ///< velocity and acceleration of the centre
+  LaneVector way;           ///< of the centre
+  LaneVector omega, alpha;  ///< of the body as a whole
+  LaneMatrix back;          ///< turns components into the predicted axes
+};
+
+/// From the predicted frame to the one that fits.
+struct FrameCorrection {
+  LaneVector shift;  ///< of the centre
+  LaneMatrix turn;
+  LaneVector spin;      ///< added to the rotation, in the axes that fit
+  LaneVector momentum;  ///< angular momentum that comes of it, there
+  Mask is_spun{false};  ///< lanes whose rotation is corrected
+};
+
 class FrameLanes {
  public:
   /// @param position_m, mass_kg of the particles at rest, of shape [n]; not all on one line
@@ -48,7 +66,23 @@ class FrameLanes {
   /// Moves the state to t + dt, given u at t + theta dt and what led to it, and fits the frame to it.
   void advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer, const Mask& running);
 
+  // The same in parts, for a body that does not move particle by particle.
+
+  /// Predicts the frame for t + theta dt.
+  FramePrediction predict(const Mask& running);
+  /// Turns these particles into the predicted axes.
+  void turn_into(const FramePrediction& prediction, std::span<const int> particles, const LaneMotion& motion,
+                 const Mask& running) const;
+  /// Fits the frame to the state at t + dt. @param sums of it in the predicted axes @param balance at t + theta dt
+  FrameCorrection fit_step(const StateSums& sums, const BalanceSums& balance, const OuterForces& outer,
+                           const Mask& running);
+  /// Takes these particles into the frame that fits.
+  void apply(const FrameCorrection& correction, std::span<const int> particles, const LaneMotion& motion,
+             const Mask& lanes) const;
+
   [[nodiscard]] const LaneRotation& attitude() const { return attitude_; }
+  /// Angle by which the frame has turned from x, y, z.
+  [[nodiscard]] double angle_rad(int lane) const;
   /// R.
   [[nodiscard]] const LaneMatrix& axes() const { return R_; }
   /// X.
@@ -59,9 +93,9 @@ class FrameLanes {
   /// How far the centre of mass is from where it is at rest.
   [[nodiscard]] const LaneVector& center_motion_m() const { return center_; }
   /// Displacement of a particle along x, y, z from where it is at rest.
-  [[nodiscard]] LaneVector displacement_m(std::size_t particle, const LaneArray& u) const {
+  [[nodiscard]] LaneVector displacement_m(std::size_t particle, const LaneVector& u) const {
     const LaneVector X = to_lanes(X_[particle]);
-    return center_ + R_ * (X + get_vector(u, particle)) - X;
+    return center_ + R_ * (X + u) - X;
   }
   /// sum m v and sum m a, along x, y, z; at the ends of steps.
   [[nodiscard]] LaneVector momentum_kg_m_s() const { return to_world(mass_v_); }
@@ -88,22 +122,16 @@ class FrameLanes {
   }
 
  private:
-  /// From the predicted frame to the one that fits.
-  struct Correction {
-    LaneVector shift;  ///< of the centre
-    LaneMatrix turn;
-    LaneVector spin;  ///< added to the rotation, in the axes that fit
-  };
   void turn_frame(const LaneRotation& by, const Mask& running);
   void book_outer(const OuterForces& outer, const LaneVector& moment, const Mask& running);
   void balance_moments(const BalanceSums& sums, const LaneVector& y_c, const LaneVector& moment,
                        const Mask& running);
-  Correction fit(StateSums sums, const Mask& may_correct, const Mask& running);
-  void apply(const Correction& correction, const LaneMotion& motion, const Mask& lanes) const;
+  FrameCorrection fit(StateSums sums, const Mask& may_correct, const Mask& running);
 
   const WilsonTheta& w_;
   std::vector<std::array<double, 3>> X_;  ///< from the centre of mass
   std::vector<double> mass_kg_;
+  std::vector<int> every_particle_;
   Lane total_mass_{0.0};
 
   LaneRotation attitude_;

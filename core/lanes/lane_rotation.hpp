@@ -58,6 +58,22 @@ inline LaneVector small_rotation_rad(const LaneRotation& rotation) {
   return select(rotation.w < Lane(0.0), Lane(-2.0), Lane(2.0)) * ratio * rotation.axis;
 }
 
+/// The rotation Q of A = Q P with a symmetric P, by Newton's method from Q = 1; right to rounding below 0.1 rad.
+inline LaneRotation polar_rotation(const LaneMatrix& A) {
+  constexpr int kNewtonSteps = 3;
+  LaneRotation Q;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const LaneMatrix B = transposed(Q.matrix()) * A;
+    const LaneVector skew{{B(2, 1) - B(1, 2), B(0, 2) - B(2, 0), B(1, 0) - B(0, 1)}};
+    LaneMatrix symmetric = B;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) symmetric(i, j) = Lane(0.5) * (B(i, j) + B(j, i));
+    }
+    Q = Q * rotation_by(solve(trace_minus(symmetric), skew));
+  }
+  return Q;
+}
+
 inline LaneRotation select(const Mask& mask, const LaneRotation& yes, const LaneRotation& no) {
   return {select(mask, yes.w, no.w), select(mask, yes.axis, no.axis)};
 }

@@ -12,14 +12,17 @@ namespace {
 /// Adds nothing to K and C.
 class ElasticMaterial final : public Material {
  public:
-  ElasticMaterial(std::size_t particle_count, const Lane* strain)
-      : particle_count_(particle_count), strain_(strain) {}
+  ElasticMaterial(std::size_t particle_count, std::optional<MeasuredElsewhere> measured)
+      : particle_count_(particle_count), measured_(measured) {}
 
   void load(int lane, const Scenario&) override { clear_account(lane); }
   [[nodiscard]] const LaneArray* load_theta() const override { return nullptr; }
   void begin_step(const LaneArray&) override {}
   Mask update(const LaneArray&, const Mask& active) override {
-    if (strain_ != nullptr) largest_strain_ = select(active, *strain_, largest_strain_);
+    if (measured_) {
+      largest_strain_ = select(active, measured_->largest_strain, largest_strain_);
+      largest_cell_rotation_ = select(active, measured_->largest_cell_rotation, largest_cell_rotation_);
+    }
     return Mask(false);
   }
   void end_step(const LaneArray&, const WilsonTheta&, const Mask&) override {}
@@ -29,12 +32,12 @@ class ElasticMaterial final : public Material {
   }
   /// Of a solid that is watched: nothing flows within.
   [[nodiscard]] std::optional<double> volume_above_m3(int, double) const override {
-    return strain_ != nullptr ? std::optional(0.0) : std::nullopt;
+    return measured_ ? std::optional(0.0) : std::nullopt;
   }
 
  private:
   std::size_t particle_count_;
-  const Lane* strain_;
+  std::optional<MeasuredElsewhere> measured_;
 };
 
 }  // namespace
@@ -47,8 +50,9 @@ std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta
   return make_elastic_material(body.particle_count);
 }
 
-std::unique_ptr<Material> make_elastic_material(std::size_t particle_count, const Lane* largest_strain) {
-  return std::make_unique<ElasticMaterial>(particle_count, largest_strain);
+std::unique_ptr<Material> make_elastic_material(std::size_t particle_count,
+                                                std::optional<MeasuredElsewhere> measured) {
+  return std::make_unique<ElasticMaterial>(particle_count, measured);
 }
 
 }  // namespace unbruised

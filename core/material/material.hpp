@@ -118,7 +118,14 @@ class Material {
 std::unique_ptr<Material> make_material(const BodyModel& body, const WilsonTheta& wilson,
                                         ProductFrame frame = ProductFrame::upright);
 
-/// One that adds nothing. @param largest_strain where not null, what somebody else has measured; outlives it
-std::unique_ptr<Material> make_elastic_material(std::size_t particle_count, const Lane* largest_strain = nullptr);
+/// What somebody else measures of a solid, and where it is found; both outlive its material.
+struct MeasuredElsewhere {
+  const Lane& largest_strain;
+  const Lane& largest_cell_rotation;
+};
+
+/// One that adds nothing. @param measured none: it is no solid
+std::unique_ptr<Material> make_elastic_material(std::size_t particle_count,
+                                                std::optional<MeasuredElsewhere> measured = std::nullopt);
 
 }  // namespace unbruised

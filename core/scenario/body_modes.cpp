@@ -1,14 +1,12 @@
 #include "core/scenario/body_modes.hpp"
 
 #include "core/scenario/gripper.hpp"
-#include "core/scenario/product_frame.hpp"
 #include "core/scenario/relaxation.hpp"
 
 namespace unbruised {
 std::string_view needs_full_body_because(const Scenario& scenario) {
   const auto* lattice = std::get_if<LatticeParameters>(&scenario.product);
   if (lattice == nullptr) return "only lattices have modes";
-  if (product_frame(scenario) != ProductFrame::upright) return "the product may turn far";
   if (flows(*lattice)) return "the product flows under every force";
   if (scenario.strategy.repeat > 1) return "the marks of one handling are within the product when the next begins";
   if (has_range_sensors(scenario)) return "range sensors see all of the product's surface";

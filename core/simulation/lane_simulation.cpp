@@ -27,8 +27,9 @@ std::unique_ptr<BodyMotion> make_motion(const Model::Parts& parts) {
 
 std::unique_ptr<Material> make_material(const Model::Parts& parts, const BodyMotion& motion) {
   if (!parts.modes) return unbruised::make_material(parts.body, *parts.wilson, parts.frame);
+  const auto& modal = static_cast<const ModalLanes&>(motion);
   return make_elastic_material(parts.body.particle_count,
-                               &static_cast<const ModalLanes&>(motion).largest_strain());
+                               MeasuredElsewhere{modal.largest_strain(), modal.largest_cell_rotation()});
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ double share_left_out_at(int surface, const Model::Parts& parts) {
 
 ModeSummary summary_of(const Model::Parts& parts) {
   const ModeShapes& modes = parts.modes->modes;
-  ModeSummary summary{.deforming = modes.count() - kRigidModes};
-  summary.fastest_Hz = std::sqrt(modes.square_1_s2.back()) / (2.0 * std::numbers::pi);
+  ModeSummary summary{.deforming = modes.mode_count() - kRigidModes};
+  summary.fastest_Hz = std::sqrt(modes.square_1_s2[modes.mode_count() - 1]) / (2.0 * std::numbers::pi);
   const bool has_pads = is_pad(parts.contact.surface.front());
   for (const int surface : parts.contact.surface) {
     if (is_pad(surface) != has_pads) continue;
@@ -88,10 +88,12 @@ ModeSummary summary_of(const Model::Parts& parts) {
 void touch_by_modes(const Scenario& scenario, std::size_t modes, const Model::Parts* shorter,
                     Model::Parts& parts) {
   parts.contact = contact_candidates(scenario, parts.body);
-  parts.modes = shorter != nullptr
-                    ? shorter->modes
-                    : std::make_shared<const ModalBasis>(modal_basis(parts.body, modes, parts.contact.node));
-  parts.contact.compliance = modal_compliance(*parts.modes, parts.body, *parts.wilson);
+  parts.modes =
+      shorter != nullptr
+          ? shorter->modes
+          : std::make_shared<const ModalBasis>(modal_basis(parts.body, modes, parts.contact.node, parts.frame));
+  give_compliance({modal_compliance(*parts.modes, parts.body, *parts.wilson), {}}, parts.body, *parts.wilson,
+                  parts.contact);
   parts.mode_summary = shorter != nullptr ? shorter->mode_summary : summary_of(parts);
 }
 

@@ -86,13 +86,12 @@ Table simulation_keys() {
        .type = choice,
        .meaning =
            "How the product's motion is computed. \"full\": every particle. \"modes\": its mode_count slowest "
-           "modes "
-           "of vibration; what they leave out answers at once, so that statics are those of the full body, at a "
-           "fraction of the time. It serves a lattice that stays upright and does not creep for ever; it does not "
-           "flow "
-           "within: "
-           "permanent set, plastic strain, bruises and absorbed energy are those below the contact patches alone. "
-           "All others are computed with every particle, which `check` and the run say.",
+           "modes of vibration, in axes that go with a product that turns; what they leave out answers at once, "
+           "so "
+           "that statics are those of the full body, at a fraction of the time. It serves a lattice that does not "
+           "creep for ever and is not seen by range sensors; it does not flow within: permanent set, plastic "
+           "strain, bruises and absorbed energy are those below the contact patches alone. All others are "
+           "computed with every particle, which `check` and the run say.",
        .choices = {"full", "modes"},
        .use = Use::lattice,
        .field = simulation<&S::body>},

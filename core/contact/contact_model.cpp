@@ -198,6 +198,7 @@ ContactChoice contact_choice(const Scenario& scenario) {
   choice.set = set;
   choice.pressure_patch_m = scenario.simulation.pressure_patch_m;
   choice.shaped_pads = has_shaped_pads(scenario);
+  choice.stands_on_bottom = stands_on_its_bottom(scenario);
   if (set != ContactSet::pads_and_support) choice.surface = surfaces_of(scenario);
   return choice;
 }
@@ -212,7 +213,8 @@ ContactModel lattice_contact(const LatticeParameters& parameters, const Lattice&
   const bool upright = choice.set == ContactSet::pads_and_support;
   std::vector<int> with_sides;  // whose candidates are particles of a side
   for (const int surface : choice.surface) {
-    if (upright || surface < kSupport) with_sides.push_back(surface);
+    const bool meets_side = surface == kSupport ? choice.stands_on_bottom : upright || surface < kSupport;
+    if (meets_side) with_sides.push_back(surface);
   }
   std::vector<FacePlane> plane;
   for (const int surface : with_sides) {

@@ -134,6 +134,7 @@ inline std::array<double, 2> place_offset_m(const ContactCandidate& candidate, i
 struct ContactChoice {
   ContactSet set = ContactSet::pads_and_support;
   std::vector<int> surface = {kLeftPad, kRightPad, kSupport};
+  bool stands_on_bottom = true;
   double pressure_patch_m = 0.01;
   bool shaped_pads = false;
 };

@@ -16,4 +16,9 @@ ContactSet contact_set(const Scenario& scenario) {
              : ContactSet::pads_and_support;
 }
 
+bool stands_on_its_bottom(const Scenario& scenario) {
+  return std::holds_alternative<LatticeParameters>(scenario.product) && scenario.cell.support &&
+         contact_set(scenario) == ContactSet::pads_and_support;
+}
+
 }  // namespace unbruised

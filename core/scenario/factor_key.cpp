@@ -94,6 +94,7 @@ std::string factor_key(const Scenario& scenario) {
   key.add(mode_count(scenario));
   const ContactSet set = contact_set(scenario);
   key.add(set);
+  key.add(stands_on_its_bottom(scenario));
   // Every surface that the cell lists has candidates of its own, and so has the pad of every finger.
   if (set != ContactSet::pads_and_support) key.add(scenario.cell.surface.size());
   key.add(lists_fingers(scenario) ? finger_count(scenario) : 0);

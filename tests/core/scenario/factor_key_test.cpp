@@ -196,7 +196,8 @@ TEST_P(FactorKeys, ChangeExactlyWithTheFieldsThatDecideTheModel) {
     const bool decides =
         perturbation.decides() == Decides::model || product_frame(changed) != product_frame(base) ||
         contact_set(changed) != contact_set(base) || has_shaped_pads(changed) != has_shaped_pads(base) ||
-        has_lattice_pads(changed) != has_lattice_pads(base) || mode_count(changed) != mode_count(base);
+        has_lattice_pads(changed) != has_lattice_pads(base) || mode_count(changed) != mode_count(base) ||
+        stands_on_its_bottom(changed) != stands_on_its_bottom(base);
     EXPECT_EQ(key_changed, decides) << perturbation.name();
     // A second mass beside the density and the like: no model.
     const auto other = Model::build(changed, error);

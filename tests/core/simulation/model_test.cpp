@@ -22,6 +22,17 @@ TEST(LaneSimulation, RefusesAScenarioOfAnotherFactorKey) {
   EXPECT_TRUE(simulation.busy(0));
 }
 
+// 3 x 3 particles on each side; what cannot be met costs nothing.
+TEST(Model, AsksParticlesOfTheBottomOnlyWhereThereIsASupport) {
+  Scenario scenario = small_box();
+  const std::size_t side = 9;
+  EXPECT_EQ(build(scenario)->contact_candidate_count(), 3 * side);
+  EXPECT_EQ(model_size(scenario).contact_candidate_count, 3 * side);
+  scenario.cell.support = false;
+  EXPECT_EQ(build(scenario)->contact_candidate_count(), 2 * side);
+  EXPECT_EQ(model_size(scenario).contact_candidate_count, 2 * side);
+}
+
 TEST(LaneSimulation, RefusesALaneThatIsBusyOrDoesNotExistAndATraceThatComesLate) {
   const Scenario scenario = small_box();
   LaneSimulation simulation(build(scenario));

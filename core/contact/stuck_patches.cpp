@@ -128,6 +128,8 @@ void StuckPatches::factor(Patch& patch) const {
   const Mask all(true);
   solve_forward(patch.factor, x.data(), all);
   solve_backward(patch.factor, x.data(), all);
+  patch.factor.round_values();
+  patch.factor.value = {};
   for (std::size_t pad = 0; pad < kJawFingers; ++pad) {
     for (std::size_t row = 0; row < size; ++row) patch.by_pad[pad].push_back(x.at(row, static_cast<int>(pad)));
     for (std::size_t i = 0; i < patch.candidate.size(); ++i) {
@@ -145,7 +147,7 @@ Lane StuckPatches::solve(const Patch& patch, const LaneArray& give, const PatchM
   };
   for (std::size_t i = 0; i < contacts; ++i) {
     for (std::size_t of = 0; of < kForces; ++of) {
-      x_.put(kForces * i + of, rows.get(row(i, of)));
+      put_rounded(x_, kForces * i + of, rows.get(row(i, of)));
       sum_.put(kForces * i + of, Lane(0.0));
     }
   }
@@ -158,12 +160,12 @@ Lane StuckPatches::solve(const Patch& patch, const LaneArray& give, const PatchM
     for (std::size_t i = 0; i < contacts; ++i) {
       for (std::size_t of = 0; of < kForces; ++of) {
         const std::size_t at = kForces * i + of;
-        const Lane by = x_.get(at);
+        const Lane by = get_widened(x_, at);
         sum_.put(at, sum_.get(at) + select(open, by, Lane(0.0)));
         change = max(change, abs(by));
         const Lane off =
             Lane(patch.give[row_of(static_cast<std::size_t>(patch.candidate[i]), of)]) - give.get(row(i, of));
-        x_.put(at, off * by);
+        put_rounded(x_, at, off * by);
       }
     }
     open = open & (change > Lane(kEnough) * largest_force_N);
@@ -184,7 +186,7 @@ void StuckPatches::solve_once(const Patch& patch, const PatchModes::Fingers& fin
   std::array<Lane, 2> sum = {Lane(0.0), Lane(0.0)};
   for (std::size_t i = 0; i < patch.candidate.size(); ++i) {
     const int surface = member(patch, i).surface;
-    if (is_pad(surface)) sum[finger_of(surface)] += x_.get(kForces * i);
+    if (is_pad(surface)) sum[finger_of(surface)] += get_widened(x_, kForces * i);
   }
   std::array<std::array<Lane, 2>, 2> matrix;  // 1 + G E' (W + D)^-1 E
   std::array<Lane, 2> given;                  // G E' x
@@ -199,7 +201,8 @@ void StuckPatches::solve_once(const Patch& patch, const PatchModes::Fingers& fin
   const std::array<Lane, 2> back = {(matrix[1][1] * given[0] - matrix[0][1] * given[1]) * inverse,
                                     (matrix[0][0] * given[1] - matrix[1][0] * given[0]) * inverse};
   for (std::size_t row = 0; row < patch.freedoms(); ++row) {
-    x_.put(row, x_.get(row) - Lane(patch.by_pad[0][row]) * back[0] - Lane(patch.by_pad[1][row]) * back[1]);
+    put_rounded(x_, row,
+                get_widened(x_, row) - Lane(patch.by_pad[0][row]) * back[0] - Lane(patch.by_pad[1][row]) * back[1]);
   }
 }
 

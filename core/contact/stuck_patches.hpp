@@ -6,8 +6,9 @@
 /// the product, D that of the layers, E the sums of the pads' normal forces, G how the fingers give way to them.
 ///
 /// W + D is factored once for all steps and lanes that have the same contacts and layers. A layer's compliance is
-/// taken with a few bits for that, and what it is off is made good by repeating the solve. A patch is a function
-/// of what it is asked for alone, so that no lane's bits depend on which others have asked before.
+/// taken with a few bits for that, and what it is off is made good by repeating the solve. Solves are in single
+/// precision: they find changes of forces, which sweeps look at again. A patch is a function of what it is asked for
+/// alone, so that no lane's bits depend on which others have asked before.
 
 #include <array>
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include "core/contact/contact_model.hpp"
 #include "core/contact/patch_modes.hpp"
 #include "core/lanes/lane.hpp"
+#include "core/lanes/single_lanes.hpp"
 
 namespace unbruised {
 
@@ -48,7 +50,7 @@ class StuckPatches {
   struct Patch {
     std::vector<int> candidate;  ///< ascending
     std::vector<double> give;    ///< of all candidates along the normal and across, 0 of others [m/N]
-    SupernodalFactor factor;     ///< of W + D; empty: it has none
+    SupernodalFactor factor;     ///< of W + D, rounded; empty: it has none
     std::array<std::vector<double>, kJawFingers> by_pad;                     ///< (W + D)^-1 E
     std::array<std::array<double, kJawFingers>, kJawFingers> pads_by_pad{};  ///< E' (W + D)^-1 E
 
@@ -70,7 +72,8 @@ class StuckPatches {
   std::list<Patch> patch_;  ///< the last used ones, that first
   LaneArray few_bits_;      ///< of the compliances, as a patch has them
   Lane count_{0.0};         ///< of contacts that carry something
-  LaneArray x_, sum_;       ///< of the present patch, kForces rows a member
+  SingleArray x_;           ///< of the present patch, kForces rows a member
+  LaneArray sum_;           ///< the same
 };
 
 }  // namespace unbruised

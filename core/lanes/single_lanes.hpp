@@ -80,6 +80,16 @@ using SingleNarrow = SinglePack<NarrowPack::size>;
   return value;
 }
 
+/// A row.
+[[gnu::always_inline]] inline void put_rounded(SingleArray& rows, std::size_t i, const Lane& value) {
+  for (int first = 0; first < kLanes; first += NarrowPack::size) put_rounded(rows, i, narrow(value, first), first);
+}
+[[gnu::always_inline]] inline Lane get_widened(const SingleArray& rows, std::size_t i) {
+  Lane value;
+  for (int first = 0; first < kLanes; first += NarrowPack::size) widen(value, get_widened(rows, i, first), first);
+  return value;
+}
+
 /// Packs of such rows that hold the busy lanes: calls `f(packs)` with whole registers, or with the half row that
 /// holds all of them.
 template <class F>

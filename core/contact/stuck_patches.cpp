@@ -201,8 +201,9 @@ void StuckPatches::solve_once(const Patch& patch, const PatchModes::Fingers& fin
   const std::array<Lane, 2> back = {(matrix[1][1] * given[0] - matrix[0][1] * given[1]) * inverse,
                                     (matrix[0][0] * given[1] - matrix[1][0] * given[0]) * inverse};
   for (std::size_t row = 0; row < patch.freedoms(); ++row) {
-    put_rounded(x_, row,
-                get_widened(x_, row) - Lane(patch.by_pad[0][row]) * back[0] - Lane(patch.by_pad[1][row]) * back[1]);
+    put_rounded(
+        x_, row,
+        get_widened(x_, row) - Lane(patch.by_pad[0][row]) * back[0] - Lane(patch.by_pad[1][row]) * back[1]);
   }
 }
 

@@ -7,8 +7,8 @@
 ///
 /// W + D is factored once for all steps and lanes that have the same contacts and layers. A layer's compliance is
 /// taken with a few bits for that, and what it is off is made good by repeating the solve. Solves are in single
-/// precision: they find changes of forces, which sweeps look at again. A patch is a function of what it is asked for
-/// alone, so that no lane's bits depend on which others have asked before.
+/// precision: they find changes of forces, which sweeps look at again. A patch is a function of what it is asked
+/// for alone, so that no lane's bits depend on which others have asked before.
 
 #include <array>
 #include <cstddef>

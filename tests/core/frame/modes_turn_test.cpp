@@ -9,14 +9,6 @@ namespace {
 
 using namespace testing;
 
-constexpr int kAllModes = 2000;
-
-Scenario by_modes(Scenario scenario, int count) {
-  scenario.simulation.body = ProductBody::modes;
-  scenario.simulation.mode_count = count;
-  return scenario;
-}
-
 /// 64 particles, so that all of their modes are soon turned.
 Scenario coarse_block() {
   Scenario scenario = tilted_block({0.0, 0.7, 0.0}, 4.0, 1e-3);

@@ -10,20 +10,12 @@ namespace {
 
 using namespace testing;
 
-Scenario by_modes(Scenario scenario, int count) {
-  scenario.simulation.body = ProductBody::modes;
-  scenario.simulation.mode_count = count;
-  return scenario;
-}
-
 /// The same of 216 particles.
 Scenario fine_box() {
   Scenario scenario = small_box();
   lattice_of(scenario).cell_size_m = 0.004;
   return scenario;
 }
-
-constexpr int kAllModes = 2000;
 
 /// Metrics that say what became of the product, not what it cost.
 constexpr Metric kPhysics[] = {

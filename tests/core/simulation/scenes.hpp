@@ -149,6 +149,15 @@ inline Scenario slipping_box() {
 
 inline LatticeParameters& lattice_of(Scenario& scenario) { return std::get<LatticeParameters>(scenario.product); }
 
+/// More than any small product has.
+inline constexpr int kAllModes = 2000;
+
+inline Scenario by_modes(Scenario scenario, int count) {
+  scenario.simulation.body = ProductBody::modes;
+  scenario.simulation.mode_count = count;
+  return scenario;
+}
+
 /// Makes the product a solid of this size, cell, mass and stiffness.
 inline LatticeParameters& make_product(Scenario& scenario, const std::array<double, 3>& size_m, double cell_size_m,
                                        double mass_kg, double youngs_modulus_Pa) {

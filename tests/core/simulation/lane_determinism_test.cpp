@@ -24,7 +24,7 @@ Scenario with_force(Scenario scenario, double force_N) {
 }
 
 /// Neighbours that differ in everything a lane may differ in: stronger flow, no flow, slipping, nothing grasped,
-/// no gripper at all, and numbers that stop being finite.
+/// no gripper and no weight at all, and numbers that stop being finite.
 std::vector<Scenario> neighbours() {
   std::vector<Scenario> all;
   all.push_back(with_force(yielding_box(), 0.6));
@@ -52,7 +52,7 @@ std::vector<Scenario> neighbours() {
   all.push_back(missing);
   Scenario free = yielding_box();
   free.gripper = NoGripper{};
-  free.cell.support = false;
+  free.cell.gravity_m_s2 = {0.0, 0.0, 0.0};
   free.simulation.duration_s = 0.3;
   all.push_back(free);
   Scenario rough = with_force(yielding_box(), 0.9);

@@ -80,12 +80,12 @@ TEST(LaneObserver, SeesTheStartEveryStepAndTheEndAsTheTraceDoes) {
 }
 
 TEST(LaneObserver, IsShownTheStateThatTheScenarioStartsFrom) {
-  // In free fall from the first moment on, in a lane that another scenario left at rest.
+  // Pulled off its support from the first moment on, in a lane that another scenario left at rest.
   Scenario rests = testing::small_box();
   rests.gripper = NoGripper{};
   rests.simulation.duration_s = 2e-3;
   Scenario falls = rests;
-  falls.cell.support = false;
+  falls.cell.gravity_m_s2 = {0.0, 0.0, testing::kGravity};
   LaneSimulation simulation(testing::build(rests));
   simulation.load(0, rests);
   while (simulation.busy(0)) simulation.step();
@@ -93,7 +93,7 @@ TEST(LaneObserver, IsShownTheStateThatTheScenarioStartsFrom) {
   Seen seen;
   simulation.watch(0, std::make_unique<Spy>(seen));
   // Rounding of the mean over the particles.
-  EXPECT_NEAR(seen.center_acceleration_z_m_s2.front(), -testing::kGravity, 1e-12);
+  EXPECT_NEAR(seen.center_acceleration_z_m_s2.front(), testing::kGravity, 1e-12);
 }
 
 TEST(LaneObserver, EndsTheRunWhenItHasSeenEnough) {

@@ -147,7 +147,11 @@ TEST(HeavySameBits, KiwiSweepKeepsItsBalancesAndItsClosedFormHoldLimit) {
     if (scenario.strategy.approach_speed_m_s > 0.1) continue;
     if (scenario.strategy.grip_force_N < 0.85 * needed) {
       ++below;
-      EXPECT_TRUE(is_lost(result.outcome)) << "scenario " << id << ": " << outcome_word(result.outcome);
+      // Some turn out of the pads before they fall, which an upright product is not followed in.
+      const bool slips_away = result.outcome == Outcome::out_of_range &&
+                              result.metrics[Metric::slip_max_m] > 5.0 * scenario.limits.slip_m;
+      EXPECT_TRUE(is_lost(result.outcome) || slips_away)
+          << "scenario " << id << ": " << outcome_word(result.outcome);
     }
     if (scenario.strategy.grip_force_N > 1.1 * needed) {
       ++above;

@@ -59,6 +59,7 @@ void ModalLanes::load(int lane, const BodyState& state, const std::array<double,
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     gravity_[axis].set(lane, gravity_m_s2[axis]);
+    if (frame_) continue;
     mass_u_[axis].set(lane, root_mass_ * mode_.now.at(axis, lane));
     mass_a_[axis].set(lane, root_mass_ * mode_.second.at(axis, lane));
   }
@@ -158,7 +159,8 @@ void ModalLanes::begin_step(const Mask& running, const LaneArray* remembered) {
   if (frame_) {
     const FramePrediction prediction = frame_->predict(running);
     turning_->predict(prediction, modal_motion(), deforming_viscous_, deforming_rate_, running);
-    frame_->turn_into(prediction, basis_.node, motion(), running);
+    frame_->apply({.shift = prediction.way, .turn = transposed(prediction.back), .spin = {}, .momentum = {}},
+                  basis_.node, motion(), running);
   }
   const LaneVector gravity = frame_ ? frame_->to_frame({gravity_}) : LaneVector{gravity_};
   const LaneVector turned = frame_ ? turning_->to_rotating(frame_->rigid_load_rad_s2()) : LaneVector{};

@@ -148,26 +148,6 @@ void FrameLanes::predict(const LaneMotion& motion, LaneArray& viscous, LaneArray
   }
 }
 
-void FrameLanes::turn_into(const FramePrediction& prediction, std::span<const int> particles,
-                           const LaneMotion& motion, const Mask& running) const {
-  std::array<Predicted, kNarrowPacks> packs;
-  const NarrowPacks busy(running);
-  busy.each([&](int first) { packs[pack_at(first)] = Predicted(prediction, first); });
-  for (const int particle : particles) {
-    const auto p = static_cast<std::size_t>(particle);
-    const PackVector X = to_lanes<NarrowPack>(X_[p]);
-    busy.each([&](int first) {
-      const Predicted& f = packs[pack_at(first)];
-      const PackMask turns = narrow(running, first);
-      const PackVector u = get_vector(motion.u, p, first), v = get_vector(motion.v, p, first),
-                       a = get_vector(motion.a, p, first);
-      put_vector(motion.u, p, select(turns, f.back * (X + u - f.way) - X, u), first);
-      put_vector(motion.v, p, select(turns, f.back * v, v), first);
-      put_vector(motion.a, p, select(turns, f.back * a, a), first);
-    });
-  }
-}
-
 void FrameLanes::advance(const LaneMotion& motion, const LaneArray& u_theta, const OuterForces& outer,
                          const Mask& running) {
   std::array<StateSumsOf<NarrowPack>, kNarrowPacks> sums_of;

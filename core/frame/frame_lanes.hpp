@@ -70,13 +70,10 @@ class FrameLanes {
 
   /// Predicts the frame for t + theta dt.
   FramePrediction predict(const Mask& running);
-  /// Turns these particles into the predicted axes.
-  void turn_into(const FramePrediction& prediction, std::span<const int> particles, const LaneMotion& motion,
-                 const Mask& running) const;
   /// Fits the frame to the state at t + dt. @param sums of it in the predicted axes @param balance at t + theta dt
   FrameCorrection fit_step(const StateSums& sums, const BalanceSums& balance, const OuterForces& outer,
                            const Mask& running);
-  /// Takes these particles into the frame that fits.
+  /// Takes these particles into another frame.
   void apply(const FrameCorrection& correction, std::span<const int> particles, const LaneMotion& motion,
              const Mask& lanes) const;
 

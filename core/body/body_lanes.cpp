@@ -9,7 +9,7 @@
 namespace unbruised {
 
 BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame,
-                     std::span<const int> touchable)
+                     const Touchable& touchable)
     : BodyMotion(3 * body.particle_count), body_(body), w_(wilson) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");

@@ -21,9 +21,9 @@ class BodyLanes final : public BodyMotion {
  public:
   /// Both have to outlive this. In a floating frame u, v and a are along its axes; sums, momentum, `state` and
   /// gravity are along x, y, z whatever the frame.
-  /// @param touchable particles that contact forces may act on
+  /// @param touchable particles that contact forces may act on; what it refers to has to outlive this
   BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFrame frame = ProductFrame::upright,
-            std::span<const int> touchable = {});
+            const Touchable& touchable = {});
 
   void load(int lane, const BodyState& state, const std::array<double, 3>& gravity_m_s2) override;
   void archive(LaneArchive& lane) override;

@@ -11,6 +11,7 @@
 
 #include "core/body/body_state.hpp"
 #include "core/body/booked_work.hpp"
+#include "core/body/node_compliance.hpp"
 #include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
 #include "core/lanes/lane_archive.hpp"
@@ -21,13 +22,6 @@ namespace unbruised {
 struct BodyEnergy {
   double kinetic = 0.0;
   double elastic = 0.0;
-};
-
-/// Particles that contact forces may act on within a step, and how they answer.
-struct Touchable {
-  std::span<const int> particle;
-  std::span<const int> reach;          ///< supernodes they touch
-  std::span<const double> compliance;  ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
 };
 
 class BodyMotion {

@@ -10,15 +10,20 @@
 
 namespace unbruised {
 
-Correction::Correction(const BodyModel& body, const WilsonTheta& wilson, std::span<const int> touchable)
+Correction::Correction(const BodyModel& body, const WilsonTheta& wilson, const Touchable& touchable)
     : body_(body),
       w_(wilson),
-      touchable_(touchable.begin(), touchable.end()),
+      touchable_(touchable.particle.begin(), touchable.particle.end()),
+      columns_(touchable.columns),
       solve_(body),
       predicted_(3 * body.particle_count),
-      held_(3 * touchable.size()),
-      change_(3 * touchable.size()) {
+      held_(3 * touchable_.size()),
+      change_(3 * touchable_.size()) {
   require(!body.factor.single_value.empty(), "Correction: the factor of the body has no rounded values");
+  if (!has_columns()) return;
+  require(columns_->rows() == solve_.rows().rows() && columns_->columns() == change_.rows(),
+          "Correction: columns of another body");
+  rounded_change_ = SingleArray(change_.rows());
 }
 
 void Correction::archive(LaneArchive& lane) {
@@ -64,10 +69,11 @@ void Correction::start(const LaneArray& left, const LaneArray* load, const Mask&
   }
   busy.each([&](int first) { widen(unbalanced_N_, sum_of[pack_at(first)], first); });
   solve_.forward(running);
+  if (has_columns()) solve_.backward(running);
 }
 
 void Correction::look_without_contact(const Touchable& touchable, LaneArray& base) {
-  const SingleArray& solution = solve_.look(touchable.reach, running_);
+  const SingleArray& solution = has_columns() ? solve_.rows() : solve_.look(touchable.reach, running_);
   const NarrowPacks busy(running_);
   for (std::size_t i = 0; i < base.rows(); ++i) {
     const std::size_t freedom = 3 * static_cast<std::size_t>(touchable.particle[i / 3]) + i % 3;
@@ -121,11 +127,24 @@ void Correction::take_contact(std::span<const int> particles, std::span<const in
     }
   }
   held_on_.assign(active.begin(), active.end());
-  solve_.join(particles, changed_on_, change_, running_);
+  has_columns() ? add_answer_to_change() : solve_.join(particles, changed_on_, change_, running_);
+}
+
+void Correction::add_answer_to_change() {
+  changed_rows_.clear();
+  for (const int index : changed_on_) {
+    for (int row = 3 * index; row < 3 * index + 3; ++row) {
+      const Lane change = change_.get(static_cast<std::size_t>(row));
+      if (none(running_ & !(change == Lane(0.0)))) continue;
+      changed_rows_.push_back(row);
+      put_rounded(rounded_change_, static_cast<std::size_t>(row), change);
+    }
+  }
+  add_product(*columns_, changed_rows_, rounded_change_, running_, solve_.rows());
 }
 
 void Correction::finish() {
-  solve_.backward(running_);
+  if (!has_columns()) solve_.backward(running_);
   if (!body_.is_anchored()) shift_ = missing_shift();
 }
 

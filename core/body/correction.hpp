@@ -18,9 +18,9 @@ namespace unbruised {
 /// forces of the last step act from the start, so that where all rests there is nothing to correct.
 class Correction {
  public:
-  /// Both have to outlive this. @param body with rounded values of its factor
+  /// All have to outlive this. @param body with rounded values of its factor
   /// @param touchable particles that contact forces may act on
-  Correction(const BodyModel& body, const WilsonTheta& wilson, std::span<const int> touchable);
+  Correction(const BodyModel& body, const WilsonTheta& wilson, const Touchable& touchable);
 
   void load(int lane) { held_.clear_lane(lane); }
   void archive(LaneArchive& lane);
@@ -44,6 +44,9 @@ class Correction {
   }
 
  private:
+  /// Is the answer to a change of the contact forces a product, and no solve?
+  [[nodiscard]] bool has_columns() const { return columns_ != nullptr && !columns_->empty(); }
+  void add_answer_to_change();
   void take_held_forces_off(const Touchable& touchable, LaneArray& base) const;
   /// What the correction of a free body lacks as a whole: momentum is balanced in double precision.
   [[nodiscard]] LaneVector missing_shift() const;
@@ -51,10 +54,13 @@ class Correction {
   const BodyModel& body_;
   const WilsonTheta& w_;
   std::vector<int> touchable_;
+  const SingleMatrix* columns_;
   FactorSolve<SingleArray> solve_;
   LaneArray predicted_;
   LaneArray held_, change_;                ///< contact forces that the solve began with, and what they lacked
   std::vector<int> held_on_, changed_on_;  ///< touchable particles on which they may not be zero
+  SingleArray rounded_change_;             ///< for the product
+  std::vector<int> changed_rows_;          ///< of both
   LaneVector unbalanced_N_;                ///< sum of all forces that the correction is solved for
   LaneVector shift_;
   Mask running_{true};  ///< in the present step

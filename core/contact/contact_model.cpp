@@ -312,6 +312,7 @@ void give_compliance(NodeCompliance compliance, const BodyModel& body, const Wil
                      ContactModel& contact) {
   contact.compliance = std::move(compliance.block);
   contact.reach = std::move(compliance.reach);
+  contact.columns = std::move(compliance.columns);
   if (!contact.place.empty()) give_arms(body, wilson, contact);
 }
 

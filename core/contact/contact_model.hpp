@@ -88,6 +88,7 @@ struct ContactModel {
   std::vector<int> first_candidate;         ///< contact node -> its first candidate; size node.size() + 1
   std::vector<double> compliance;           ///< 3x3 blocks, row-major, block (i, j) at 9 (i m + j) [m/N]
   std::vector<int> reach;                   ///< supernodes the contact freedoms touch
+  SingleMatrix columns;                     ///< how all of the body answers (NodeCompliance::columns)
   std::vector<PlaceArm> place;              ///< of a product that meets the cell with more than its bottom
   /// Of the sides -x, +x, -y, +y, -z, +z.
   std::array<PatchForm, 6> patch_form;
@@ -103,6 +104,7 @@ struct ContactModel {
   std::optional<PadFaces> pads;  ///< where these are bodies
 
   [[nodiscard]] std::size_t node_count() const { return node.size(); }
+  [[nodiscard]] Touchable touchable() const { return {node, reach, compliance, &columns}; }
   /// Do places of the true surface meet this surface, and not particles?
   [[nodiscard]] bool has_places(int which) const { return !place.empty() && which >= kSupport; }
   /// Does a candidate meet a shaped pad?

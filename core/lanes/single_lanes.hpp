@@ -43,6 +43,10 @@ struct SinglePack {
     for (int i = 0; i < kParts; ++i) r.part[i] = a.part[i] * b.part[i];
     return r;
   }
+  [[gnu::always_inline]] SinglePack& operator+=(const SinglePack& b) {
+    for (int i = 0; i < kParts; ++i) part[i] = part[i] + b.part[i];
+    return *this;
+  }
   [[gnu::always_inline]] SinglePack& operator-=(const SinglePack& b) {
     for (int i = 0; i < kParts; ++i) part[i] = part[i] - b.part[i];
     return *this;

@@ -22,7 +22,7 @@ constexpr int kMaxPlasticRounds = 60;
 
 std::unique_ptr<BodyMotion> make_motion(const Model::Parts& parts) {
   if (parts.modes) return std::make_unique<ModalLanes>(parts.body, *parts.modes, *parts.wilson);
-  return std::make_unique<BodyLanes>(parts.body, *parts.wilson, parts.frame, parts.contact.node);
+  return std::make_unique<BodyLanes>(parts.body, *parts.wilson, parts.frame, parts.contact.touchable());
 }
 
 std::unique_ptr<Material> make_material(const Model::Parts& parts, const BodyMotion& motion) {
@@ -156,7 +156,7 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
   LaneVector moment;
   body.start_solve(material->load_theta(), touch.place.empty() ? nullptr : &moment);
   if (touch.node_count() > 0) {
-    body.solve_without_contact({touch.node, touch.reach, touch.compliance}, base);
+    body.solve_without_contact(touch.touchable(), base);
     timer.lap(times.solve_s);
     if (first_round) {
       contact.begin_step(

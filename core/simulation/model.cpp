@@ -92,7 +92,7 @@ void touch_by_modes(const Scenario& scenario, std::size_t modes, const Model::Pa
       shorter != nullptr
           ? shorter->modes
           : std::make_shared<const ModalBasis>(modal_basis(parts.body, modes, parts.contact.node, parts.frame));
-  give_compliance({modal_compliance(*parts.modes, parts.body, *parts.wilson), {}}, parts.body, *parts.wilson,
+  give_compliance({modal_compliance(*parts.modes, parts.body, *parts.wilson), {}, {}}, parts.body, *parts.wilson,
                   parts.contact);
   parts.mode_summary = shorter != nullptr ? shorter->mode_summary : summary_of(parts);
 }

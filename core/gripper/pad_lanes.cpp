@@ -58,8 +58,8 @@ void PadLanes::begin_step(const GripperLanes& gripper, const std::array<LaneVect
     pad.body.set_gravity({pad.outer_theta[0] + carried, pad.outer_theta[1], pad.outer_theta[2]});
     pad.body.begin_step(running);
     pad.body.start_solve(nullptr);
-    pad.body.solve_without_contact(
-        {pad_model_.face, pad_model_.compliance.reach, pad_model_.compliance.block, nullptr}, pad.free);
+    pad.body.solve_without_contact({pad_model_.face, pad_model_.compliance.reach, pad_model_.compliance.block},
+                                   pad.free);
     on_fingers_.force_N[at] = Lane(w_.a0) * pad.body.weighted_load(pad_model_.lag) - pad.body.inertial_sum(0) -
                               mass * (carried + pad.outer_theta[0]);
   }

@@ -247,6 +247,8 @@ void LaneSimulation::Impl::choose_level(const LaneStep& step) {
     signs.closing_m_s = std::max(signs.closing_m_s, std::abs(gripper.speed(f)[step.lane]));
   }
   signs.weight_N = parts.body.total_mass_kg * length(r.scenario.cell.gravity_m_s2);
+  signs.friction = product_friction(r.scenario.product);
+  signs.gravity_m_s2 = r.scenario.cell.gravity_m_s2;
   r.level.decide(clock, signs);
 }
 

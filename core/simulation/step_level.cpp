@@ -18,16 +18,37 @@ constexpr double kRests_m = 1e-6;
 constexpr double kNearPad_m = 1e-4, kNearSupport_m = 1e-3;
 /// The support still carries the product, as a share of its weight.
 constexpr double kCarries = 0.7;
-/// A pad with more than this share of its contacts sliding slides.
-constexpr double kSliding = 0.3;
+/// Before the product hangs, a pad with this share of its contacts sliding slides: the fingers still swing, and
+/// show in them. Later that is the rim of a patch of which the rest sticks, and a pad slides when all of it does.
+constexpr double kSlidingBefore = 0.3, kSlidingHung = 1.0;
+/// A pad that is to carry more than this share of what its friction holds may be about to slide as a whole.
+constexpr double kAtTheLimit = 0.85;
 /// Contacts that need more sweeps in a step are solved sooner in short ones, and surely.
 constexpr double kManySweeps = 100.0;
 /// A product flows that has absorbed this much more of the energy it had.
 constexpr double kFlows = 0.01;
 
-bool slides(const StepObservation& seen) {
-  return std::ranges::any_of(seen.fingers(), [](const FingerObservation& finger) {
-    return finger.sliding_contacts > kSliding * finger.closed_contacts;
+bool slides(const StepObservation& seen, double share) {
+  return std::ranges::any_of(seen.fingers(), [=](const FingerObservation& finger) {
+    return finger.closed_contacts > 0.0 && finger.sliding_contacts >= share * finger.closed_contacts;
+  });
+}
+
+/// What a hanging product pulls with at its pads as the plan moves it, per kilogram.
+double pull_m_s2(const LevelSigns& signs, double time_s) {
+  const PalmState palm = signs.cycle.plan().palm(time_s);
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) square += std::pow(palm.acceleration_m_s2[i] - signs.gravity_m_s2[i], 2);
+  return std::sqrt(square);
+}
+
+/// Will a pad slide as a whole within `reach_s`, or nearly so, when its load grows with what the plan asks for?
+bool may_slide(double reach_s, const LevelSigns& signs) {
+  const double now_m_s2 = pull_m_s2(signs, signs.time_s), then_m_s2 = pull_m_s2(signs, signs.time_s + reach_s);
+  return std::ranges::any_of(signs.seen.fingers(), [&](const FingerObservation& finger) {
+    const double tangent_N = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
+    const double held_N = kAtTheLimit * signs.friction * finger.normal_N;
+    return tangent_N > held_N || tangent_N * then_m_s2 > held_N * now_m_s2;
   });
 }
 
@@ -65,7 +86,7 @@ void LevelChoice::note(const LevelSigns& signs) {
     absorbed_J_ = signs.seen.absorbed_energy_J;
     ring(signs.time_s);
   }
-  if (touches(signs.seen) && slides(signs.seen)) ring(signs.time_s);
+  if (slides(signs.seen, hung_ ? kSlidingHung : kSlidingBefore)) ring(signs.time_s);
   if (ticks_ > 1 && signs.contact_sweeps > kManySweeps) ring(signs.time_s);
   const bool stands = signs.seen.support_N > 0.0;
   if (std::exchange(stands_, stands) != stands && hung_) ring(signs.time_s);
@@ -105,6 +126,7 @@ LevelChoice::Need LevelChoice::need_of_carried(double reach_s, const LevelSigns&
   if (!hung_) return signs.seen.support_N < kCarries * signs.weight_N ? Need::shortest : Need::medium;
   const bool is_let_go = signs.time_s > off_s_ + kRinging_s;
   if (is_let_go) return Need::longest;
+  if (may_slide(reach_s, signs)) return Need::shortest;
   if (signs.time_s + reach_s > plan.release_start_s() || signs.seen.support_N > 0.0) return Need::medium;
   const double sinks_m = way_m(plan.palm(signs.time_s), plan.palm(signs.time_s + reach_s));
   return signs.support_gap_m < kNearSupport_m + sinks_m ? Need::medium : Need::longest;

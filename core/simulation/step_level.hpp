@@ -21,10 +21,12 @@ struct LevelSigns {
   double time_s = 0.0;
   const HandlingCycle& cycle;
   const StepObservation& seen;
-  double pad_gap_m = 0.0;       ///< least gap of a pad; asked for before the first contact
-  double closing_m_s = 0.0;     ///< speed of the fastest finger
-  double support_gap_m = 0.0;   ///< of the product over its support; asked for after it
-  double weight_N = 0.0;        ///< of the product
+  double pad_gap_m = 0.0;      ///< least gap of a pad; asked for before the first contact
+  double closing_m_s = 0.0;    ///< speed of the fastest finger
+  double support_gap_m = 0.0;  ///< of the product over its support; asked for after it
+  double weight_N = 0.0;       ///< of the product
+  double friction = 0.0;       ///< between product and pads
+  std::array<double, 3> gravity_m_s2{};
   double contact_sweeps = 0.0;  ///< that the step took
 };
 

@@ -18,10 +18,8 @@ struct ContactSweep::OwnForces {
   [[nodiscard]] const Lane& own_normal(std::size_t, const Lane& change) const { return change; }
   [[nodiscard]] const Lane& own_tangent(std::size_t, std::size_t, const Lane& change) const { return change; }
   void begin_tangents(std::size_t) const {}
-  /// 1 / (1 + shear x compliance). @param alone where nothing else answers @param compliance along the tangents
-  [[nodiscard]] Lane relaxed(std::size_t, const Lane& alone, const std::array<Lane, 2>& /*compliance*/) const {
-    return alone;
-  }
+  /// 1 / (1 + shear x compliance along the tangents). @param alone where nothing else answers
+  [[nodiscard]] Lane relaxed(std::size_t, const Lane& alone, const std::array<Lane, 2>&) const { return alone; }
 };
 
 /// Where no surface is on a mount nothing asks for one.

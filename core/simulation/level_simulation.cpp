@@ -20,6 +20,9 @@ namespace {
 /// With as many in flight one of the batches is full, and some wait for it: scenarios of a model have three step
 /// lengths at most (step_levels.hpp).
 constexpr int kPlaces = 4 * kLanes;
+/// Of each of two threads in one call: few enough that new scenarios need not wait long, many enough that threads
+/// hardly ever wait for each other.
+constexpr int kStepsAtOnce = 8;
 
 /// Who waits for a lane: not begun, or between two steps.
 struct Waiting {
@@ -38,6 +41,7 @@ struct Batch {
   LaneSimulation lanes;
   std::array<int, kLanes> place{};  ///< in each lane
   std::deque<Waiting> waiting;
+  bool in_use = false;  ///< by one of two threads
 
   [[nodiscard]] int busy() const { return lanes.busy_count(); }
   /// How many would take the next step.
@@ -53,16 +57,33 @@ struct Batch {
     return most_s;
   }
   [[nodiscard]] int free_lane() const { return static_cast<int>(std::ranges::find(place, kFree) - place.begin()); }
-  /// Lets those who wait into free lanes.
-  void fill() {
+  /// Gives free lanes to those who wait; they have them once they are `let_in`.
+  std::vector<std::pair<int, Waiting>> invite() {
+    std::vector<std::pair<int, Waiting>> guests;
     for (int lane = free_lane(); lane < kLanes && !waiting.empty(); lane = free_lane()) {
-      Waiting next = std::move(waiting.front());
+      place[static_cast<std::size_t>(lane)] = waiting.front().place;
+      guests.emplace_back(lane, std::move(waiting.front()));
       waiting.pop_front();
-      next.fresh ? lanes.load(lane, *next.fresh) : lanes.put(lane, *next.parked);
-      for (const auto& act : next.once_loaded) act(lanes, lane);
-      place[static_cast<std::size_t>(lane)] = next.place;
+    }
+    return guests;
+  }
+  void let_in(std::vector<std::pair<int, Waiting>> guests) {
+    for (auto& [lane, guest] : guests) {
+      guest.fresh ? lanes.load(lane, *guest.fresh) : lanes.put(lane, *guest.parked);
+      for (const auto& act : guest.once_loaded) act(lanes, lane);
     }
   }
+  void fill() { let_in(invite()); }
+};
+
+/// What has left a batch after a step.
+struct Leaving {
+  struct Moved {
+    int ticks;
+    Waiting scenario;
+  };
+  std::vector<Moved> moved;
+  std::vector<LevelSimulation::Finished> finished;
 };
 
 }  // namespace
@@ -81,42 +102,93 @@ struct LevelSimulation::Impl {
     }
     return *found;
   }
-  /// Those who want steps of another length go there.
-  void send_on(Batch& from) {
+  /// Takes out who has finished or wants steps of another length.
+  static Leaving let_go(Batch& from) {
+    Leaving leaving;
+    for (const LaneSimulation::Finished& done : from.lanes.finished()) {
+      const int at = std::exchange(from.place[static_cast<std::size_t>(done.lane)], Batch::kFree);
+      leaving.finished.push_back({at, done.result});
+    }
     for (int lane = 0; lane < kLanes; ++lane) {
       int& place = from.place[static_cast<std::size_t>(lane)];
       if (place == Batch::kFree) continue;
       const int ticks = from.lanes.next_ticks(lane);
       if (ticks == from.lanes.ticks()) continue;
       const double left_s = from.lanes.time_left_s(lane);
-      Waiting moved{std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}, left_s};
-      Batch& to = with_ticks(ticks, moved.parked->run.scenario);
-      to.waiting.push_back(std::move(moved));
+      leaving.moved.push_back(
+          {ticks, {std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}, left_s}});
     }
+    return leaving;
+  }
+  void hand_over(Leaving leaving) {
+    for (Finished& done : leaving.finished) {
+      busy[static_cast<std::size_t>(done.place)] = false;
+      finished.push_back(std::move(done));
+    }
+    for (Leaving::Moved& each : leaving.moved) {
+      Batch& to = with_ticks(each.ticks, each.scenario.parked->run.scenario);
+      to.waiting.push_back(std::move(each.scenario));
+    }
+  }
+  void begin_call() {
+    finished.clear();
+    stepped = stepped_batches = 0;
+  }
+  void count(const Batch& of) {
+    stepped += of.ready();
+    ++stepped_batches;
   }
   /// Which batch steps next. Full ones cost least a scenario; where there are too few for that, those behind catch
   /// up with the others. One that stays full goes on: what it reads is in the caches.
   Batch& next_batch() {
     if (last != nullptr && last->is_full()) return *last;
-    last = most_urgent_beside(nullptr);
+    last = most_urgent();
     return *last;
   }
-  /// nullptr: no other one has anything to do.
-  Batch* most_urgent_beside(const Batch* one) {
-    const auto urgency = [&](const auto& each) {
+  /// Of those that no thread works with; nullptr: none of these has anything to do.
+  Batch* most_urgent() {
+    const auto urgency = [](const auto& each) {
       const Batch& of = *each.second;
-      return std::tuple(&of != one && of.ready() > 0, of.is_full(), of.left_s());
+      return of.in_use ? std::tuple(false, false, 0.0) : std::tuple(of.ready() > 0, of.is_full(), of.left_s());
     };
     Batch& most = *std::ranges::max_element(batch, {}, urgency)->second;
-    return one != nullptr && (&most == one || most.ready() == 0) ? nullptr : &most;
+    return most.in_use || most.ready() == 0 ? nullptr : &most;
   }
-  void take_results(Batch& of) {
-    for (const LaneSimulation::Finished& done : of.lanes.finished()) {
-      const int at = std::exchange(of.place[static_cast<std::size_t>(done.lane)], Batch::kFree);
-      busy[static_cast<std::size_t>(at)] = false;
-      finished.push_back({at, done.result});
+
+  /// One of two threads: takes steps with one batch after the other.
+  void serve(const TwoThreads& threads) {
+    try {
+      Leaving leaving;
+      Batch* mine = nullptr;
+      for (int step = 0;; ++step) {
+        std::vector<std::pair<int, Waiting>> guests;
+        threads.alone([&] {
+          if (mine != nullptr) mine->in_use = false;
+          hand_over(std::exchange(leaving, {}));
+          mine = step < kStepsAtOnce && !is_call_over() ? most_urgent() : nullptr;
+          is_one_gone = is_one_gone || mine == nullptr;
+          if (mine == nullptr) return;
+          mine->in_use = true;
+          count(*mine);
+          guests = mine->invite();
+        });
+        if (mine == nullptr) return;
+        mine->let_in(std::move(guests));
+        mine->lanes.step();
+        leaving = let_go(*mine);
+      }
+    } catch (...) {
+      threads.alone([this] { failed = true; });
+      throw;
     }
   }
+  /// Somebody waits for what has finished, or the other thread for what this one has now.
+  [[nodiscard]] bool is_call_over() {
+    if (failed || !finished.empty()) return true;
+    const auto has_work = [](const auto& each) { return !each.second->in_use && each.second->ready() > 0; };
+    return is_one_gone && std::ranges::count_if(batch, has_work) > 1;
+  }
+
   /// Acts on the lane of a place that was just loaded, now or when it has one.
   void once_loaded(int place, std::function<void(LaneSimulation&, int lane)> act) {
     const auto lane = std::ranges::find(first().place, place);
@@ -133,6 +205,8 @@ struct LevelSimulation::Impl {
   std::array<bool, kPlaces> busy{};
   std::vector<Finished> finished;
   int stepped = 0, stepped_batches = 0;
+  bool is_one_gone = false;  ///< of two threads
+  bool failed = false;       ///< one of them has thrown
   bool timing = false;
 };
 
@@ -158,26 +232,20 @@ void LevelSimulation::record(int place, const Recording& kept) {
   impl_->once_loaded(place, [kept](LaneSimulation& lanes, int lane) { lanes.record(lane, kept); });
 }
 
-void LevelSimulation::step(const BothAtOnce& both) {
-  impl_->finished.clear();
+void LevelSimulation::step() {
+  impl_->begin_call();
   Batch& batch = impl_->next_batch();
-  Batch* const other = both ? impl_->most_urgent_beside(&batch) : nullptr;
+  impl_->count(batch);
   batch.fill();
-  impl_->stepped = batch.busy();
-  impl_->stepped_batches = other != nullptr ? 2 : 1;
-  if (other != nullptr) {
-    other->fill();
-    impl_->stepped += other->busy();
-    both([other] { other->lanes.step(); }, [&batch] { batch.lanes.step(); });
-  } else {
-    batch.lanes.step();
-  }
-  for (Batch* const each : {&batch, other}) {
-    if (each != nullptr) impl_->take_results(*each);
-  }
-  for (Batch* const each : {&batch, other}) {
-    if (each != nullptr) impl_->send_on(*each);
-  }
+  batch.lanes.step();
+  impl_->hand_over(Impl::let_go(batch));
+}
+
+void LevelSimulation::step(const TwoThreads& threads) {
+  impl_->begin_call();
+  impl_->is_one_gone = false;
+  const auto serve = [this, &threads] { impl_->serve(threads); };
+  threads.both(serve, serve);
 }
 
 int LevelSimulation::stepped() const { return impl_->stepped; }

@@ -169,18 +169,25 @@ class LevelSimulation {
 
   /// Advances the scenarios of one batch by one of its steps: the last one while it is full; of the full batches,
   /// or where none is full of all, the one with the scenario that has most time before it.
-  /// @param both where it is not empty a second batch takes a step too: calls both functions, whose work touches
-  /// nothing in common, at the same time, and returns when both have ended
-  using BothAtOnce = std::function<void(std::function<void()>, const std::function<void()>&)>;
-  void step(const BothAtOnce& both = {});
-  /// How many scenarios the last step advanced, and in how many batches.
+  void step();
+  /// A second thread, and how the two keep out of each other's way.
+  struct TwoThreads {
+    /// Calls both functions at the same time, and returns when both have ended, or throws what one has thrown.
+    std::function<void(std::function<void()>, const std::function<void()>&)> both;
+    /// Calls the function while the other thread is in no call of this.
+    std::function<void(const std::function<void()>&)> alone;
+  };
+  /// Two threads at once, each with a batch of its own for some steps; until some scenario has finished, and a
+  /// while at most.
+  void step(const TwoThreads& threads);
+  /// How many scenarios the last call of `step` advanced, and in how many batches: both count each of its steps.
   [[nodiscard]] int stepped() const;
   [[nodiscard]] int stepped_batches() const;
   struct Finished {
     int place;
     ScenarioResult result;
   };
-  /// Results of the places that became free in the last step.
+  /// Results of the places that became free in the last call of `step`.
   [[nodiscard]] const std::vector<Finished>& finished() const;
 
   void enable_timing();

@@ -27,11 +27,7 @@ class CoreLanes final : public LaneEngine {
     if (const auto carried = arms_.find(place); carried != arms_.end()) carried->second.trace = kept.trace;
   }
   void step(bool on_two_threads) override {
-    if (on_two_threads && !helper_) helper_.emplace();
-    const auto both = [this](std::function<void()> first, const std::function<void()>& second) {
-      helper_->run(std::move(first), second);
-    };
-    lanes_.step(on_two_threads ? LevelSimulation::BothAtOnce(both) : LevelSimulation::BothAtOnce());
+    on_two_threads ? step_on_two_threads() : lanes_.step();
     judged_.clear();
     if (!arms_.empty()) judge_finished();
   }
@@ -45,6 +41,17 @@ class CoreLanes final : public LaneEngine {
     Trace* trace;
   };
 
+  void step_on_two_threads() {
+    if (!helper_) helper_.emplace();
+    lanes_.step({.both = [this](std::function<void()> first,
+                                const std::function<void()>& second) { helper_->run(std::move(first), second); },
+                 .alone =
+                     [this](const std::function<void()>& act) {
+                       const std::lock_guard lock(mutex_);
+                       act();
+                     }});
+  }
+
   void judge_finished() {
     judged_ = lanes_.finished();
     for (Finished& finished : judged_) {
@@ -57,6 +64,7 @@ class CoreLanes final : public LaneEngine {
   }
 
   LevelSimulation lanes_;
+  std::mutex mutex_;
   std::optional<HelperThread> helper_;
   std::map<int, Carried> arms_;   ///< by place
   std::vector<Finished> judged_;  ///< what finished in the last step, where one of them has an arm

@@ -24,12 +24,13 @@ class LaneEngine {
   virtual void load(int place, const Scenario& scenario) = 0;
   /// Of the scenario that was just loaded.
   virtual void record(int place, const Recording& kept) = 0;
-  /// @param on_two_threads half of the work may go to a second thread
+  /// One step; several where half of the work may go to a second thread.
   virtual void step(bool on_two_threads = false) = 0;
-  /// How many scenarios the last step advanced, and in how many batches of lanes.
+  /// How many scenarios the last call of `step` advanced, and in how many batches of lanes, all its steps
+  /// together.
   [[nodiscard]] virtual int stepped() const = 0;
   [[nodiscard]] virtual int stepped_batches() const { return 1; }
-  /// Results of the places that became free in the last step.
+  /// Results of the places that became free in the last call of `step`.
   [[nodiscard]] virtual const std::vector<Finished>& finished() const = 0;
 };
 

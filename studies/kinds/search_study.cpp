@@ -249,14 +249,28 @@ class SearchStudy {
 
   // -- Checks. ---------------------------------------------------------------------------------------------
 
+  /// What the winner is asked again, otherwise than it was found.
+  struct PlannedCheck {
+    std::string name;
+    std::optional<Change> change;
+    ProductSample products;
+  };
+
+  /// All checks at once: none needs the answer of another.
   void run_checks() {
     const Candidate* best = winner(study_, found_.candidates);
     if (best == nullptr) return;
-    const std::vector<Point> points = {best->values};
-    run_stage({[&] {
-      if (check_all(points) && has_several_objectives(study_.kind())) check_front();
-    }});
-    if (interrupted_) found_.checks.clear();
+    const Point point = best->values;
+    const std::vector<PlannedCheck> planned = planned_checks();
+    std::vector<std::optional<Check>> done(planned.size());
+    std::vector<std::function<void()>> asking;
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+      asking.emplace_back([&, i] { done[i] = check(planned[i], point, i); });
+    }
+    if (has_several_objectives(study_.kind())) asking.emplace_back([this] { check_front(); });
+    run_stage(asking);
+    if (interrupted_) return;
+    for (std::optional<Check>& each : done) found_.checks.push_back(std::move(each).value());
   }
 
   [[nodiscard]] bool has_key(const char* key) const {
@@ -274,41 +288,34 @@ class SearchStudy {
     if (again) found_.front_again = *std::move(again);
   }
 
-  /// @return false: interrupted
-  bool check_all(const std::vector<Point>& points) {
+  [[nodiscard]] std::vector<PlannedCheck> planned_checks() const {
     ProductSample products;
     if (found_.products) products = found_.products->first(kCheckedProducts);
-    const bool is_sample = found_.products.has_value();
-    std::size_t generation = 0;
-    bool going_on = check("as found", {}, points, products, generation++);
-    if (going_on) going_on = check(kHalfStep, half_step(), points, products, generation++);
+    std::vector<PlannedCheck> planned = {{"as found", {}, products}, {kHalfStep, half_step(), products}};
     const std::optional<double> cell_m = study_.base_value(kCellSizeKey);
-    if (going_on && has_key(kCellSizeKey) && cell_m) {
-      going_on =
-          check("finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, points, products, generation++);
+    if (has_key(kCellSizeKey) && cell_m) {
+      planned.push_back({"finer mesh", Change{kCellSizeKey, finer_cell_m(study_, *cell_m)}, products});
     }
-    if (going_on && has_key(kModeCountKey)) {
-      going_on = check("every particle", Change{kModeCountKey, 0.0}, points, products, generation++);
+    if (has_key(kModeCountKey)) planned.push_back({"every particle", Change{kModeCountKey, 0.0}, products});
+    if (found_.products) {
+      planned.push_back(
+          {"other products",
+           {},
+           draw_products(study_, study_.sampling().count, seed_for(study_.seed(), SeedPurpose::other_products))});
     }
-    if (going_on && is_sample) {
-      const ProductSample others =
-          draw_products(study_, study_.sampling().count, seed_for(study_.seed(), SeedPurpose::other_products));
-      going_on = check("other products", {}, points, others, generation++);
-    }
-    return going_on;
+    return planned;
   }
 
   /// Behind the last search; the strategy as written counts as one.
   [[nodiscard]] std::size_t check_number() const { return std::max<std::size_t>(1, found_.searches.size()); }
 
-  bool check(const std::string& name, const std::optional<Change>& change, const std::vector<Point>& points,
-             const ProductSample& products, std::size_t generation) {
-    const auto candidates = ask({check_number(), generation, 0}, points, products, change);
-    if (!candidates) return false;
-    Check done{.name = name, .what = {}, .candidate = candidates->front()};
-    if (change) done.what = joined({change->key, " = ", short_number(change->value)});
-    found_.checks.push_back(std::move(done));
-    return true;
+  /// Nothing: interrupted.
+  std::optional<Check> check(const PlannedCheck& planned, const Point& point, std::size_t generation) {
+    const auto candidates = ask({check_number(), generation, 0}, {point}, planned.products, planned.change);
+    if (!candidates) return std::nullopt;
+    Check done{.name = planned.name, .what = {}, .candidate = candidates->front()};
+    if (planned.change) done.what = joined({planned.change->key, " = ", short_number(planned.change->value)});
+    return done;
   }
 
   const StrategyJudge& judge_;

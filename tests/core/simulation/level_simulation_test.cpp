@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <mutex>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -206,12 +207,21 @@ TEST(StepLevels, GiveTheSameBitsWhereTwoBatchesStepAtOnce) {
   constexpr std::size_t kCount = 12;  // too few to fill a batch
   for (std::size_t i = 0; i < kCount; ++i) simulation.load(static_cast<int>(i), scenarios[4 * i]);
   std::vector<ScenarioResult> results(kCount);
+  std::mutex mutex;
+  const LevelSimulation::TwoThreads threads = {
+      .both =
+          [](const std::function<void()>& first, const std::function<void()>& second) {
+            const std::jthread other(first);
+            second();
+          },
+      .alone =
+          [&mutex](const std::function<void()>& act) {
+            const std::lock_guard lock(mutex);
+            act();
+          }};
   int steps = 0, batches = 0;
   for (std::size_t left = kCount; left > 0; left -= simulation.finished().size()) {
-    simulation.step([](const std::function<void()>& first, const std::function<void()>& second) {
-      const std::jthread other(first);
-      second();
-    });
+    simulation.step(threads);
     ++steps;
     batches += simulation.stepped_batches();
     for (const auto& finished : simulation.finished()) {

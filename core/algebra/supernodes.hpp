@@ -48,6 +48,8 @@ struct SupernodalFactor {
   [[nodiscard]] double solve_flops() const;
   /// Asks for the rounded values.
   void round_values() { single_value.assign(value.begin(), value.end()); }
+  /// From here on nobody solves but with these.
+  void keep_rounded_values_only() { value = std::vector<double>(); }
 };
 
 /// The packed values in double or in single precision.

@@ -129,7 +129,7 @@ void StuckPatches::factor(Patch& patch) const {
   solve_forward(patch.factor, x.data(), all);
   solve_backward(patch.factor, x.data(), all);
   patch.factor.round_values();
-  patch.factor.value = {};
+  patch.factor.keep_rounded_values_only();
   for (std::size_t pad = 0; pad < kJawFingers; ++pad) {
     for (std::size_t row = 0; row < size; ++row) patch.by_pad[pad].push_back(x.at(row, static_cast<int>(pad)));
     for (std::size_t i = 0; i < patch.candidate.size(); ++i) {

@@ -140,10 +140,9 @@ struct LevelSimulation::Impl {
   }
   /// Which batch steps next. Full ones cost least a scenario; where there are too few for that, those behind catch
   /// up with the others. One that stays full goes on: what it reads is in the caches.
-  Batch& next_batch() {
-    if (last != nullptr && last->is_full()) return *last;
-    last = most_urgent();
-    return *last;
+  Batch* next_batch() {
+    if (last == nullptr || !last->is_full()) last = most_urgent();
+    return last;
   }
   /// Of those that no thread works with; nullptr: none of these has anything to do.
   Batch* most_urgent() {
@@ -234,11 +233,12 @@ void LevelSimulation::record(int place, const Recording& kept) {
 
 void LevelSimulation::step() {
   impl_->begin_call();
-  Batch& batch = impl_->next_batch();
-  impl_->count(batch);
-  batch.fill();
-  batch.lanes.step();
-  impl_->hand_over(Impl::let_go(batch));
+  Batch* const batch = impl_->next_batch();
+  if (batch == nullptr) return;
+  impl_->count(*batch);
+  batch->fill();
+  batch->lanes.step();
+  impl_->hand_over(Impl::let_go(*batch));
 }
 
 void LevelSimulation::step(const TwoThreads& threads) {

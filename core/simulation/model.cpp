@@ -128,6 +128,7 @@ std::shared_ptr<const Model> Model::build(const Scenario& scenario, std::string&
       parts.contact = product_contact(scenario, parts.body, *parts.wilson);
     }
     if (!add_pads(scenario, parts, error)) return nullptr;
+    if (!parts.body.factor.single_value.empty()) parts.body.factor.keep_rounded_values_only();
   } catch (const std::invalid_argument& refused) {
     error = refused.what();
     return nullptr;

@@ -21,8 +21,11 @@ constexpr double kCarries = 0.7;
 /// Before the product hangs, a pad with this share of its contacts sliding slides: the fingers still swing, and
 /// show in them. Later that is the rim of a patch of which the rest sticks, and a pad slides when all of it does.
 constexpr double kSlidingBefore = 0.3, kSlidingHung = 1.0;
-/// A pad that is to carry more than this share of what its friction holds may be about to slide as a whole.
-constexpr double kAtTheLimit = 0.85;
+/// A pad that carries more than this share of what its friction holds may be about to slide as a whole; one that
+/// is asked for more than by this factor already where it is to carry the smaller share.
+constexpr double kAtTheLimit = 0.9, kNearTheLimit = 0.85, kGrows = 1.001;
+/// Of a product that falls beside its fingers.
+constexpr double kLeastPull_m_s2 = 1e-6;
 /// Contacts that need more sweeps in a step are solved sooner in short ones, and surely.
 constexpr double kManySweeps = 100.0;
 /// A product flows that has absorbed this much more of the energy it had.
@@ -47,8 +50,10 @@ bool may_slide(double reach_s, const LevelSigns& signs) {
   const double now_m_s2 = pull_m_s2(signs, signs.time_s), then_m_s2 = pull_m_s2(signs, signs.time_s + reach_s);
   return std::ranges::any_of(signs.seen.fingers(), [&](const FingerObservation& finger) {
     const double tangent_N = std::hypot(finger.tangent_N[0], finger.tangent_N[1]);
-    const double held_N = kAtTheLimit * signs.friction * finger.normal_N;
-    return tangent_N > held_N || tangent_N * then_m_s2 > held_N * now_m_s2;
+    const double friction_N = signs.friction * finger.normal_N;
+    if (tangent_N > kAtTheLimit * friction_N) return true;
+    const double growth = then_m_s2 / std::max(now_m_s2, kLeastPull_m_s2);
+    return growth > kGrows && tangent_N * growth > kNearTheLimit * friction_N;
   });
 }
 

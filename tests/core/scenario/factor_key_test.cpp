@@ -80,6 +80,7 @@ std::vector<double> numbers_of(const Model& model) {
                              &parts.body.factor.value, &parts.body.rest_force_N, &parts.contact.compliance}) {
     add(*values);
   }
+  add(parts.body.factor.single_value);
   for (const auto& place : parts.body.position_m) add(place);
   for (const auto& fixed : parts.body.fixed) add(fixed);
   for (const SpringGeometry& spring : parts.body.springs) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmarks/cube512_scene.hpp"
+#include "core/simulation/model_parts.hpp"
 #include "tests/core/simulation/scenes.hpp"
 
 namespace unbruised {
@@ -31,6 +33,16 @@ TEST(Model, AsksParticlesOfTheBottomOnlyWhereThereIsASupport) {
   scenario.cell.support = false;
   EXPECT_EQ(build(scenario)->contact_candidate_count(), 2 * side);
   EXPECT_EQ(model_size(scenario).contact_candidate_count, 2 * side);
+}
+
+// Half of the memory, where it is most of the model.
+TEST(Model, KeepsTheValuesOfAFactorOnce) {
+  const auto large = build(benchmarks::cube512_scene(1e-3)), small = build(small_box());
+  const SupernodalFactor &in_single = large->parts().body.factor, &in_double = small->parts().body.factor;
+  EXPECT_GE(in_single.single_value.size(), in_single.entry_count);
+  EXPECT_EQ(in_single.value.capacity(), 0U);
+  EXPECT_GE(in_double.value.size(), in_double.entry_count);
+  EXPECT_EQ(in_double.single_value.capacity(), 0U);
 }
 
 TEST(LaneSimulation, RefusesALaneThatIsBusyOrDoesNotExistAndATraceThatComesLate) {

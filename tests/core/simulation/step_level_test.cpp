@@ -71,9 +71,9 @@ TEST(StepLevel, IsLongWhereOnlyTheRimOfAPatchSlides) {
 
 TEST(StepLevel, IsShortWherePadsCarryNearlyWhatFrictionHolds) {
   Carried cube;
-  cube.grip(0.9, 6.0);
+  cube.grip(0.91, 6.0);
   EXPECT_EQ(cube.at(0.9), 1);
-  cube.grip(0.5, 0.0);
+  cube.grip(0.89, 6.0);  // while nothing grows
   EXPECT_EQ(cube.at(0.91), kLong);
 }
 

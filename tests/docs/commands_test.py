@@ -22,8 +22,10 @@ def make_place(program, source):
     place = Path(tempfile.mkdtemp(prefix="unbruised-docs-"))
     (place / "build/release").mkdir(parents=True)
     (place / "build/release/unbruised").symlink_to(program)
-    shutil.copytree(source / "configs", place / "configs")
-    (place / "scripts").symlink_to(source / "scripts")
+    # Copies: scripts draw beside themselves, configs are edited.
+    for folder in ("configs", "scripts"):
+        shutil.copytree(source / folder, place / folder)
+    (place / "docs/images").mkdir(parents=True)
     return place
 
 

@@ -104,6 +104,30 @@ void add_blocks(std::span<const double* const> rows, std::span<const int> column
   });
 }
 
+void subtract_product(std::span<const double> A, std::size_t n, std::span<const int> rows,
+                      std::span<const int> columns, const LaneArray& x, const Mask& lanes, LaneArray& y) {
+  constexpr std::size_t kAtOnce = 4;  // which one pass over x serves
+  require(A.size() == 9 * n * n && x.rows() == 3 * n && y.rows() == 3 * n,
+          "subtract_product: vectors of another size than the matrix");
+  const BusyPacks busy(lanes);
+  for (std::size_t done = 0; done < rows.size(); done += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, rows.size() - done);
+    std::array<const double*, kAtOnce> row{};
+    std::array<std::array<Lane, 3>, kAtOnce> sum;
+    for (std::size_t r = 0; r < count; ++r) {
+      row[r] = A.data() + 9 * static_cast<std::size_t>(rows[done + r]) * n;
+      sum[r].fill(Lane(0.0));
+    }
+    add_blocks({row.data(), count}, columns, x, busy, {sum.data(), count});
+    for (std::size_t r = 0; r < count; ++r) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = 3 * static_cast<std::size_t>(rows[done + r]) + axis;
+        y.put(at, select(lanes, y.get(at) - sum[r][axis], y.get(at)));
+      }
+    }
+  }
+}
+
 void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y) {
   require(fits(A, x) && fits(A, y), "multiply: vectors of another size than the matrix");
   for (int row = 0; row < A.particle_count; ++row) {

@@ -25,4 +25,9 @@ void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2
 void add_blocks(std::span<const double* const> rows, std::span<const int> columns, const LaneArray& x,
                 const BusyPacks& lanes, std::span<std::array<Lane, 3>> sums);
 
+/// y_i -= sum_j A_ij x_j over the listed rows and columns of a square of 3x3 blocks, block (i, j) at 9 (i n + j).
+/// @param n rows of blocks @param y rows 3 i.. @param lanes that change
+void subtract_product(std::span<const double> A, std::size_t n, std::span<const int> rows,
+                      std::span<const int> columns, const LaneArray& x, const Mask& lanes, LaneArray& y);
+
 }  // namespace unbruised

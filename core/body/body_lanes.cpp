@@ -201,6 +201,13 @@ void BodyLanes::solve_without_contact(const Touchable& touchable, LaneArray& bas
   }
 }
 
+HeldForces BodyLanes::solve_under_held(const Touchable& touchable, LaneArray& base) {
+  // In a floating frame contact forces turn the body as well, all of them.
+  if (!correction_ || frame_) return BodyMotion::solve_under_held(touchable, base);
+  correction_->look_under_held(touchable, base);
+  return correction_->held();
+}
+
 void BodyLanes::add_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force) {
   require(force.rows() == 3 * particles.size(), "BodyLanes::add_contact: a force for each freedom");
   if (correction_) return correction_->take_contact(particles, active, force);

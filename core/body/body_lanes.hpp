@@ -40,6 +40,7 @@ class BodyLanes final : public BodyMotion {
   /// Forward through the factor.
   void start_solve(const LaneArray* load, LaneVector* moment = nullptr) override;
   void solve_without_contact(const Touchable& touchable, LaneArray& base) override;
+  HeldForces solve_under_held(const Touchable& touchable, LaneArray& base) override;
   void add_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force) override;
   /// Backward through the factor.
   void finish_solve(const Mask& lanes, const LaneVector* turn_rad = nullptr) override;

@@ -11,6 +11,7 @@
 
 #include "core/body/body_state.hpp"
 #include "core/body/booked_work.hpp"
+#include "core/body/held_forces.hpp"
 #include "core/body/node_compliance.hpp"
 #include "core/frame/frame_lanes.hpp"
 #include "core/lanes/lane.hpp"
@@ -45,6 +46,11 @@ class BodyMotion {
   virtual void start_solve(const LaneArray* load, LaneVector* moment = nullptr) = 0;
   /// The displacement that would come without contact at these particles: rows 3 x index + axis of `base`.
   virtual void solve_without_contact(const Touchable& touchable, LaneArray& base) = 0;
+  /// The same under the contact forces that the solve begins with. @return these, until `add_contact`
+  virtual HeldForces solve_under_held(const Touchable& touchable, LaneArray& base) {
+    solve_without_contact(touchable, base);
+    return {};
+  }
   /// Gives the running solve its contact forces, in every step with touchable particles.
   /// @param active indices into `particles` and blocks of `force`; forces on others are zero
   virtual void add_contact(std::span<const int> particles, std::span<const int> active,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "core/algebra/lane_matrix.hpp"
@@ -18,7 +19,9 @@ Correction::Correction(const BodyModel& body, const WilsonTheta& wilson, const T
       solve_(body),
       predicted_(3 * body.particle_count),
       held_(3 * touchable_.size()),
-      change_(3 * touchable_.size()) {
+      change_(3 * touchable_.size()),
+      all_touchable_(touchable_.size()) {
+  std::iota(all_touchable_.begin(), all_touchable_.end(), 0);
   require(!body.factor.single_value.empty(), "Correction: the factor of the body has no rounded values");
   if (!has_columns()) return;
   require(columns_->rows() == solve_.rows().rows() && columns_->columns() == change_.rows(),
@@ -73,6 +76,12 @@ void Correction::start(const LaneArray& left, const LaneArray* load, const Mask&
 }
 
 void Correction::look_without_contact(const Touchable& touchable, LaneArray& base) {
+  look_under_held(touchable, base);
+  if (held_on_.empty()) return;
+  subtract_product(touchable.compliance, touchable_.size(), all_touchable_, held_on_, held_, running_, base);
+}
+
+void Correction::look_under_held(const Touchable& touchable, LaneArray& base) {
   const SingleArray& solution = has_columns() ? solve_.rows() : solve_.look(touchable.reach, running_);
   const NarrowPacks busy(running_);
   for (std::size_t i = 0; i < base.rows(); ++i) {
@@ -85,29 +94,6 @@ void Correction::look_without_contact(const Touchable& touchable, LaneArray& bas
     busy.each([&](int first) {
       put_pack(base, i, get_pack(predicted_, freedom, first) + get_widened(solution, at, first), first);
     });
-  }
-  if (!held_on_.empty()) take_held_forces_off(touchable, base);
-}
-
-void Correction::take_held_forces_off(const Touchable& touchable, LaneArray& base) const {
-  constexpr std::size_t kRows = 4;  // which one pass over the forces serves
-  const std::size_t nodes = touchable.particle.size();
-  const BusyPacks busy(running_);
-  for (std::size_t done = 0; done < nodes; done += kRows) {
-    const std::size_t count = std::min(kRows, nodes - done);
-    std::array<const double*, kRows> rows{};
-    std::array<std::array<Lane, 3>, kRows> by_held;
-    for (std::size_t r = 0; r < count; ++r) {
-      rows[r] = touchable.compliance.data() + 9 * (done + r) * nodes;
-      by_held[r].fill(Lane(0.0));
-    }
-    add_blocks({rows.data(), count}, held_on_, held_, busy, {by_held.data(), count});
-    for (std::size_t r = 0; r < count; ++r) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t i = 3 * (done + r) + axis;
-        base.put(i, base.get(i) - by_held[r][axis]);
-      }
-    }
   }
 }
 

@@ -31,8 +31,11 @@ class Correction {
   /// Begins with what is left of the right-hand side, in elimination order. @param load beside it, [3n], may be
   /// null
   void start(const LaneArray& left, const LaneArray* load, const Mask& running);
-  /// The displacement without contact forces: rows 3 x touchable particle + axis.
+  /// The displacement without contact forces but those that are held: rows 3 x touchable particle + axis.
+  void look_under_held(const Touchable& touchable, LaneArray& base);
+  /// The same, and without these.
   void look_without_contact(const Touchable& touchable, LaneArray& base);
+  [[nodiscard]] HeldForces held() const { return {&held_, held_on_}; }
   /// The contact forces of this step; all others are zero. @param active indices of touchable particles
   void take_contact(std::span<const int> particles, std::span<const int> active, const LaneArray& force);
   void finish();
@@ -47,7 +50,6 @@ class Correction {
   /// Is the answer to a change of the contact forces a product, and no solve?
   [[nodiscard]] bool has_columns() const { return columns_ != nullptr && !columns_->empty(); }
   void add_answer_to_change();
-  void take_held_forces_off(const Touchable& touchable, LaneArray& base) const;
   /// What the correction of a free body lacks as a whole: momentum is balanced in double precision.
   [[nodiscard]] LaneVector missing_shift() const;
 
@@ -59,6 +61,7 @@ class Correction {
   LaneArray predicted_;
   LaneArray held_, change_;                ///< contact forces that the solve began with, and what they lacked
   std::vector<int> held_on_, changed_on_;  ///< touchable particles on which they may not be zero
+  std::vector<int> all_touchable_;         ///< 0, 1, 2 and so on
   SingleArray rounded_change_;             ///< for the product
   std::vector<int> changed_rows_;          ///< of both
   LaneVector unbalanced_N_;                ///< sum of all forces that the correction is solved for

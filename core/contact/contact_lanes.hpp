@@ -111,7 +111,7 @@ class ContactLanes {
   /// The coming step of a lane has another length than its last.
   void forget_trend(int lane) {
     register_.forget_trend(lane);
-    sweep_.forget_effort(lane);
+    sweep_.expect_effort(lane);
   }
 
   /// Finds what is near a surface and starts the solve from the forces of the last step.

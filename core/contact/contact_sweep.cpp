@@ -45,7 +45,7 @@ ContactSweep::ContactSweep(const ContactModel& model, const SurfaceLanes& surfac
   require(model.compliance.size() == 9 * model.node_count() * model.node_count(),
           "ContactSweep: the contact model has no compliance yet");
   for (LaneArray* rows : {&viscous_, &layer_, &shear_, &shear_relaxed_}) *rows = LaneArray(model.candidate.size());
-  for (LaneArray* rows : {&base_, &node_force_}) *rows = LaneArray(3 * model.node_count());
+  for (LaneArray* rows : {&base_, &node_force_, &left_force_}) *rows = LaneArray(3 * model.node_count());
   rate_slope_.fill(Lane(0.0));
   if (!model.place.empty()) levers_ = LeverSums(model.turn_per_moment);
 }
@@ -127,6 +127,7 @@ void ContactSweep::list_active(const Mask& running, std::span<const int> awake) 
 void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
   const LaneArray& base = free.displacement;
   require(base.rows() == base_.rows(), "ContactSweep::rebase: displacements of other contact nodes");
+  held_ = free.held;
   // Lanes that are solved already keep their sums: summing again would round them differently.
   PadForces pad_force = without_force();
   if (eyes_.places != nullptr) levers_.restart(free.moment_N_m, lanes);
@@ -152,11 +153,48 @@ void ContactSweep::rebase(const FreeMotion& free, const Mask& lanes) {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       base_.put(at + axis, select(lanes, base.get(at + axis), base_.get(at + axis)));
+      if (held_.force_N != nullptr) force[axis] -= select(near_node_[a], held_.force_N->get(at + axis), Lane(0.0));
       node_force_.put(at + axis, select(lanes, force[axis], node_force_.get(at + axis)));
     }
   }
+  if (held_.force_N != nullptr) take_left_forces_off(lanes);
   for (std::size_t pad = 0; pad < kMostFingers; ++pad) {
     pad_force_[pad] = select(lanes, pad_force[pad], pad_force_[pad]);
+  }
+}
+
+/// Of the base, those that are held where nothing is near any more. Lane by lane, so that it is no matter what is
+/// near in others.
+void ContactSweep::take_left_forces_off(const Mask& lanes) {
+  left_node_.clear();
+  for (const int node : held_.on) {
+    const auto active = std::ranges::lower_bound(active_node_, node);
+    const bool is_active = active != active_node_.end() && *active == node;
+    const Mask near =
+        is_active ? near_node_[static_cast<std::size_t>(active - active_node_.begin())] : Mask(false);
+    const Mask left = lanes & has_near_ & !near;
+    if (none(left)) continue;
+    Mask any_force(false);
+    for (std::size_t row = 3 * static_cast<std::size_t>(node), end = row + 3; row < end; ++row) {
+      const Lane force = select(left, held_.force_N->get(row), Lane(0.0));
+      left_force_.put(row, force);
+      any_force = any_force | !(force == Lane(0.0));
+    }
+    if (any(any_force)) left_node_.push_back(node);
+  }
+  if (left_node_.empty()) return;
+  subtract_product(model_.compliance, model_.node_count(), active_node_, left_node_, left_force_, lanes, base_);
+}
+
+/// The forces on nodes are all of them again.
+void ContactSweep::count_held(const Mask& lanes) {
+  if (held_.force_N == nullptr) return;
+  for (std::size_t a = 0; a < active_node_.size(); ++a) {
+    const Mask here = lanes & near_node_[a];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t at = 3 * static_cast<std::size_t>(active_node_[a]) + axis;
+      node_force_.put(at, node_force_.get(at) + select(here, held_.force_N->get(at), Lane(0.0)));
+    }
   }
 }
 
@@ -372,6 +410,7 @@ Lane ContactSweep::solve(const GripperLanes& gripper, const Mask& lanes) {
   } else {
     sweeps = solve_upright(gripper, lanes);
   }
+  count_held(lanes);
   for (int pad = 0; pad < kJawFingers && shaped_ != nullptr; ++pad) {
     pad_place_[static_cast<std::size_t>(pad)] =
         surfaces_.place(pad, *theta_, gripper.way_at_theta(pad, pad_force_));
@@ -452,7 +491,7 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
     Mask stuck = is_stuck(plain, pressed) & (effort_.slow > Lane(0.0));
     if (is_first_solve_) {
       // Where contacts come and go every step would ask for a factor of its own.
-      stuck = stuck & (pressed == effort_.pressed);
+      stuck = stuck & ((pressed == effort_.pressed) | (effort_.pressed == Lane(Effort::kUnknown)));
       effort_.pressed = select(plain & has_near_, pressed, effort_.pressed);
     }
     if (any(stuck)) found = answer_stuck(gripper, stuck);
@@ -460,8 +499,10 @@ Lane ContactSweep::solve_upright(const GripperLanes& gripper, const Mask& lanes)
     unsolved = unsolved_ & !swept_out_;
     left = left | swept_out_;
     if (is_first_solve_) {
-      const Mask many = sweeps > Lane(kSlowSweeps), slow = (stuck & !many) | ((!stuck) & many);
-      effort_.slow = select(plain & has_near_, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
+      const Mask took = plain & has_near_;
+      const Mask slow = (stuck & (sweeps + found < effort_.plain)) | ((!stuck) & (sweeps > Lane(kSlowSweeps)));
+      effort_.slow = select(took, select(slow, Lane(1.0), Lane(0.0)), effort_.slow);
+      effort_.plain = select(took & !stuck, sweeps, effort_.plain);
       effort_.take_in(plain & has_near_, swept_out_ | (sweeps > Lane(kHardSweeps)));
     }
   }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/body/held_forces.hpp"
 #include "core/contact/contact_register.hpp"
 #include "core/contact/layer_law.hpp"
 #include "core/contact/lever_sums.hpp"
@@ -24,10 +25,11 @@
 
 namespace unbruised {
 
-/// How the product moves without contact forces until t + theta dt.
+/// How the product moves until t + theta dt without contact forces but those that are held.
 struct FreeMotion {
   const LaneArray& displacement;  ///< rows 3 x contact node + axis
   LaneVector moment_N_m;          ///< by which it turns; of products that touch with places
+  HeldForces held = {};           ///< on contact nodes
 };
 
 /// Through which eyes a product that turns is seen.
@@ -44,8 +46,14 @@ class ContactSweep {
   ContactSweep(const ContactModel& model, const SurfaceLanes& surfaces, ContactRegister& contacts,
                const ShapedPads* shaped = nullptr);
 
-  /// A lane begins anew, or takes steps of another length from now on.
+  /// A lane begins anew.
   void forget_effort(int lane) { effort_.clear_lane(lane); }
+  /// A lane takes steps of another length from now on: in the first there is much to find.
+  void expect_effort(int lane) {
+    effort_.clear_lane(lane);
+    effort_.slow.set(lane, 1.0);
+    effort_.pressed.set(lane, Effort::kUnknown);
+  }
   /// All that a lane keeps from step to step.
   void archive(LaneArchive& lane) { effort_.archive(lane); }
   /// Starts a step: the layers of this step, without forces.
@@ -60,7 +68,7 @@ class ContactSweep {
   /// @param awake candidates that may be near or carry force, ascending
   void list_active(const Mask& running, std::span<const int> awake);
 
-  /// Starts from the present forces over a motion without them.
+  /// Starts from the present forces over a motion without them, or with those that are held.
   void rebase(const FreeMotion& free, const Mask& lanes);
   /// Solves every lane of `solving` to convergence; lanes stop one by one.
   /// @return sweeps taken per lane
@@ -68,7 +76,8 @@ class ContactSweep {
   /// Lanes in which the last `solve` ended without contact forces that can be used.
   [[nodiscard]] const Mask& unsolved() const { return unsolved_; }
 
-  /// Contact forces at t + theta dt on the freedoms of the contact nodes, rows 3 x contact node + axis.
+  /// Contact forces at t + theta dt on the freedoms of the contact nodes, rows 3 x contact node + axis; after
+  /// `solve`.
   [[nodiscard]] const LaneArray& node_force() const { return node_force_; }
   /// How these forces turn the body as a whole.
   [[nodiscard]] const LeverSums& levers() const { return levers_; }
@@ -124,6 +133,8 @@ class ContactSweep {
     std::array<std::array<Lane, 3>, kGroup> d;
   };
   [[nodiscard]] Group look_at_group(std::size_t first, std::size_t end, const BusyPacks& lanes) const;
+  void take_left_forces_off(const Mask& lanes);
+  void count_held(const Mask& lanes);
   template <class Mounting>
   void update_node(std::size_t active, const GripperLanes& gripper, Pass& pass, Node& node);
   template <class Mounting>
@@ -212,7 +223,11 @@ class ContactSweep {
   std::array<Lane, kSurfaceCount> rate_slope_;  ///< d rate / d penetration of viscous layers: tau a1
   LaneArray viscous_;                           ///< per candidate, as of `prepare`
   LaneArray layer_, shear_, shear_relaxed_;     ///< stiffnesses of the near ones; 1 / (1 + shear x compliance)
-  LaneArray base_, node_force_;
+  LaneArray base_;                              ///< where the nodes would be without the forces of node_force_
+  LaneArray node_force_;  ///< while a solve goes on beside those that are held, on nodes with something near
+  HeldForces held_;
+  std::vector<int> left_node_;  ///< contact nodes that hold forces with nothing near in some lane
+  LaneArray left_force_;        ///< these
   std::vector<int> active_node_, live_candidate_;
   std::vector<int> near_candidate_;      ///< those near in any lane, by node
   std::vector<std::size_t> first_near_;  ///< active node -> its first one; one more than active nodes
@@ -227,14 +242,17 @@ class ContactSweep {
     Lane hard_steps{0.0};      ///< in a row
     Lane deflated_steps{0.0};  ///< to come, in which patches answer as wholes
     Lane span{0.0};            ///< so many were they when they began; 0: not of late
-    Lane slow{0.0};            ///< 1: the last step took many sweeps, or few because what stuck was found at once
-    Lane pressed{0.0};         ///< contacts at the start of the last step
+    Lane slow{0.0};            ///< 1: what sticks is to be found at once, where all does
+    Lane plain{0.0};           ///< sweeps of the last step that went without that
+    Lane pressed{0.0};         ///< contacts at the start of the last step, or kUnknown
 
+    static constexpr double kUnknown = -1.0, kMostlyPlain = 30.0;
     void take_in(const Mask& lanes, const Mask& hard);
     void clear_lane(int lane) {
       for (Lane* value : {&hard_steps, &deflated_steps, &span, &slow, &pressed}) value->set(lane, 0.0);
+      plain.set(lane, kMostlyPlain);
     }
-    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span, slow, pressed); }
+    void archive(LaneArchive& lane) { lane(hard_steps, deflated_steps, span, slow, plain, pressed); }
   };
   Effort effort_;
   Mask swept_out_{false};       ///< lanes that the last solve_with left as they were

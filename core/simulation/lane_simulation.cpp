@@ -156,14 +156,22 @@ void LaneSimulation::Impl::solve_contacts_and_product(const Mask& lanes) {
   LaneVector moment;
   body.start_solve(material->load_theta(), touch.place.empty() ? nullptr : &moment);
   if (touch.node_count() > 0) {
-    body.solve_without_contact(touch.touchable(), base);
+    const HeldForces held = body.solve_under_held(touch.touchable(), base);
     timer.lap(times.solve_s);
     if (first_round) {
-      contact.begin_step(
-          {body.u(), body.v(), body.a(), {base, moment}, now, theta, gripper, body.frame(), mount(), padded()},
-          lanes);
+      contact.begin_step({body.u(),
+                          body.v(),
+                          body.a(),
+                          {base, moment, held},
+                          now,
+                          theta,
+                          gripper,
+                          body.frame(),
+                          mount(),
+                          padded()},
+                         lanes);
     } else {
-      contact.rebase({base, moment}, lanes);
+      contact.rebase({base, moment, held}, lanes);
     }
     if (!contact.idle()) {
       sweeps += contact.solve(gripper, lanes);

@@ -10,14 +10,19 @@ namespace {
 /// A finger that touches or leaves, a support that lets go or is touched, a jump of the palm's acceleration or a
 /// pad that slides rings on for so long; 10 ms would do for a kiwi.
 constexpr double kRinging_s = 0.03;
-/// The drive presses into the swing of an impact, which may throw the finger back.
-constexpr double kImpact_s = 0.06;
+/// The drive presses into the swing of an impact, which may throw the finger back: for so long, or until all
+/// fingers have rested for a while.
+constexpr double kImpact_s = 0.06, kRested_s = 0.01;
 /// Fingers that go no farther within a long step rest.
 constexpr double kRests_m = 1e-6;
+/// Fingers that approach keep their speed, but for such a share within what a long step sees.
+constexpr double kKeepsSpeed = 0.05;
 /// A surface that is this near is about to touch.
 constexpr double kNearPad_m = 1e-4, kNearSupport_m = 1e-3;
 /// The support still carries the product, as a share of its weight.
 constexpr double kCarries = 0.7;
+/// What the plan does is known as far as a step looks. What the product does on its way may come twice as soon.
+constexpr double kSooner = 2.0;
 /// Before the product hangs, a pad with this share of its contacts sliding slides: the fingers still swing, and
 /// show in them. Later that is the rim of a patch of which the rest sticks, and a pad slides when all of it does.
 constexpr double kSlidingBefore = 0.3, kSlidingHung = 1.0;
@@ -62,31 +67,38 @@ bool touches(const StepObservation& seen) {
                              [](const FingerObservation& finger) { return finger.closed_contacts > 0.0; });
 }
 
-double way_m(const PalmState& from, const PalmState& to) {
-  return std::abs(to.position_m[2] - from.position_m[2]);
+double sinks_m(const PalmState& from, const PalmState& to) {
+  return std::max(0.0, from.position_m[2] - to.position_m[2]);
 }
+
+/// Will the fingers stay where they are for so long?
+bool rests(double reach_s, const LevelSigns& signs) { return signs.closing_m_s * reach_s < kRests_m; }
 
 }  // namespace
 
 void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
-  note(signs);
-  // From here until the end of the next long step, as it is looked at, and half as far again.
-  const double longest_s = levels_.longest * clock.tick_s;
-  ticks_ = ticks_for(need(2.0 * clock.theta * longest_s, signs));
+  const double sees_s = clock.theta * levels_.large * clock.tick_s;
+  note(sees_s, signs);
+  ticks_ = ticks_for(need(sees_s, signs));
   const double left_s = signs.cycle.plan().end_s() - signs.time_s;
   while (ticks_ > 1 && ticks_ * clock.tick_s > left_s) --ticks_;
   ticks_ = levels_.not_beyond(ticks_);
 }
 
-void LevelChoice::note(const LevelSigns& signs) {
+void LevelChoice::note(double sees_s, const LevelSigns& signs) {
   const auto ring = [&](double since_s) { short_until_s_ = std::max(short_until_s_, since_s + kRinging_s); };
   const MotionPlan& plan = signs.cycle.plan();
   for (std::size_t f = 0; f < kJawFingers; ++f) {
     const bool touches = signs.seen.finger[f].closed_contacts > 0.0;
     if (std::exchange(touches_[f], touches) == touches) continue;
+    ring(signs.time_s);
     const bool lets_go = !touches && signs.time_s > plan.release_start_s();
-    ring(lets_go ? signs.time_s : signs.time_s + kImpact_s);
+    if (!lets_go) swings_until_s_ = signs.time_s + kRinging_s + kImpact_s;
   }
+  if (!rests(kSooner * sees_s, signs)) moved_s_ = signs.time_s;
+  speeds_up_m_s2_ = std::abs(signs.closing_m_s - speed_m_s_) / (signs.time_s - seen_s_);
+  speed_m_s_ = signs.closing_m_s;
+  seen_s_ = signs.time_s;
   if (signs.seen.absorbed_energy_J > (1.0 + kFlows) * absorbed_J_) {
     absorbed_J_ = signs.seen.absorbed_energy_J;
     ring(signs.time_s);
@@ -104,37 +116,40 @@ void LevelChoice::note(const LevelSigns& signs) {
 
 int LevelChoice::ticks_for(Need need) const {
   if (need == Need::shortest) return 1;
-  return need == Need::medium ? levels_.medium : levels_.longest;
+  return need == Need::medium ? levels_.medium : levels_.large;
 }
 
-LevelChoice::Need LevelChoice::need(double reach_s, const LevelSigns& signs) const {
+LevelChoice::Need LevelChoice::need(double sees_s, const LevelSigns& signs) const {
   const MotionPlan& plan = signs.cycle.plan();
   if (!signs.cycle.has_contact()) {
-    return signs.pad_gap_m < kNearPad_m + signs.closing_m_s * reach_s ? Need::shortest : Need::longest;
+    const bool near = signs.pad_gap_m < kNearPad_m + signs.closing_m_s * kSooner * sees_s;
+    return near || speeds_up_m_s2_ * sees_s > kKeepsSpeed * signs.closing_m_s ? Need::shortest : Need::large;
   }
-  if (signs.time_s < short_until_s_) return Need::shortest;
-  if (plan.jumps_between(signs.time_s - kRinging_s, signs.time_s + reach_s)) return Need::shortest;
+  if (signs.time_s < std::max(short_until_s_, std::min(swings_until_s_, moved_s_ + kRested_s))) {
+    return Need::shortest;
+  }
+  if (plan.jumps_between(signs.time_s - kRinging_s, signs.time_s + sees_s)) return Need::shortest;
   const bool pressed = signs.time_s < plan.lift_start_s() && !plan.is_stopped(signs.time_s);
-  return pressed ? need_of_pressed(reach_s, signs) : need_of_carried(reach_s, signs);
+  return pressed ? need_of_pressed(sees_s, signs) : need_of_carried(sees_s, signs);
 }
 
 /// Until nothing moves any more.
-LevelChoice::Need LevelChoice::need_of_pressed(double reach_s, const LevelSigns& signs) const {
+LevelChoice::Need LevelChoice::need_of_pressed(double sees_s, const LevelSigns& signs) const {
   const MotionPlan& plan = signs.cycle.plan();
-  const bool rests = signs.time_s > plan.ramp_end_s() && std::ranges::all_of(touches_, std::identity()) &&
-                     signs.closing_m_s * reach_s < kRests_m;
-  return rests && signs.time_s + reach_s < plan.lift_start_s() ? Need::longest : Need::medium;
+  const bool grips = signs.time_s > plan.ramp_end_s() && std::ranges::all_of(touches_, std::identity());
+  const bool is_held = grips && rests(kSooner * sees_s, signs) && signs.time_s + sees_s < plan.lift_start_s();
+  return is_held ? Need::large : Need::medium;
 }
 
-LevelChoice::Need LevelChoice::need_of_carried(double reach_s, const LevelSigns& signs) const {
+LevelChoice::Need LevelChoice::need_of_carried(double sees_s, const LevelSigns& signs) const {
   const MotionPlan& plan = signs.cycle.plan();
   if (!hung_) return signs.seen.support_N < kCarries * signs.weight_N ? Need::shortest : Need::medium;
   const bool is_let_go = signs.time_s > off_s_ + kRinging_s;
-  if (is_let_go) return Need::longest;
-  if (may_slide(reach_s, signs)) return Need::shortest;
-  if (signs.time_s + reach_s > plan.release_start_s() || signs.seen.support_N > 0.0) return Need::medium;
-  const double sinks_m = way_m(plan.palm(signs.time_s), plan.palm(signs.time_s + reach_s));
-  return signs.support_gap_m < kNearSupport_m + sinks_m ? Need::medium : Need::longest;
+  if (is_let_go) return Need::large;
+  if (may_slide(kSooner * sees_s, signs)) return Need::shortest;
+  if (signs.time_s + sees_s > plan.release_start_s() || stands_) return Need::medium;
+  const double way_m = sinks_m(plan.palm(signs.time_s), plan.palm(signs.time_s + kSooner * sees_s));
+  return signs.support_gap_m < kNearSupport_m + way_m ? Need::medium : Need::large;
 }
 
 double planned_steps(const Scenario& scenario, double contact_s) {

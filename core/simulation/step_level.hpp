@@ -44,16 +44,22 @@ class LevelChoice {
   [[nodiscard]] int ticks() const { return ticks_; }
 
  private:
-  enum class Need { shortest, medium, longest };
-  void note(const LevelSigns& signs);
-  [[nodiscard]] Need need(double reach_s, const LevelSigns& signs) const;
-  [[nodiscard]] Need need_of_pressed(double reach_s, const LevelSigns& signs) const;
-  [[nodiscard]] Need need_of_carried(double reach_s, const LevelSigns& signs) const;
+  enum class Need { shortest, medium, large };
+  void note(double sees_s, const LevelSigns& signs);
+  // Where a long step would see so far.
+  [[nodiscard]] Need need(double sees_s, const LevelSigns& signs) const;
+  [[nodiscard]] Need need_of_pressed(double sees_s, const LevelSigns& signs) const;
+  [[nodiscard]] Need need_of_carried(double sees_s, const LevelSigns& signs) const;
   [[nodiscard]] int ticks_for(Need need) const;
 
   StepLevels levels_;
   int ticks_ = 1;
-  double short_until_s_ = 0.0;  ///< something has happened
+  double short_until_s_ = 0.0;   ///< something has happened
+  double swings_until_s_ = 0.0;  ///< a finger has touched or left, unless all have come to rest before
+  double moved_s_ = 0.0;         ///< when one of them last did not rest
+  double speed_m_s_ = 0.0;       ///< of the fastest finger, as it was last seen
+  double seen_s_ = 0.0;          ///< when
+  double speeds_up_m_s2_ = 0.0;  ///< how it has changed until now
   std::array<bool, kJawFingers> touches_{};
   double absorbed_J_ = 0.0;  ///< by the cells
   double off_s_ = kNever;    ///< when the fingers had let go

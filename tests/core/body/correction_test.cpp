@@ -83,6 +83,30 @@ void step(BodyLanes& lanes, const Pushed& block, double force_N, LaneArray& base
 /// Pressed in 20 ms, held, and let go at once.
 double force_at(int k) { return k < 20 ? 0.02 * k : k < 40 ? 0.4 : 0.0; }
 
+TEST_P(Correction, SaysUnderWhichForcesItLooks) {
+  const Pushed block = pushed_block(GetParam());
+  BodyLanes lanes(block.model, kWilson, ProductFrame::upright, block.touchable());
+  lanes.load(kLane, block.at_rest(), {0.0, 0.0, -9.81});
+  LaneArray without(6), under(6);
+  for (int k = 0; k < 5; ++k) step(lanes, block, force_at(k), without);
+  lanes.begin_step(Mask(true));
+  lanes.start_solve(nullptr);
+  const HeldForces held = lanes.solve_under_held(block.touchable(), under);
+  lanes.solve_without_contact(block.touchable(), without);
+  ASSERT_NE(held.force_N, nullptr);
+  EXPECT_EQ(std::vector<int>(held.on.begin(), held.on.end()), (std::vector<int>{0, 1}));
+  EXPECT_EQ(held.force_N->at(0, kLane), force_at(4));
+  EXPECT_EQ(held.force_N->at(3, kLane), -force_at(4));
+  for (std::size_t row = 0; row < 6; ++row) {
+    double by_held = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      by_held +=
+          block.compliance.block[9 * (2 * (row / 3) + k / 3) + 3 * (row % 3) + k % 3] * held.force_N->at(k, kLane);
+    }
+    EXPECT_NEAR(under.at(row, kLane) - without.at(row, kLane), by_held, 1e-12 * std::abs(under.at(0, kLane)));
+  }
+}
+
 TEST_P(Correction, FollowsTheSolutionInDoublePrecision) {
   const Pushed block = pushed_block(GetParam());
   BodyModel in_double = block.model;

@@ -257,22 +257,23 @@ TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
 TEST(StepLevels, AreAsLongAsTheirPhasesAllow) {
   struct Row {
     double step_s;
-    int medium, longest;
+    int medium, large;
   };
   // At most 1.5 ms while the product is pressed, 6 ms while it is carried.
-  for (const auto& [step_s, medium, longest] :
+  for (const auto& [step_s, medium, large] :
        {Row{5e-4, 2, 8}, Row{7e-4, 2, 8}, Row{1e-3, 1, 6}, Row{2e-3, 1, 3}, Row{7e-3, 1, 1}}) {
     Scenario scenario = small_box();
     scenario.simulation.levels = LevelUse::automatic;
     scenario.simulation.time_step_s = step_s;
     const StepLevels levels = step_levels(scenario);
     EXPECT_EQ(levels.medium, medium) << step_s;
-    EXPECT_EQ(levels.longest, longest) << step_s;
-    EXPECT_EQ(levels.any(), longest > 1) << step_s;
+    EXPECT_EQ(levels.large, large) << step_s;
+    EXPECT_EQ(levels.any(), large > 1) << step_s;
   }
 }
 
-// Its contacts would be too hard for sweeps at 6 ms: what sticks is found at once.
+// Its contacts would be too hard for sweeps at 6 ms: what sticks is found at once, in the first long step
+// too. Its fingers go as fast as the force of their drives makes them.
 TEST(StepLevels, ShowWhatTheShortestStepShowsOfAFlatProductToo) {
   Scenario scenario = benchmarks::cube512_scene(1e-3);
   scenario.simulation.levels = LevelUse::automatic;
@@ -288,10 +289,32 @@ TEST(StepLevels, ShowWhatTheShortestStepShowsOfAFlatProductToo) {
   near(Metric::compression_max_m, 0.005);
   near(Metric::slip_max_m, 0.01, 1e-6);
   EXPECT_LT(std::abs(a[Metric::energy_balance_error]), 2.0 * std::abs(b[Metric::energy_balance_error]));
-  EXPECT_LT(a[Metric::step_count], 0.4 * b[Metric::step_count]);
-  EXPECT_LT(a[Metric::contact_iterations], 0.6 * b[Metric::contact_iterations]);
+  near(Metric::first_contact_time_s, 0.0, 1e-4);
+  EXPECT_LT(a[Metric::step_count], 0.35 * b[Metric::step_count]);
+  EXPECT_LT(a[Metric::contact_iterations], 0.5 * b[Metric::contact_iterations]);
   std::cout << "[ measured ] steps " << a[Metric::step_count] / b[Metric::step_count] << ", sweeps "
             << a[Metric::contact_iterations] / b[Metric::contact_iterations] << " of the uniform ones\n";
+}
+
+// It swings for good, at 80 Hz: forces at their peaks are not those of short steps, but it is held as well.
+TEST(StepLevels, HoldABlockThatNothingDamps) {
+  Scenario scenario = small_box();
+  LatticeParameters& block = lattice_of(scenario);
+  block.size_m = {0.04, 0.04, 0.04};
+  block.cell_size_m = 0.02;
+  block.youngs_modulus_Pa = 1e6;
+  block.density_kg_m3 = 1562.5;
+  block.relaxation_time_s = 0.0;
+  block.friction = 0.6;
+  scenario.strategy.grip_force_N = 3.0;
+  const ScenarioResult uniform = run_side_by_side({scenario}).front();
+  scenario.simulation.levels = LevelUse::automatic;
+  const ScenarioResult levels = run_side_by_side({scenario}).front();
+  EXPECT_EQ(uniform.outcome, Outcome::held);
+  EXPECT_EQ(levels.outcome, Outcome::held);
+  EXPECT_NEAR(levels.metrics[Metric::slip_max_m], uniform.metrics[Metric::slip_max_m], 1e-6);
+  EXPECT_NEAR(levels.metrics[Metric::peak_finger_force_N], uniform.metrics[Metric::peak_finger_force_N],
+              0.05 * uniform.metrics[Metric::peak_finger_force_N]);
 }
 
 // The margins of the issue that asked for levels: force 0.5 %, slip 1 um + 1 %, yield ratio 0.5 %, set 1 %, times

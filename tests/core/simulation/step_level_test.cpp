@@ -1,8 +1,10 @@
-// Which step a scenario takes next while its product is carried: by how near its pads are to sliding.
+// Which step a scenario takes next: by how its fingers move and, while the product is carried, by how near its
+// pads are to sliding and how its plan goes on.
 
 #include "core/simulation/step_level.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,9 @@ Scenario lifted_cube() {
 /// A cube that touches at once, and hangs from the start of its lift on.
 class Carried {
  public:
-  Carried() { cycle_.observe(0.0, 0.0); }
+  explicit Carried(Scenario scenario = lifted_cube()) : scenario_(std::move(scenario)) {
+    cycle_.observe(0.0, 0.0);
+  }
 
   [[nodiscard]] const MotionPlan& plan() const { return cycle_.plan(); }
   /// What the pads are like from now on. @param load of what friction holds @param sliding of ten contacts
@@ -36,15 +40,18 @@ class Carried {
       finger.sliding_contacts = sliding;
     }
   }
-  /// Steps to that time. @return ticks of the step that follows
-  int at(double time_s) {
+  /// How far it is above its support.
+  void hang(double gap_m) { gap_m_ = gap_m; }
+  /// Steps to that time. @param closing_m_s speed of its fingers @return ticks of the step that follows
+  int at(double time_s, double closing_m_s = 0.0) {
     while (time_s_ + 0.5 * kTimeStep_s < time_s) {
       time_s_ += kTimeStep_s;
       seen_.support_N = time_s_ < plan().lift_start_s() ? 1.0 : 0.0;
       choice_.decide(clock_, {.time_s = time_s_,
                               .cycle = cycle_,
                               .seen = seen_,
-                              .support_gap_m = 1.0,
+                              .closing_m_s = closing_m_s,
+                              .support_gap_m = gap_m_,
                               .weight_N = 1.0,
                               .friction = kFriction,
                               .gravity_m_s2 = scenario_.cell.gravity_m_s2});
@@ -58,15 +65,15 @@ class Carried {
   HandlingCycle cycle_{scenario_};
   LevelChoice choice_{step_levels(scenario_)};
   StepObservation seen_;  // of two fingers
-  double time_s_ = 0.0;
+  double time_s_ = 0.0, gap_m_ = 1.0;
 };
 
-constexpr int kLong = 6;  // of 1 ms
+constexpr int kLarge = 6;  // of 1 ms
 
 TEST(StepLevel, IsLongWhereOnlyTheRimOfAPatchSlides) {
   Carried cube;
   cube.grip(0.7, 6.0);
-  EXPECT_EQ(cube.at(0.9), kLong);
+  EXPECT_EQ(cube.at(0.9), kLarge);
 }
 
 TEST(StepLevel, IsShortWherePadsCarryNearlyWhatFrictionHolds) {
@@ -74,7 +81,7 @@ TEST(StepLevel, IsShortWherePadsCarryNearlyWhatFrictionHolds) {
   cube.grip(0.91, 6.0);
   EXPECT_EQ(cube.at(0.9), 1);
   cube.grip(0.89, 6.0);  // while nothing grows
-  EXPECT_EQ(cube.at(0.91), kLong);
+  EXPECT_EQ(cube.at(0.91), kLarge);
 }
 
 TEST(StepLevel, IsShortWhereAPadSlidesAsAWholeAndForAWhileAfter) {
@@ -83,7 +90,7 @@ TEST(StepLevel, IsShortWhereAPadSlidesAsAWholeAndForAWhileAfter) {
   EXPECT_EQ(cube.at(0.85), 1);
   cube.grip(0.7, 9.0);
   EXPECT_EQ(cube.at(0.875), 1);
-  EXPECT_EQ(cube.at(0.885), kLong);
+  EXPECT_EQ(cube.at(0.885), kLarge);
 }
 
 // The lift of 10 cm in half a second pulls with up to 1.24 g, and falls to 0.76 g.
@@ -92,20 +99,65 @@ TEST(StepLevel, LooksAheadToWhatThePlanAsksOfFriction) {
   const double lift_s = before_rise.plan().lift_start_s();
   ASSERT_NEAR(lift_s, benchmarks::kCube512LiftStart_s, 1e-9);
   const auto pull = [&](double time_s) { return 9.81 + before_rise.plan().palm(time_s).acceleration_m_s2[2]; };
-  const double reach_s = 2.0 * lifted_cube().simulation.theta * kLong * kTimeStep_s;
+  const double reach_s = 2.0 * lifted_cube().simulation.theta * kLarge * kTimeStep_s;
   const double rises_s = lift_s + 0.06, falls_s = lift_s + 0.2;
   ASSERT_GT(pull(rises_s + reach_s) / pull(rises_s), 1.02);
   ASSERT_LT(pull(falls_s + reach_s) / pull(falls_s), 0.98);
   for (Carried* cube : {&before_rise, &before_fall}) cube->grip(0.84, 6.0);
   EXPECT_EQ(before_rise.at(rises_s), 1);
-  EXPECT_EQ(before_fall.at(falls_s), kLong);
+  EXPECT_EQ(before_fall.at(falls_s), kLarge);
+}
+
+TEST(StepLevel, IsShortBeforeTheProductComesDownOnItsSupportAndNotAfterItRose) {
+  Carried cube;
+  cube.grip(0.1, 0.0);
+  cube.hang(1.5e-3);
+  const double rises_s = cube.plan().lift_start_s() + 0.1, lowers_s = cube.plan().release_start_s() - 0.2;
+  const auto height_m = [&](double time_s) { return cube.plan().palm(time_s).position_m[2]; };
+  ASSERT_GT(height_m(rises_s + 0.02) - height_m(rises_s), 1e-3);
+  ASSERT_LT(height_m(lowers_s + 0.02) - height_m(lowers_s), -1e-3);
+  EXPECT_EQ(cube.at(rises_s), kLarge);
+  EXPECT_EQ(cube.at(lowers_s), 1);
+}
+
+// A finger is thrown back by the drive that presses into its swing for 90 ms, unless it has come to rest.
+TEST(StepLevel, IsShortAfterATouchUntilFingersHaveRestedForAWhile) {
+  Carried rests, swings;
+  for (Carried* cube : {&rests, &swings}) cube->grip(0.1, 0.0);
+  EXPECT_EQ(rests.at(0.06), kLarge);
+  EXPECT_EQ(swings.at(0.058, 1e-3), 1);
+  EXPECT_EQ(swings.at(0.066), 1);
+  EXPECT_EQ(swings.at(0.07), kLarge);
+}
+
+// A finger that its drive's force alone moves meets the product 0.6 ms late after steps of 6 ms.
+TEST(StepLevel, IsShortWhileApproachingFingersSpeedUp) {
+  const Scenario scenario = lifted_cube();
+  const StepClock clock{kTimeStep_s, 1, scenario.simulation.theta};
+  const HandlingCycle cycle(scenario);
+  const StepObservation seen;
+  LevelChoice choice(step_levels(scenario));
+  const auto decide = [&](double time_s, double closing_m_s, double gap_m) {
+    choice.decide(clock, {.time_s = time_s,
+                          .cycle = cycle,
+                          .seen = seen,
+                          .pad_gap_m = gap_m,
+                          .closing_m_s = closing_m_s,
+                          .weight_N = 1.0});
+    return choice.ticks();
+  };
+  EXPECT_EQ(decide(0.001, 0.01, 0.1), 1);
+  EXPECT_EQ(decide(0.002, 0.02, 0.1), 1);
+  EXPECT_EQ(decide(0.003, 0.02, 0.1), kLarge);
+  EXPECT_EQ(decide(0.004, 0.0201, 0.1), kLarge);
+  EXPECT_EQ(decide(0.005, 0.0201, 4e-4), 1);
 }
 
 TEST(StepLevel, IsShortBeforeTheProductHangsAsSoonAsSomeContactsSlide) {
   Carried rests, slides;
   rests.grip(0.1, 2.0);
   slides.grip(0.1, 4.0);
-  EXPECT_EQ(rests.at(0.15), kLong);  // the fingers rest, and the first touch is long ago
+  EXPECT_EQ(rests.at(0.15), kLarge);  // the fingers rest, and the first touch is long ago
   EXPECT_EQ(slides.at(0.15), 1);
 }
 

@@ -98,7 +98,7 @@ class ContactRegister {
   // Per candidate, of the present step.
   MaskArray near;                     ///< takes part in the solve
   MaskArray was_closed, was_sliding;  ///< at the last step's t + theta dt
-  LaneArray gap_now, gap_free;        ///< at the start of the step, and where it free moves until t + theta dt
+  LaneArray gap_now, gap_free;        ///< at the start of the step, and at t + theta dt as FreeMotion says
 
  private:
   const ContactModel& model_;

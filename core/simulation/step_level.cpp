@@ -77,7 +77,7 @@ bool rests(double reach_s, const LevelSigns& signs) { return signs.closing_m_s *
 }  // namespace
 
 void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
-  const double sees_s = clock.theta * levels_.large * clock.tick_s;
+  const double sees_s = clock.theta * levels_.longest * clock.tick_s;
   note(sees_s, signs);
   ticks_ = ticks_for(need(sees_s, signs));
   const double left_s = signs.cycle.plan().end_s() - signs.time_s;
@@ -116,14 +116,14 @@ void LevelChoice::note(double sees_s, const LevelSigns& signs) {
 
 int LevelChoice::ticks_for(Need need) const {
   if (need == Need::shortest) return 1;
-  return need == Need::medium ? levels_.medium : levels_.large;
+  return need == Need::medium ? levels_.medium : levels_.longest;
 }
 
 LevelChoice::Need LevelChoice::need(double sees_s, const LevelSigns& signs) const {
   const MotionPlan& plan = signs.cycle.plan();
   if (!signs.cycle.has_contact()) {
     const bool near = signs.pad_gap_m < kNearPad_m + signs.closing_m_s * kSooner * sees_s;
-    return near || speeds_up_m_s2_ * sees_s > kKeepsSpeed * signs.closing_m_s ? Need::shortest : Need::large;
+    return near || speeds_up_m_s2_ * sees_s > kKeepsSpeed * signs.closing_m_s ? Need::shortest : Need::longest;
   }
   if (signs.time_s < std::max(short_until_s_, std::min(swings_until_s_, moved_s_ + kRested_s))) {
     return Need::shortest;
@@ -138,18 +138,18 @@ LevelChoice::Need LevelChoice::need_of_pressed(double sees_s, const LevelSigns& 
   const MotionPlan& plan = signs.cycle.plan();
   const bool grips = signs.time_s > plan.ramp_end_s() && std::ranges::all_of(touches_, std::identity());
   const bool is_held = grips && rests(kSooner * sees_s, signs) && signs.time_s + sees_s < plan.lift_start_s();
-  return is_held ? Need::large : Need::medium;
+  return is_held ? Need::longest : Need::medium;
 }
 
 LevelChoice::Need LevelChoice::need_of_carried(double sees_s, const LevelSigns& signs) const {
   const MotionPlan& plan = signs.cycle.plan();
   if (!hung_) return signs.seen.support_N < kCarries * signs.weight_N ? Need::shortest : Need::medium;
   const bool is_let_go = signs.time_s > off_s_ + kRinging_s;
-  if (is_let_go) return Need::large;
+  if (is_let_go) return Need::longest;
   if (may_slide(kSooner * sees_s, signs)) return Need::shortest;
   if (signs.time_s + sees_s > plan.release_start_s() || stands_) return Need::medium;
   const double way_m = sinks_m(plan.palm(signs.time_s), plan.palm(signs.time_s + kSooner * sees_s));
-  return signs.support_gap_m < kNearSupport_m + way_m ? Need::medium : Need::large;
+  return signs.support_gap_m < kNearSupport_m + way_m ? Need::medium : Need::longest;
 }
 
 double planned_steps(const Scenario& scenario, double contact_s) {

@@ -44,7 +44,7 @@ class LevelChoice {
   [[nodiscard]] int ticks() const { return ticks_; }
 
  private:
-  enum class Need { shortest, medium, large };
+  enum class Need { shortest, medium, longest };
   void note(double sees_s, const LevelSigns& signs);
   // Where a long step would see so far.
   [[nodiscard]] Need need(double sees_s, const LevelSigns& signs) const;

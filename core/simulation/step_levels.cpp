@@ -15,8 +15,8 @@ namespace {
 /// Steps of the two longer levels, as multiples of the shortest and in seconds. Measured on a kiwi with 0.7 ms
 /// (docs/performance.md): twice the step does for pressing and placing, eight times, 5.6 ms, for carrying; longer
 /// steps gain little and cost accuracy.
-constexpr int kMedium = 2, kLarge = 8;
-constexpr double kMostMedium_s = 1.5e-3, kMostLarge_s = 6e-3;
+constexpr int kMedium = 2, kLongest = 8;
+constexpr double kMostMedium_s = 1.5e-3, kMostLongest_s = 6e-3;
 
 /// As many steps of this length as fit into a span, `most` at most and 1 at least.
 int ticks_within(double step_s, double span_s, int most) {
@@ -39,7 +39,7 @@ bool is_foreseen(const Scenario& scenario) {
 StepLevels step_levels(const Scenario& scenario) {
   if (scenario.simulation.levels == LevelUse::off || !is_foreseen(scenario)) return {};
   const double step_s = scenario.simulation.time_step_s;
-  return {ticks_within(step_s, kMostMedium_s, kMedium), ticks_within(step_s, kMostLarge_s, kLarge)};
+  return {ticks_within(step_s, kMostMedium_s, kMedium), ticks_within(step_s, kMostLongest_s, kLongest)};
 }
 
 }  // namespace unbruised

@@ -257,18 +257,18 @@ TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
 TEST(StepLevels, AreAsLongAsTheirPhasesAllow) {
   struct Row {
     double step_s;
-    int medium, large;
+    int medium, longest;
   };
   // At most 1.5 ms while the product is pressed, 6 ms while it is carried.
-  for (const auto& [step_s, medium, large] :
+  for (const auto& [step_s, medium, longest] :
        {Row{5e-4, 2, 8}, Row{7e-4, 2, 8}, Row{1e-3, 1, 6}, Row{2e-3, 1, 3}, Row{7e-3, 1, 1}}) {
     Scenario scenario = small_box();
     scenario.simulation.levels = LevelUse::automatic;
     scenario.simulation.time_step_s = step_s;
     const StepLevels levels = step_levels(scenario);
     EXPECT_EQ(levels.medium, medium) << step_s;
-    EXPECT_EQ(levels.large, large) << step_s;
-    EXPECT_EQ(levels.any(), large > 1) << step_s;
+    EXPECT_EQ(levels.longest, longest) << step_s;
+    EXPECT_EQ(levels.any(), longest > 1) << step_s;
   }
 }
 

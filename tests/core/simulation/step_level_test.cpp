@@ -4,7 +4,6 @@
 #include "core/simulation/step_level.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -26,9 +25,7 @@ Scenario lifted_cube() {
 /// A cube that touches at once, and hangs from the start of its lift on.
 class Carried {
  public:
-  explicit Carried(Scenario scenario = lifted_cube()) : scenario_(std::move(scenario)) {
-    cycle_.observe(0.0, 0.0);
-  }
+  Carried() { cycle_.observe(0.0, 0.0); }
 
   [[nodiscard]] const MotionPlan& plan() const { return cycle_.plan(); }
   /// What the pads are like from now on. @param load of what friction holds @param sliding of ten contacts
@@ -68,12 +65,12 @@ class Carried {
   double time_s_ = 0.0, gap_m_ = 1.0;
 };
 
-constexpr int kLarge = 6;  // of 1 ms
+constexpr int kLong = 6;  // of 1 ms
 
 TEST(StepLevel, IsLongWhereOnlyTheRimOfAPatchSlides) {
   Carried cube;
   cube.grip(0.7, 6.0);
-  EXPECT_EQ(cube.at(0.9), kLarge);
+  EXPECT_EQ(cube.at(0.9), kLong);
 }
 
 TEST(StepLevel, IsShortWherePadsCarryNearlyWhatFrictionHolds) {
@@ -81,7 +78,7 @@ TEST(StepLevel, IsShortWherePadsCarryNearlyWhatFrictionHolds) {
   cube.grip(0.91, 6.0);
   EXPECT_EQ(cube.at(0.9), 1);
   cube.grip(0.89, 6.0);  // while nothing grows
-  EXPECT_EQ(cube.at(0.91), kLarge);
+  EXPECT_EQ(cube.at(0.91), kLong);
 }
 
 TEST(StepLevel, IsShortWhereAPadSlidesAsAWholeAndForAWhileAfter) {
@@ -90,7 +87,7 @@ TEST(StepLevel, IsShortWhereAPadSlidesAsAWholeAndForAWhileAfter) {
   EXPECT_EQ(cube.at(0.85), 1);
   cube.grip(0.7, 9.0);
   EXPECT_EQ(cube.at(0.875), 1);
-  EXPECT_EQ(cube.at(0.885), kLarge);
+  EXPECT_EQ(cube.at(0.885), kLong);
 }
 
 // The lift of 10 cm in half a second pulls with up to 1.24 g, and falls to 0.76 g.
@@ -99,13 +96,13 @@ TEST(StepLevel, LooksAheadToWhatThePlanAsksOfFriction) {
   const double lift_s = before_rise.plan().lift_start_s();
   ASSERT_NEAR(lift_s, benchmarks::kCube512LiftStart_s, 1e-9);
   const auto pull = [&](double time_s) { return 9.81 + before_rise.plan().palm(time_s).acceleration_m_s2[2]; };
-  const double reach_s = 2.0 * lifted_cube().simulation.theta * kLarge * kTimeStep_s;
+  const double reach_s = 2.0 * lifted_cube().simulation.theta * kLong * kTimeStep_s;
   const double rises_s = lift_s + 0.06, falls_s = lift_s + 0.2;
   ASSERT_GT(pull(rises_s + reach_s) / pull(rises_s), 1.02);
   ASSERT_LT(pull(falls_s + reach_s) / pull(falls_s), 0.98);
   for (Carried* cube : {&before_rise, &before_fall}) cube->grip(0.84, 6.0);
   EXPECT_EQ(before_rise.at(rises_s), 1);
-  EXPECT_EQ(before_fall.at(falls_s), kLarge);
+  EXPECT_EQ(before_fall.at(falls_s), kLong);
 }
 
 TEST(StepLevel, IsShortBeforeTheProductComesDownOnItsSupportAndNotAfterItRose) {
@@ -116,7 +113,7 @@ TEST(StepLevel, IsShortBeforeTheProductComesDownOnItsSupportAndNotAfterItRose) {
   const auto height_m = [&](double time_s) { return cube.plan().palm(time_s).position_m[2]; };
   ASSERT_GT(height_m(rises_s + 0.02) - height_m(rises_s), 1e-3);
   ASSERT_LT(height_m(lowers_s + 0.02) - height_m(lowers_s), -1e-3);
-  EXPECT_EQ(cube.at(rises_s), kLarge);
+  EXPECT_EQ(cube.at(rises_s), kLong);
   EXPECT_EQ(cube.at(lowers_s), 1);
 }
 
@@ -124,10 +121,10 @@ TEST(StepLevel, IsShortBeforeTheProductComesDownOnItsSupportAndNotAfterItRose) {
 TEST(StepLevel, IsShortAfterATouchUntilFingersHaveRestedForAWhile) {
   Carried rests, swings;
   for (Carried* cube : {&rests, &swings}) cube->grip(0.1, 0.0);
-  EXPECT_EQ(rests.at(0.06), kLarge);
+  EXPECT_EQ(rests.at(0.06), kLong);
   EXPECT_EQ(swings.at(0.058, 1e-3), 1);
   EXPECT_EQ(swings.at(0.066), 1);
-  EXPECT_EQ(swings.at(0.07), kLarge);
+  EXPECT_EQ(swings.at(0.07), kLong);
 }
 
 // A finger that its drive's force alone moves meets the product 0.6 ms late after steps of 6 ms.
@@ -148,8 +145,8 @@ TEST(StepLevel, IsShortWhileApproachingFingersSpeedUp) {
   };
   EXPECT_EQ(decide(0.001, 0.01, 0.1), 1);
   EXPECT_EQ(decide(0.002, 0.02, 0.1), 1);
-  EXPECT_EQ(decide(0.003, 0.02, 0.1), kLarge);
-  EXPECT_EQ(decide(0.004, 0.0201, 0.1), kLarge);
+  EXPECT_EQ(decide(0.003, 0.02, 0.1), kLong);
+  EXPECT_EQ(decide(0.004, 0.0201, 0.1), kLong);
   EXPECT_EQ(decide(0.005, 0.0201, 4e-4), 1);
 }
 
@@ -157,7 +154,7 @@ TEST(StepLevel, IsShortBeforeTheProductHangsAsSoonAsSomeContactsSlide) {
   Carried rests, slides;
   rests.grip(0.1, 2.0);
   slides.grip(0.1, 4.0);
-  EXPECT_EQ(rests.at(0.15), kLarge);  // the fingers rest, and the first touch is long ago
+  EXPECT_EQ(rests.at(0.15), kLong);  // the fingers rest, and the first touch is long ago
   EXPECT_EQ(slides.at(0.15), 1);
 }
 

@@ -75,6 +75,28 @@ void multiply_row(const BlockMatrix& A, int row, const double* x1, const double*
   }
 }
 
+/// One row of blocks of A x1, a pack of lanes, and its share of x2' A x2: what lies right of the diagonal counts
+/// twice.
+template <class P>
+void multiply_row_and_form(const BlockMatrix& A, int row, const double* x1, const double* x2, double* y, P& form) {
+  P acc[3] = {0.0, 0.0, 0.0}, own[3] = {0.0, 0.0, 0.0}, right[3] = {0.0, 0.0, 0.0};
+  const auto column_of = [&](int p) { return 3 * kLanes * static_cast<std::size_t>(A.column[p]); };
+  const auto block_of = [&](int p) { return A.value.data() + 9 * static_cast<std::size_t>(p); };
+  int p = A.row_start[row];
+  for (; A.column[p] < row; ++p) add_block(block_of(p), x1 + column_of(p), acc);
+  add_block(block_of(p), x1 + column_of(p), acc);
+  add_block(block_of(p), x2 + column_of(p), own);
+  for (++p; p < A.row_start[row + 1]; ++p) {
+    add_block(block_of(p), x1 + column_of(p), acc);
+    add_block(block_of(p), x2 + column_of(p), right);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t at = kLanes * (3 * static_cast<std::size_t>(row) + i);
+    acc[i].store(y + at);
+    form += P::load(x2 + at) * (own[i] + (right[i] + right[i]));
+  }
+}
+
 /// Does a lane vector have the freedoms of the matrix?
 bool fits(const BlockMatrix& A, const LaneArray& x) {
   return x.rows() == 3 * static_cast<std::size_t>(A.particle_count);
@@ -148,6 +170,21 @@ void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2
     for (int row = 0; row < A.particle_count; ++row) {
       packs.each([&](int lane) {
         multiply_row<P>(A, row, x1.data() + lane, x2.data() + lane, y1.data() + lane, y2.data() + lane);
+      });
+    }
+  });
+}
+
+void multiply_and_form(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y, Lane& form,
+                       const Mask& lanes) {
+  require(fits(A, x1) && fits(A, x2) && fits(A, y), "multiply_and_form: vectors of another size than the matrix");
+  form = Lane(0.0);
+  with_packs(lanes, [&]<class P>(const Packs<P, kLanes>& packs) {
+    for (int row = 0; row < A.particle_count; ++row) {
+      packs.each([&](int lane) {
+        P sum = pack_of<P>(form, lane);
+        multiply_row_and_form<P>(A, row, x1.data() + lane, x2.data() + lane, y.data() + lane, sum);
+        put_pack_of(form, sum, lane);
       });
     }
   });

@@ -19,6 +19,11 @@ void multiply(const BlockMatrix& A, const LaneArray& x, LaneArray& y);
 void multiply_two(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y1, LaneArray& y2,
                   const Mask& lanes = Mask(true));
 
+/// y = A x1 and form = x2' A x2, for which half of A is enough. @param lanes that are asked for; what the others
+/// become is not said
+void multiply_and_form(const BlockMatrix& A, const LaneArray& x1, const LaneArray& x2, LaneArray& y, Lane& form,
+                       const Mask& lanes = Mask(true));
+
 /// sums[r] += sum_j block_j x_j over the 3x3 blocks `rows[r] + 9 j` of some rows and rows 3 j.. of x, for the
 /// listed j. The bits of a sum do not depend on the rows beside it.
 /// @param lanes that are asked for; what becomes of the others' sums is not said

@@ -13,7 +13,7 @@ BodyLanes::BodyLanes(const BodyModel& body, const WilsonTheta& wilson, ProductFr
     : BodyMotion(3 * body.particle_count), body_(body), w_(wilson) {
   const std::size_t freedoms = 3 * body.particle_count;
   require(body.factor.size > 0 && body.slot.size() == freedoms, "BodyLanes: the body is not factored");
-  for (LaneArray* array : {&viscous_, &c_viscous_, &c_v_}) *array = LaneArray(freedoms);
+  for (LaneArray* array : {&viscous_, &c_viscous_}) *array = LaneArray(freedoms);
   rhs_ = LaneArray(static_cast<std::size_t>(body.factor.size));
   if (body.factor.single_value.empty()) {
     solve_.emplace(body);
@@ -120,11 +120,18 @@ template <class Acceleration>
   const double factor = damping_factor();
   const bool is_predicted = correction_.has_value();
   const double of_both = remembered != nullptr || is_predicted ? 1.0 : factor;
-  multiply_two(is_damped_as_it_is_stiff() ? body_.K : body_.C, viscous_, rate, c_viscous_, c_v_, running);
+  const BlockMatrix& matrix = is_damped_as_it_is_stiff() ? body_.K : body_.C;
   const NarrowPacks busy(running);
-  const NarrowPack pack_factor = factor, pack_of_both = of_both;
-  std::array<NarrowPack, kNarrowPacks> power_of;
-  power_of.fill(NarrowPack(0.0));
+  Lane power(0.0);
+  if (is_predicted && remembered == nullptr) {
+    multiply_and_form(matrix, viscous_, rate, c_viscous_, power, running);
+    power *= Lane(factor);
+  } else {
+    if (c_v_.rows() == 0) c_v_ = LaneArray(rate.rows());
+    multiply_two(matrix, viscous_, rate, c_viscous_, c_v_, running);
+    power = power_of(rate, busy);
+  }
+  const NarrowPack pack_of_both = of_both;
   for (std::size_t p = 0; p < body_.particle_count; ++p) {
     const NarrowPack mass(body_.mass_kg[p]);
     busy.each([&](int first) {
@@ -134,16 +141,29 @@ template <class Acceleration>
         const int slot = body_.slot[i];
         if (slot < 0) continue;
         const auto get = [&](const LaneArray& rows) { return get_pack(rows, i, first); };
-        power_of[pack_at(first)] += pack_factor * get(rate) * get(c_v_);
         const NarrowPack inertial = is_predicted ? -get(a_) : w_.inertial(get(u_), get(v_), get(a_));
         put_pack(rhs_, static_cast<std::size_t>(slot),
                  mass * (inertial + outer[axis]) + pack_of_both * get(c_viscous_), first);
       }
     });
   }
+  damped_.book(w_.dt, power, running);
+}
+
+/// rate' C rate, by what of the body is free.
+Lane BodyLanes::power_of(const LaneArray& rate, const NarrowPacks& busy) const {
+  const NarrowPack factor(damping_factor());
+  std::array<NarrowPack, kNarrowPacks> power_of;
+  power_of.fill(NarrowPack(0.0));
+  for (std::size_t i = 0; i < rate.rows(); ++i) {
+    if (body_.slot[i] < 0) continue;
+    busy.each([&](int first) {
+      power_of[pack_at(first)] += factor * get_pack(rate, i, first) * get_pack(c_v_, i, first);
+    });
+  }
   Lane power(0.0);
   busy.each([&](int first) { widen(power, power_of[pack_at(first)], first); });
-  damped_.book(w_.dt, power, running);
+  return power;
 }
 
 void BodyLanes::add_forces(int lane, std::span<const double> force_N) {

@@ -70,6 +70,7 @@ class BodyLanes final : public BodyMotion {
   template <class Acceleration>
   void put_right_hand_side(const LaneArray& rate, const LaneArray* remembered, const Acceleration& outer_m_s2,
                            const Mask& running);
+  [[nodiscard]] Lane power_of(const LaneArray& rate, const NarrowPacks& busy) const;
   [[nodiscard]] LaneVector moment_of_load(const LaneArray* load) const;
   void advance_upright(const Mask& running);
 
@@ -81,7 +82,8 @@ class BodyLanes final : public BodyMotion {
   // A free solid is solved as a correction, all others as they are.
   std::optional<Correction> correction_;
   std::optional<FactorSolve<LaneArray>> solve_;
-  LaneArray viscous_, c_viscous_, c_v_;  ///< a1 u + 2 v + a3 a; C times it; C v
+  LaneArray viscous_, c_viscous_;  ///< a1 u + 2 v + a3 a; C times it
+  LaneArray c_v_;                  ///< C v, of bodies whose stiffness fades or that are not corrected
   LaneArray rhs_;                        ///< elimination order; of a correction what is left of it
   std::optional<FrameLanes> frame_;
   LaneArray rate_;  ///< velocity with which a body in a floating frame deforms, [3n]

@@ -246,9 +246,13 @@ void ContactSweep::count_held(const Mask& lanes) {
   const Lane cone = surfaces_[surface].friction * contacts_.normal_theta.get(c);
   const Lane size2 = new1 * new1 + new2 * new2;
   const Mask sliding = size2 > cone * cone;
-  const Lane scale = select(sliding, cone / sqrt(max(size2, Lane(1e-300))), Lane(1.0));
-  new1 = select(active, new1 * scale, old1);
-  new2 = select(active, new2 * scale, old2);
+  if (any(active & sliding)) {
+    const Lane scale = select(sliding, cone / sqrt(max(size2, Lane(1e-300))), Lane(1.0));
+    new1 *= scale;
+    new2 *= scale;
+  }
+  new1 = select(active, new1, old1);
+  new2 = select(active, new2, old2);
   contacts_.sliding.put(c, (active & sliding) | ((!active) & contacts_.sliding.get(c)));
   contacts_.tangent_theta[0].put(c, new1);
   contacts_.tangent_theta[1].put(c, new2);

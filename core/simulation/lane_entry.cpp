@@ -113,8 +113,10 @@ std::unique_ptr<ParkedScenario> LaneSimulation::Impl::take(int lane) {
   LaneRun& r = run_of(lane);
   require(r.busy, "LaneSimulation::take: the lane is free");
   auto parked = std::make_unique<ParkedScenario>();
+  parked->content.number.reserve(numbers_of_lane);
   LaneArchive out = LaneArchive::out_of(lane, parked->content);
   archive(out);
+  numbers_of_lane = parked->content.number.size();
   parked->ticks = clock.ticks;
   parked->run = std::move(r);
   r = LaneRun{};

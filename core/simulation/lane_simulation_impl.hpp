@@ -73,6 +73,7 @@ struct LaneSimulation::Impl {
   std::array<LaneRun, kLanes> run;
   Mask running{false};
   std::vector<Finished> finished;
+  std::size_t numbers_of_lane = 0;  ///< that was taken out last
 
   InitialStates initial;
   std::unique_ptr<BodyMotion> own_body;

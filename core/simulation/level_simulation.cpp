@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -40,7 +40,7 @@ struct Batch {
   static constexpr int kFree = -1;
   LaneSimulation lanes;
   std::array<int, kLanes> place{};  ///< in each lane
-  std::deque<Waiting> waiting;
+  std::vector<Waiting> waiting;
   bool in_use = false;  ///< by one of two threads
 
   [[nodiscard]] int busy() const { return lanes.busy_count(); }
@@ -57,15 +57,39 @@ struct Batch {
     return most_s;
   }
   [[nodiscard]] int free_lane() const { return static_cast<int>(std::ranges::find(place, kFree) - place.begin()); }
-  /// Gives free lanes to those who wait; they have them once they are `let_in`.
+  /// Gives lanes to those who are furthest behind, and takes them from those who are not; guests have theirs once
+  /// they are `let_in`. So lanes of a step are in like phases: a batch sweeps its contacts as long as the slowest
+  /// of its lanes, over all that any of them touches.
   std::vector<std::pair<int, Waiting>> invite() {
+    make_room();
     std::vector<std::pair<int, Waiting>> guests;
     for (int lane = free_lane(); lane < kLanes && !waiting.empty(); lane = free_lane()) {
-      place[static_cast<std::size_t>(lane)] = waiting.front().place;
-      guests.emplace_back(lane, std::move(waiting.front()));
-      waiting.pop_front();
+      const auto next = std::ranges::max_element(waiting, {}, &Waiting::left_s);
+      place[static_cast<std::size_t>(lane)] = next->place;
+      guests.emplace_back(lane, std::move(*next));
+      waiting.erase(next);
     }
     return guests;
+  }
+  /// Where a lane is free anyway those of the others who are ahead of somebody who waits have to wait.
+  void make_room() {
+    if (waiting.empty() || free_lane() == kLanes) return;
+    constexpr int kWaits = -1;
+    std::vector<std::pair<double, int>> order;  // time left, lane
+    for (const Waiting& each : waiting) order.emplace_back(each.left_s, kWaits);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (place[static_cast<std::size_t>(lane)] != kFree) order.emplace_back(lanes.time_left_s(lane), lane);
+    }
+    std::ranges::sort(order, std::greater());
+    for (std::size_t i = kLanes; i < order.size(); ++i) {
+      if (order[i].second != kWaits) waiting.push_back(take(order[i].second));
+    }
+  }
+  /// A scenario out of its lane.
+  Waiting take(int lane) {
+    const double left_s = lanes.time_left_s(lane);
+    const int from = std::exchange(place[static_cast<std::size_t>(lane)], kFree);
+    return {from, std::nullopt, lanes.take(lane), {}, left_s};
   }
   void let_in(std::vector<std::pair<int, Waiting>> guests) {
     for (auto& [lane, guest] : guests) {
@@ -110,13 +134,10 @@ struct LevelSimulation::Impl {
       leaving.finished.push_back({at, done.result});
     }
     for (int lane = 0; lane < kLanes; ++lane) {
-      int& place = from.place[static_cast<std::size_t>(lane)];
-      if (place == Batch::kFree) continue;
+      if (from.place[static_cast<std::size_t>(lane)] == Batch::kFree) continue;
       const int ticks = from.lanes.next_ticks(lane);
       if (ticks == from.lanes.ticks()) continue;
-      const double left_s = from.lanes.time_left_s(lane);
-      leaving.moved.push_back(
-          {ticks, {std::exchange(place, Batch::kFree), std::nullopt, from.lanes.take(lane), {}, left_s}});
+      leaving.moved.push_back({ticks, from.take(lane)});
     }
     return leaving;
   }
@@ -138,10 +159,19 @@ struct LevelSimulation::Impl {
     stepped += of.ready();
     ++stepped_batches;
   }
+  /// New scenarios begin together, as soon as they fill a batch or there are lanes to spare: those that run side by
+  /// side from the start stay in like phases.
+  void begin_fresh() {
+    const auto loaded = static_cast<std::size_t>(std::ranges::count(busy, true));
+    if (loaded - fresh.size() > kPlaces - kLanes) return;
+    std::ranges::move(fresh, std::back_inserter(first().waiting));
+    fresh.clear();
+  }
   /// Which batch steps next. Full ones cost least a scenario; where there are too few for that, those behind catch
-  /// up with the others. One that stays full goes on: what it reads is in the caches.
+  /// up with the others. One that keeps all its lanes goes on: what it reads is in the caches.
   Batch* next_batch() {
-    if (last == nullptr || !last->is_full()) last = most_urgent();
+    begin_fresh();
+    if (last == nullptr || last->busy() < kLanes) last = most_urgent();
     return last;
   }
   /// Of those that no thread works with; nullptr: none of these has anything to do.
@@ -164,6 +194,7 @@ struct LevelSimulation::Impl {
         threads.alone([&] {
           if (mine != nullptr) mine->in_use = false;
           hand_over(std::exchange(leaving, {}));
+          begin_fresh();
           mine = step < kStepsAtOnce && !is_call_over() ? most_urgent() : nullptr;
           is_one_gone = is_one_gone || mine == nullptr;
           if (mine == nullptr) return;
@@ -188,18 +219,17 @@ struct LevelSimulation::Impl {
     return is_one_gone && std::ranges::count_if(batch, has_work) > 1;
   }
 
-  /// Acts on the lane of a place that was just loaded, now or when it has one.
+  /// Acts on the lane of a place that was just loaded, when it has one.
   void once_loaded(int place, std::function<void(LaneSimulation&, int lane)> act) {
-    const auto lane = std::ranges::find(first().place, place);
-    if (lane != first().place.end()) return act(first().lanes, static_cast<int>(lane - first().place.begin()));
-    const auto waits = std::ranges::find(first().waiting, place, &Waiting::place);
-    require(waits != first().waiting.end(), "LevelSimulation: nothing was loaded into the place");
+    const auto waits = std::ranges::find(fresh, place, &Waiting::place);
+    require(waits != fresh.end(), "LevelSimulation: nothing was loaded into the place");
     waits->once_loaded.push_back(std::move(act));
   }
 
   std::shared_ptr<const Model> model;
   Longer longer;
   std::map<int, std::unique_ptr<Batch>> batch;  ///< by ticks
+  std::vector<Waiting> fresh;                   ///< not begun
   Batch* last = nullptr;                        ///< that took a step
   std::array<bool, kPlaces> busy{};
   std::vector<Finished> finished;
@@ -217,9 +247,7 @@ void LevelSimulation::load(int place, const Scenario& scenario) {
   require(place >= 0 && place < kPlaces, "LevelSimulation::load: there is no such place");
   bool& busy = impl_->busy[static_cast<std::size_t>(place)];
   require(!busy, "LevelSimulation::load: the place is busy");
-  Batch& first = impl_->first();
-  first.waiting.push_back({place, scenario, nullptr, {}, HUGE_VAL});
-  first.fill();
+  impl_->fresh.push_back({place, scenario, nullptr, {}, HUGE_VAL});
   busy = true;
 }
 

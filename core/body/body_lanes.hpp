@@ -84,7 +84,7 @@ class BodyLanes final : public BodyMotion {
   std::optional<FactorSolve<LaneArray>> solve_;
   LaneArray viscous_, c_viscous_;  ///< a1 u + 2 v + a3 a; C times it
   LaneArray c_v_;                  ///< C v, of bodies whose stiffness fades or that are not corrected
-  LaneArray rhs_;                        ///< elimination order; of a correction what is left of it
+  LaneArray rhs_;                  ///< elimination order; of a correction what is left of it
   std::optional<FrameLanes> frame_;
   LaneArray rate_;  ///< velocity with which a body in a floating frame deforms, [3n]
   std::array<Lane, 3> turn_{Lane(0.0), Lane(0.0), Lane(0.0)};  ///< sum m r x u

@@ -159,8 +159,8 @@ struct LevelSimulation::Impl {
     stepped += of.ready();
     ++stepped_batches;
   }
-  /// New scenarios begin together, as soon as they fill a batch or there are lanes to spare: those that run side by
-  /// side from the start stay in like phases.
+  /// New scenarios begin together, as soon as they fill a batch or there are lanes to spare: those that run side
+  /// by side from the start stay in like phases.
   void begin_fresh() {
     const auto loaded = static_cast<std::size_t>(std::ranges::count(busy, true));
     if (loaded - fresh.size() > kPlaces - kLanes) return;

@@ -10,6 +10,9 @@ namespace {
 /// A finger that touches or leaves, a support that lets go or is touched, a jump of the palm's acceleration or a
 /// pad that slides rings on for so long; 10 ms would do for a kiwi.
 constexpr double kRinging_s = 0.03;
+/// Unless the loads of the pads have gone so straight for a while that a long step would miss no more than this
+/// share of what presses: of a force that bends, an eighth of its second derivative times the step squared.
+constexpr double kMisses = 3e-3;
 /// The drive presses into the swing of an impact, which may throw the finger back: for so long, or until all
 /// fingers have rested for a while.
 constexpr double kImpact_s = 0.06, kRested_s = 0.01;
@@ -85,13 +88,40 @@ void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
   ticks_ = levels_.not_beyond(ticks_);
 }
 
+/// May a long step miss something of how the loads change? Where no pad is pressed nothing tells.
+bool LevelChoice::swings(const StepObservation& seen) {
+  Loads now{};
+  now.back() = seen.support_N;
+  double pressed_N = 0.0, bends_N = 0.0;
+  for (std::size_t f = 0; f < kJawFingers; ++f) {
+    const FingerObservation& finger = seen.finger[f];
+    pressed_N += finger.normal_N;
+    now[3 * f] = finger.normal_N;
+    for (std::size_t t = 0; t < 2; ++t) now[3 * f + 1 + t] = finger.tangent_N[t];
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    bends_N = std::max(bends_N, std::abs(now[i] - 2.0 * loads_[i] + loads_before_[i]));
+  }
+  loads_before_ = std::exchange(loads_, now);
+  short_steps_ = ticks_ == 1 ? short_steps_ + 1 : 0;
+  constexpr int kBend = 3;  // steps that it takes to see one
+  const double misses_N = bends_N * levels_.longest * levels_.longest / 8.0;
+  return short_steps_ < kBend || pressed_N == 0.0 || misses_N > kMisses * pressed_N;
+}
+
 void LevelChoice::note(double sees_s, const LevelSigns& signs) {
-  const auto ring = [&](double since_s) { short_until_s_ = std::max(short_until_s_, since_s + kRinging_s); };
+  if (swings(signs.seen)) swung_s_ = signs.time_s;
+  if (signs.time_s > swung_s_ + kRested_s) rings_until_s_ = 0.0;
+  const auto ring = [&] {
+    rings_until_s_ = signs.time_s + kRinging_s;
+    swung_s_ = signs.time_s;
+  };
+  const auto keep_short = [&] { short_until_s_ = signs.time_s + kRinging_s; };
   const MotionPlan& plan = signs.cycle.plan();
   for (std::size_t f = 0; f < kJawFingers; ++f) {
     const bool touches = signs.seen.finger[f].closed_contacts > 0.0;
     if (std::exchange(touches_[f], touches) == touches) continue;
-    ring(signs.time_s);
+    ring();
     const bool lets_go = !touches && signs.time_s > plan.release_start_s();
     if (!lets_go) swings_until_s_ = signs.time_s + kRinging_s + kImpact_s;
   }
@@ -101,15 +131,15 @@ void LevelChoice::note(double sees_s, const LevelSigns& signs) {
   seen_s_ = signs.time_s;
   if (signs.seen.absorbed_energy_J > (1.0 + kFlows) * absorbed_J_) {
     absorbed_J_ = signs.seen.absorbed_energy_J;
-    ring(signs.time_s);
+    keep_short();
   }
-  if (slides(signs.seen, hung_ ? kSlidingHung : kSlidingBefore)) ring(signs.time_s);
-  if (ticks_ > 1 && signs.contact_sweeps > kManySweeps) ring(signs.time_s);
+  if (slides(signs.seen, hung_ ? kSlidingHung : kSlidingBefore)) keep_short();
+  if (ticks_ > 1 && signs.contact_sweeps > kManySweeps) keep_short();
   const bool stands = signs.seen.support_N > 0.0;
-  if (std::exchange(stands_, stands) != stands && hung_) ring(signs.time_s);
+  if (std::exchange(stands_, stands) != stands && hung_) ring();
   if (signs.time_s >= plan.lift_start_s() && !hung_ && !stands) {
     hung_ = true;
-    ring(signs.time_s);
+    ring();
   }
   if (off_s_ == kNever && signs.time_s > plan.release_start_s() && !touches(signs.seen)) off_s_ = signs.time_s;
 }
@@ -125,7 +155,8 @@ LevelChoice::Need LevelChoice::need(double sees_s, const LevelSigns& signs) cons
     const bool near = signs.pad_gap_m < kNearPad_m + signs.closing_m_s * kSooner * sees_s;
     return near || speeds_up_m_s2_ * sees_s > kKeepsSpeed * signs.closing_m_s ? Need::shortest : Need::longest;
   }
-  if (signs.time_s < std::max(short_until_s_, std::min(swings_until_s_, moved_s_ + kRested_s))) {
+  const double swings_until_s = std::min(swings_until_s_, moved_s_ + kRested_s);
+  if (signs.time_s < std::max({short_until_s_, rings_until_s_, swings_until_s})) {
     return Need::shortest;
   }
   if (plan.jumps_between(signs.time_s - kRinging_s, signs.time_s + sees_s)) return Need::shortest;

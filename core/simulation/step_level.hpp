@@ -46,6 +46,7 @@ class LevelChoice {
  private:
   enum class Need { shortest, medium, longest };
   void note(double sees_s, const LevelSigns& signs);
+  bool swings(const StepObservation& seen);
   // Where a long step would see so far.
   [[nodiscard]] Need need(double sees_s, const LevelSigns& signs) const;
   [[nodiscard]] Need need_of_pressed(double sees_s, const LevelSigns& signs) const;
@@ -54,17 +55,22 @@ class LevelChoice {
 
   StepLevels levels_;
   int ticks_ = 1;
-  double short_until_s_ = 0.0;   ///< something has happened
+  double short_until_s_ = 0.0;   ///< something goes on
+  double rings_until_s_ = 0.0;   ///< something has happened, unless loads have gone straight for a while since
+  double swung_s_ = 0.0;         ///< when they last did not
   double swings_until_s_ = 0.0;  ///< a finger has touched or left, unless all have come to rest before
   double moved_s_ = 0.0;         ///< when one of them last did not rest
   double speed_m_s_ = 0.0;       ///< of the fastest finger, as it was last seen
   double seen_s_ = 0.0;          ///< when
   double speeds_up_m_s2_ = 0.0;  ///< how it has changed until now
   std::array<bool, kJawFingers> touches_{};
-  double absorbed_J_ = 0.0;  ///< by the cells
-  double off_s_ = kNever;    ///< when the fingers had let go
-  bool stands_ = false;      ///< the support carries something
-  bool hung_ = false;        ///< the support has let go of the product
+  using Loads = std::array<double, 3 * kJawFingers + 1>;  ///< of the pads along N, T1, T2; of the support [N]
+  Loads loads_{}, loads_before_{};                        ///< at the ends of the last two steps
+  int short_steps_ = 0;                                   ///< in a row
+  double absorbed_J_ = 0.0;                               ///< by the cells
+  double off_s_ = kNever;                                 ///< when the fingers had let go
+  bool stands_ = false;                                   ///< the support carries something
+  bool hung_ = false;                                     ///< the support has let go of the product
 };
 
 /// How many steps a scenario with several levels takes when everything goes as planned.

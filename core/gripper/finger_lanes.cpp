@@ -88,35 +88,10 @@ Lane FingerLanes::palm_force(int finger) const {
          mass_ * share(finger, command_.centrifugal_1_s2) * (opened_ - state_[finger].way);
 }
 
-Lane FingerLanes::share(int finger, const FingerForces& each) const {
-  Lane sum = each[0];
-  for (int other = 1; other < count_; ++other) sum += each[static_cast<std::size_t>(other)];
-  return select(centric_, Lane(1.0 / count_) * sum, each[static_cast<std::size_t>(finger)]);
-}
-
-Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
-  const State& s = state_[finger];
-  return drive_at_way(finger,
-                      (s.free_force - contact + gain_ * (command_.set_speed_m_s + s.viscous)) * inverse_driven_);
-}
-
-Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
-  const Lane speed = a1_ * way_theta - state_[finger].viscous;
-  const Lane wanted = gain_ * (command_.set_speed_m_s - speed);
-  if (curve_.any_given()) return drive_on_curve(finger, speed, wanted);
-  return max(state_[finger].least, min(command_.force_limit_N, wanted));
-}
-
-// Apart, so that drives without curves stay one piece of code: the contact solve asks for them at every candidate.
-[[gnu::noinline]] Lane FingerLanes::drive_on_curve(int finger, const Lane& speed, const Lane& wanted) const {
+Lane FingerLanes::drive_on_curve(int finger, const Lane& speed, const Lane& wanted) const {
   const Lane least = max(state_[finger].least, -curve_.force_N(-speed));
   const Lane most = min(command_.force_limit_N, curve_.force_N(speed));
   return max(least, min(most, wanted));
-}
-
-Lane FingerLanes::free_way_at_theta(int finger, const Lane& contact) const {
-  // Solving with the linear drive first and clamping its force is exact: the balance is monotone in the way.
-  return (state_[finger].free_force - contact + drive_at_theta(finger, contact)) * inverse_stiffness_;
 }
 
 Lane FingerLanes::way_against_stop(int finger, const Lane& stiffness, const Lane& force) const {
@@ -165,27 +140,17 @@ Lane FingerLanes::curved_way_at_theta(int finger, const Lane& contact) const {
   return min(forwards, max(backwards, regulated));
 }
 
-Lane FingerLanes::driven_way_at_theta(int finger, const Lane& contact) const {
-  Lane way = free_way_at_theta(finger, contact);
-  const Mask stopped = way > stroke_;
-  if (any(stopped)) way = select(stopped, stopped_way_at_theta(finger, contact), way);
-  if (curve_.any_given()) way = select(curve_.given(), curved_way_at_theta(finger, contact), way);
-  return way;
-}
-
 Lane FingerLanes::locked_way_at_theta(int finger, const Lane& contact) const {
   const State& s = state_[finger];
   const Lane push = s.free_force - contact + lock_.drive_N(finger) + lock_.force_at_zero(finger, s.viscous);
   return select(lock_.springs(), way_against_stop(finger, stiffness_ + lock_.slope(), push), s.way);
 }
 
-Lane FingerLanes::way_at_theta(int finger, const FingerForces& force) const {
-  const Lane contact = share(finger, force);
-  const Lane way = driven_way_at_theta(finger, contact);
-  if (!lock_.any_closed()) return way;
+Lane FingerLanes::held_way_at_theta(int finger, const Lane& contact, const Lane& driven) const {
   // A share of the balance's forces is the same share of its way.
   const Lane closed = lock_.closed(), locked = locked_way_at_theta(finger, contact);
-  return select(closed >= Lane(1.0), locked, select(closed > Lane(0.0), way + closed * (locked - way), way));
+  return select(closed >= Lane(1.0), locked,
+                select(closed > Lane(0.0), driven + closed * (locked - driven), driven));
 }
 
 /// What moves a finger at t + theta dt.

@@ -111,6 +111,8 @@ class FingerLanes {
   /// The way at t + theta dt without locks, and where a lock is closed.
   [[nodiscard]] Lane driven_way_at_theta(int finger, const Lane& contact) const;
   [[nodiscard]] Lane locked_way_at_theta(int finger, const Lane& contact) const;
+  /// The way of fingers whose locks are closed, some in part. @param driven the same without locks
+  [[nodiscard]] Lane held_way_at_theta(int finger, const Lane& contact, const Lane& driven) const;
   /// Where w is with `stiffness` w + E(w) = `force`, E that of the end stop.
   [[nodiscard]] Lane way_against_stop(int finger, const Lane& stiffness, const Lane& force) const;
   struct Push;
@@ -131,5 +133,46 @@ class FingerLanes {
   DriveCommand command_;
   Lane work_{0.0}, positive_work_{0.0}, dissipated_{0.0};
 };
+
+// The contact solve asks for the way at every candidate: what most fingers do is one piece of code with it, and
+// what stops, curves and locks add stands apart.
+
+[[gnu::always_inline]] inline Lane FingerLanes::share(int finger, const FingerForces& each) const {
+  Lane sum = each[0];
+  for (int other = 1; other < count_; ++other) sum += each[static_cast<std::size_t>(other)];
+  return select(centric_, Lane(1.0 / count_) * sum, each[static_cast<std::size_t>(finger)]);
+}
+
+[[gnu::always_inline]] inline Lane FingerLanes::drive_at_way(int finger, const Lane& way_theta) const {
+  const Lane speed = a1_ * way_theta - state_[finger].viscous;
+  const Lane wanted = gain_ * (command_.set_speed_m_s - speed);
+  if (curve_.any_given()) return drive_on_curve(finger, speed, wanted);
+  return max(state_[finger].least, min(command_.force_limit_N, wanted));
+}
+
+[[gnu::always_inline]] inline Lane FingerLanes::drive_at_theta(int finger, const Lane& contact) const {
+  const State& s = state_[finger];
+  return drive_at_way(finger,
+                      (s.free_force - contact + gain_ * (command_.set_speed_m_s + s.viscous)) * inverse_driven_);
+}
+
+[[gnu::always_inline]] inline Lane FingerLanes::free_way_at_theta(int finger, const Lane& contact) const {
+  // Solving with the linear drive first and clamping its force is exact: the balance is monotone in the way.
+  return (state_[finger].free_force - contact + drive_at_theta(finger, contact)) * inverse_stiffness_;
+}
+
+[[gnu::always_inline]] inline Lane FingerLanes::driven_way_at_theta(int finger, const Lane& contact) const {
+  Lane way = free_way_at_theta(finger, contact);
+  const Mask stopped = way > stroke_;
+  if (any(stopped)) way = select(stopped, stopped_way_at_theta(finger, contact), way);
+  if (curve_.any_given()) way = select(curve_.given(), curved_way_at_theta(finger, contact), way);
+  return way;
+}
+
+[[gnu::always_inline]] inline Lane FingerLanes::way_at_theta(int finger, const FingerForces& force) const {
+  const Lane contact = share(finger, force);
+  const Lane way = driven_way_at_theta(finger, contact);
+  return lock_.any_closed() ? held_way_at_theta(finger, contact, way) : way;
+}
 
 }  // namespace unbruised

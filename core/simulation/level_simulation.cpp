@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/door/require.hpp"
-#include "core/lanes/lane.hpp"
+#include "core/lanes/lane_packs.hpp"
 #include "core/simulation/parked_scenario.hpp"
 #include "core/simulation/simulation.hpp"
 
@@ -71,8 +71,14 @@ struct Batch {
     }
     return guests;
   }
-  /// Where a lane is free anyway those of the others who are ahead of somebody who waits have to wait.
+  /// Where a lane is free anyway those of the others who are ahead of somebody who waits have to wait. A few gather
+  /// in the first lanes, which are stepped as one narrow pack.
   void make_room() {
+    if (ready() <= NarrowPack::size) {
+      for (int lane = NarrowPack::size; lane < kLanes; ++lane) {
+        if (place[static_cast<std::size_t>(lane)] != kFree) waiting.push_back(take(lane));
+      }
+    }
     if (waiting.empty() || free_lane() == kLanes) return;
     constexpr int kWaits = -1;
     std::vector<std::pair<double, int>> order;  // time left, lane

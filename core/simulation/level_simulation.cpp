@@ -71,8 +71,8 @@ struct Batch {
     }
     return guests;
   }
-  /// Where a lane is free anyway those of the others who are ahead of somebody who waits have to wait. A few gather
-  /// in the first lanes, which are stepped as one narrow pack.
+  /// Where a lane is free anyway those of the others who are ahead of somebody who waits have to wait. A few
+  /// gather in the first lanes, which are stepped as one narrow pack.
   void make_room() {
     if (ready() <= NarrowPack::size) {
       for (int lane = NarrowPack::size; lane < kLanes; ++lane) {

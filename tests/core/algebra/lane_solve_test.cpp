@@ -267,8 +267,12 @@ TEST(LaneMatrix, ProductsEqualTheScalarOnesInEveryLane) {
   LaneArray y(rows), y1(rows), y2(rows);
   multiply(made.K, x1, y);
   multiply_two(made.K, x1, x2, y1, y2);
+  LaneArray y3(rows);
+  Lane form(0.0);
+  multiply_and_form(made.K, x1, x2, y3, form);
   for (int lane = 0; lane < kLanes; ++lane) {
-    for (const auto& [x, product] : {std::pair(&x1, &y1), std::pair(&x2, &y2), std::pair(&x1, &y)}) {
+    for (const auto& [x, product] :
+         {std::pair(&x1, &y1), std::pair(&x2, &y2), std::pair(&x1, &y), std::pair(&x1, &y3)}) {
       std::vector<double> one(rows), expected(rows);
       for (std::size_t i = 0; i < rows; ++i) one[i] = x->at(i, lane);
       multiply(made.K, std::span<const double>(one), std::span<double>(expected));
@@ -277,6 +281,12 @@ TEST(LaneMatrix, ProductsEqualTheScalarOnesInEveryLane) {
       // Up to 81 products per row, fused here and rounded there.
       for (std::size_t i = 0; i < rows; ++i) ASSERT_NEAR(product->at(i, lane), expected[i], 1e-14 * scale);
     }
+    double sum = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < rows; ++i) {
+      sum += x2.at(i, lane) * y2.at(i, lane);
+      size += std::abs(x2.at(i, lane) * y2.at(i, lane));
+    }
+    ASSERT_NEAR(form[lane], sum, 1e-14 * size);
   }
 }
 

@@ -254,6 +254,33 @@ TEST(StepLevels, AlikeScenariosTakeTheirLongStepsTogether) {
   std::cout << "[ measured ] lanes " << 100.0 * busy / lanes << " % busy\n";
 }
 
+// A batch sweeps its contacts as long as the slowest of its lanes: those that begin together should end together,
+// however many came before (1.4 at once where each begins as soon as there is a place, 3.2 together).
+TEST(StepLevels, AlikeScenariosStayInLikePhases) {
+  const std::vector<Scenario> boxes = many_boxes();
+  constexpr std::size_t kCount = 320;
+  LevelSimulation simulation(build(boxes.front()));
+  std::size_t next = 0, finished = 0;
+  double busy = 0.0, lanes = 0.0, calls_with_ends = 0.0;
+  while (finished < kCount) {
+    for (int place = 0; place < level_place_count() && next < kCount; ++place) {
+      if (simulation.busy(place)) continue;
+      Scenario scenario = boxes.back();
+      scenario.strategy.grip_force_N += 1e-3 * static_cast<double>(next++ % 10);
+      simulation.load(place, scenario);
+    }
+    simulation.step();
+    finished += simulation.finished().size();
+    busy += simulation.stepped();
+    lanes += kLanes;
+    if (!simulation.finished().empty()) ++calls_with_ends;
+  }
+  std::cout << "[ measured ] " << static_cast<double>(kCount) / calls_with_ends << " end at once, lanes "
+            << 100.0 * busy / lanes << " % busy\n";
+  EXPECT_GT(static_cast<double>(kCount) / calls_with_ends, 2.5);
+  EXPECT_GT(busy / lanes, 0.9);
+}
+
 TEST(StepLevels, AreAsLongAsTheirPhasesAllow) {
   struct Row {
     double step_s;

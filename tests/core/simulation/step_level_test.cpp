@@ -127,6 +127,23 @@ TEST(StepLevel, IsShortAfterATouchUntilFingersHaveRestedForAWhile) {
   EXPECT_EQ(swings.at(0.07), kLong);
 }
 
+// Its support lets go at the start of the lift.
+TEST(StepLevel, IsShortAfterTheProductHangsUntilLoadsGoStraight) {
+  Carried rests, swings;
+  const double lift_s = rests.plan().lift_start_s();
+  for (Carried* cube : {&rests, &swings}) {
+    cube->grip(0.1, 0.0);
+    EXPECT_EQ(cube->at(lift_s), 1);
+  }
+  EXPECT_EQ(rests.at(lift_s + 0.009), 1);
+  EXPECT_EQ(rests.at(lift_s + 0.012), kLong);
+  for (int step = 1; step < 29; ++step) {
+    swings.grip(step % 2 == 0 ? 0.1 : 0.11, 0.0);
+    EXPECT_EQ(swings.at(lift_s + step * kTimeStep_s), 1) << step;
+  }
+  EXPECT_EQ(swings.at(lift_s + 0.031), kLong);
+}
+
 // A finger that its drive's force alone moves meets the product 0.6 ms late after steps of 6 ms.
 TEST(StepLevel, IsShortWhileApproachingFingersSpeedUp) {
   const Scenario scenario = lifted_cube();

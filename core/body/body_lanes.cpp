@@ -153,16 +153,15 @@ template <class Acceleration>
 /// rate' C rate, by what of the body is free.
 Lane BodyLanes::power_of(const LaneArray& rate, const NarrowPacks& busy) const {
   const NarrowPack factor(damping_factor());
-  std::array<NarrowPack, kNarrowPacks> power_of;
-  power_of.fill(NarrowPack(0.0));
+  std::array<NarrowPack, kNarrowPacks> sum;
+  sum.fill(NarrowPack(0.0));
   for (std::size_t i = 0; i < rate.rows(); ++i) {
     if (body_.slot[i] < 0) continue;
-    busy.each([&](int first) {
-      power_of[pack_at(first)] += factor * get_pack(rate, i, first) * get_pack(c_v_, i, first);
-    });
+    busy.each(
+        [&](int first) { sum[pack_at(first)] += factor * get_pack(rate, i, first) * get_pack(c_v_, i, first); });
   }
   Lane power(0.0);
-  busy.each([&](int first) { widen(power, power_of[pack_at(first)], first); });
+  busy.each([&](int first) { widen(power, sum[pack_at(first)], first); });
   return power;
 }
 

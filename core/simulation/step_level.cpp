@@ -10,8 +10,9 @@ namespace {
 /// A finger that touches or leaves, a support that lets go or is touched, a jump of the palm's acceleration or a
 /// pad that slides rings on for so long; 10 ms would do for a kiwi.
 constexpr double kRinging_s = 0.03;
-/// Unless the loads of the pads have gone so straight for a while that a long step would miss no more than this
-/// share of what presses: of a force that bends, an eighth of its second derivative times the step squared.
+/// What a touch or the support has set ringing has come to rest once loads have gone so straight for a while that
+/// a long step would miss no more than this share of what presses: of a force that bends, an eighth of its second
+/// derivative times the step squared.
 constexpr double kMisses = 3e-3;
 /// The drive presses into the swing of an impact, which may throw the finger back: for so long, or until all
 /// fingers have rested for a while.
@@ -88,13 +89,13 @@ void LevelChoice::decide(const StepClock& clock, const LevelSigns& signs) {
   ticks_ = levels_.not_beyond(ticks_);
 }
 
-/// May a long step miss something of how the loads change? Where no pad is pressed nothing tells.
-bool LevelChoice::swings(const StepObservation& seen) {
+/// Would a long step miss something of how the loads change? Where no pad is pressed nothing tells.
+void LevelChoice::note_loads(const LevelSigns& signs) {
   Loads now{};
-  now.back() = seen.support_N;
+  now.back() = signs.seen.support_N;
   double pressed_N = 0.0, bends_N = 0.0;
   for (std::size_t f = 0; f < kJawFingers; ++f) {
-    const FingerObservation& finger = seen.finger[f];
+    const FingerObservation& finger = signs.seen.finger[f];
     pressed_N += finger.normal_N;
     now[3 * f] = finger.normal_N;
     for (std::size_t t = 0; t < 2; ++t) now[3 * f + 1 + t] = finger.tangent_N[t];
@@ -106,12 +107,12 @@ bool LevelChoice::swings(const StepObservation& seen) {
   short_steps_ = ticks_ == 1 ? short_steps_ + 1 : 0;
   constexpr int kBend = 3;  // steps that it takes to see one
   const double misses_N = bends_N * levels_.longest * levels_.longest / 8.0;
-  return short_steps_ < kBend || pressed_N == 0.0 || misses_N > kMisses * pressed_N;
+  if (short_steps_ < kBend || pressed_N == 0.0 || misses_N > kMisses * pressed_N) swung_s_ = signs.time_s;
+  if (signs.time_s > swung_s_ + kRested_s) rings_until_s_ = 0.0;
 }
 
 void LevelChoice::note(double sees_s, const LevelSigns& signs) {
-  if (swings(signs.seen)) swung_s_ = signs.time_s;
-  if (signs.time_s > swung_s_ + kRested_s) rings_until_s_ = 0.0;
+  note_loads(signs);
   const auto ring = [&] {
     rings_until_s_ = signs.time_s + kRinging_s;
     swung_s_ = signs.time_s;

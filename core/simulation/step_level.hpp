@@ -46,7 +46,7 @@ class LevelChoice {
  private:
   enum class Need { shortest, medium, longest };
   void note(double sees_s, const LevelSigns& signs);
-  bool swings(const StepObservation& seen);
+  void note_loads(const LevelSigns& signs);
   // Where a long step would see so far.
   [[nodiscard]] Need need(double sees_s, const LevelSigns& signs) const;
   [[nodiscard]] Need need_of_pressed(double sees_s, const LevelSigns& signs) const;
